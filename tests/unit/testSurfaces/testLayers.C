@@ -1,0 +1,142 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+
+#include "testLayers.H"
+#include "DynamicList.H"
+#include "unitConversion.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- The different normals at each point
+static List<DynamicList<vector>> pointNormals(const wallSurface& wall)
+{
+    List<DynamicList<vector>> normals(wall.points.size());
+
+    for (const face& f : wall.faces)
+    {
+        const vector n(normalised(f.areaNormal(wall.points)));
+
+        for (const label p : f)
+        {
+            bool known = false;
+            for (const vector& other : normals[p])
+            {
+                known = known || mag(n - other) < 1e-9;
+            }
+
+            if (!known)
+            {
+                normals[p].append(n);
+            }
+        }
+    }
+
+    return normals;
+}
+
+
+//- The vector along the mean normal, of unit length normal to the faces
+static vector columnVector(const UList<vector>& normals)
+{
+    vector mean(Zero);
+    for (const vector& n : normals)
+    {
+        mean += n;
+    }
+
+    scalar projection = GREAT;
+    for (const vector& n : normals)
+    {
+        projection = min(projection, mean & n);
+    }
+
+    return mean/projection;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::prismLayers Foam::testSurfaces::straightLayers
+(
+    const wallSurface& wall,
+    const scalarList& heights
+)
+{
+    prismLayers layers;
+    layers.nLayers = heights.size() - 1;
+    layers.faces = wall.faces;
+    layers.patchIDs = wall.patchIDs;
+    layers.patchNames = wall.patchNames;
+    layers.points.setSize(wall.points.size()*heights.size());
+
+    const List<DynamicList<vector>> normals(pointNormals(wall));
+
+    forAll(wall.points, p)
+    {
+        const vector column(columnVector(normals[p]));
+
+        forAll(heights, i)
+        {
+            layers.points[layers.pointLabel(p, i)] =
+                wall.points[p] + heights[i]*column;
+        }
+    }
+
+    return layers;
+}
+
+
+Foam::prismLayers Foam::testSurfaces::onePolygon
+(
+    const label nPoints,
+    const scalarList& heights
+)
+{
+    wallSurface wall;
+    wall.patchIDs = labelList(1, Zero);
+    wall.patchNames = wordList(1, word("wall"));
+    wall.faces.setSize(1);
+    wall.faces[0].setSize(nPoints);
+
+    for (label k = 0; k < nPoints; ++k)
+    {
+        const scalar angle = degToRad(360.0*k/nPoints);
+        wall.faces[0][k] = k;
+        wall.points.append(point(cos(angle), sin(angle), 0));
+    }
+
+    return straightLayers(wall, heights);
+}
+
+
+Foam::scalarList Foam::testSurfaces::geometricHeights
+(
+    const label n,
+    const scalar first,
+    const scalar ratio
+)
+{
+    scalarList heights(n + 1, Zero);
+
+    for (label i = 1; i <= n; ++i)
+    {
+        heights[i] = heights[i - 1] + first*pow(ratio, i - 1);
+    }
+
+    return heights;
+}
+
+
+// ************************************************************************* //
