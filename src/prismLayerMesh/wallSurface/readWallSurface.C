@@ -1,0 +1,347 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "readWallSurface.H"
+#include "surfaceFile.H"
+#include "wallPredicates.H"
+#include "wallTopologyDefects.H"
+#include "boundBox.H"
+#include "ListOps.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static void checkFinite(const fileName& file, const pointField& points)
+{
+    forAll(points, i)
+    {
+        // Larger ones overflow in areas and volumes
+        if (!(cmptMax(cmptMag(points[i])) < 1e90))
+        {
+            FatalErrorInFunction
+                << "Cannot use the surface " << file << ": point " << i
+                << " at " << points[i] << " is not finite"
+                << exit(FatalError);
+        }
+    }
+}
+
+
+//- For each point the one that stands for it, itself or one within the
+//  tolerance
+static labelList findRepresentatives
+(
+    const pointField& points,
+    const scalar tolerance
+)
+{
+    // In the order of their places along a direction that no plane of a
+    // surface is likely to be normal to, near points are near
+    const vector direction(0.48712, 0.60539, 0.62962);
+    const scalarField place(points & direction);
+    const scalar reach = 1.01*mag(direction)*tolerance;
+
+    labelList order(identity(points.size()));
+    std::sort
+    (
+        order.begin(),
+        order.end(),
+        [&](const label a, const label b)
+        {
+            return place[a] < place[b] || (place[a] == place[b] && a < b);
+        }
+    );
+
+    labelList representatives(points.size(), -1);
+
+    forAll(order, i)
+    {
+        const label p = order[i];
+
+        if (representatives[p] >= 0)
+        {
+            continue;
+        }
+
+        representatives[p] = p;
+
+        for
+        (
+            label j = i + 1;
+            j < order.size() && place[order[j]] - place[p] <= reach;
+            ++j
+        )
+        {
+            const label q = order[j];
+
+            if
+            (
+                representatives[q] < 0
+             && magSqr(points[q] - points[p]) <= sqr(tolerance)
+            )
+            {
+                representatives[q] = p;
+            }
+        }
+    }
+
+    return representatives;
+}
+
+
+static bool hasRepeatedPoint(const face& f)
+{
+    for (label i = 0; i < f.size(); ++i)
+    {
+        if (f[i] == f[f.fcIndex(i)])
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+
+//- Leave out faces whose corners have become one, with their sides: the faces
+//  beside them then are neighbours
+static label removeCollapsedFaces(wallSurface& wall)
+{
+    label n = 0;
+
+    forAll(wall.faces, i)
+    {
+        if (!hasRepeatedPoint(wall.faces[i]))
+        {
+            wall.faces[n] = wall.faces[i];
+            wall.patchIDs[n++] = wall.patchIDs[i];
+        }
+    }
+
+    const label nCollapsed = wall.faces.size() - n;
+    wall.faces.setSize(n);
+    wall.patchIDs.setSize(n);
+
+    return nCollapsed;
+}
+
+
+static void mergePoints
+(
+    wallSurface& wall,
+    const scalar mergeTolerance,
+    wallReading& reading
+)
+{
+    const scalar tolerance = mergeTolerance*boundBox(wall.points, false).mag();
+    const labelList representatives
+    (
+        findRepresentatives(wall.points, tolerance)
+    );
+
+    for (face& f : wall.faces)
+    {
+        for (label& p : f)
+        {
+            p = representatives[p];
+        }
+    }
+
+    forAll(representatives, p)
+    {
+        reading.mergedPoints += (representatives[p] != p);
+    }
+
+    reading.collapsedFaces = removeCollapsedFaces(wall);
+}
+
+
+//- Number those that are used, in their order
+static labelList compactNumbers(const boolList& used, label& nUsed)
+{
+    labelList numbers(used.size(), -1);
+    nUsed = 0;
+
+    forAll(used, i)
+    {
+        if (used[i])
+        {
+            numbers[i] = nUsed++;
+        }
+    }
+
+    return numbers;
+}
+
+
+static void removeUnusedPoints(wallSurface& wall)
+{
+    boolList used(wall.points.size(), false);
+    for (const face& f : wall.faces)
+    {
+        for (const label p : f)
+        {
+            used[p] = true;
+        }
+    }
+
+    label nUsed = 0;
+    const labelList numbers(compactNumbers(used, nUsed));
+
+    forAll(numbers, p)
+    {
+        if (numbers[p] >= 0)
+        {
+            wall.points[numbers[p]] = wall.points[p];
+        }
+    }
+    wall.points.setSize(nUsed);
+
+    for (face& f : wall.faces)
+    {
+        for (label& p : f)
+        {
+            p = numbers[p];
+        }
+    }
+}
+
+
+//- Patches without faces go, those of the same name become one, and the only
+//  one that the file has not named is named after the file
+static void cleanPatches(wallSurface& wall, const fileName& file)
+{
+    boolList used(wall.patchNames.size(), false);
+    for (const label patchi : wall.patchIDs)
+    {
+        used[patchi] = true;
+    }
+
+    DynamicList<word> names;
+    labelList numbers(used.size(), -1);
+
+    forAll(used, i)
+    {
+        if (used[i])
+        {
+            const word name(word::validate(wall.patchNames[i], true));
+            numbers[i] = names.find(name);
+
+            if (numbers[i] < 0)
+            {
+                numbers[i] = names.size();
+                names.append(name);
+            }
+        }
+    }
+
+    for (label& patchi : wall.patchIDs)
+    {
+        patchi = numbers[patchi];
+    }
+
+    const wordList unnamed({"", "zone0", "solid", "solid0", "patch0"});
+
+    if (names.size() == 1 && unnamed.found(names[0]))
+    {
+        const fileName plain(file.ext() == "gz" ? file.lessExt() : file);
+        const word stem(word::validate(plain.nameLessExt(), true));
+        names[0] = (stem.empty() ? word("wall") : stem);
+    }
+
+    wall.patchNames = names;
+}
+
+
+//- A closed oriented manifold, by its labels alone
+static bool isOrientable(const wallSurface& wall, const wallSides& sides)
+{
+    for (const face& f : wall.faces)
+    {
+        if (f.size() < 3 || hasRepeatedPoint(f))
+        {
+            return false;
+        }
+    }
+
+    defectList defects(wall);
+    const bool oriented = findBadEdges(sides, defects);
+    findNonManifoldPoints(wall, sides, defects);
+
+    return oriented && defects.empty();
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::wallSurface Foam::readWallSurface
+(
+    const fileName& file,
+    const wallSurfaceControls& controls,
+    wallReading& reading
+)
+{
+    reading = wallReading();
+    bool separateFaces = false;
+    wallSurface wall(readSurfaceFile(file, separateFaces));
+
+    wall.points *= controls.scale;
+    checkFinite(file, wall.points);
+
+    if (separateFaces)
+    {
+        mergePoints(wall, controls.mergeTolerance, reading);
+    }
+
+    removeUnusedPoints(wall);
+    cleanPatches(wall, file);
+    reading.flippedFaces = orientWallSurface(wall, controls.fluidOutside);
+
+    return wall;
+}
+
+
+Foam::label Foam::orientWallSurface
+(
+    wallSurface& wall,
+    const bool fluidOutside
+)
+{
+    const wallSides sides(makeWallSides(wall.faces, wall.points.size()));
+
+    if (wall.faces.empty() || !isOrientable(wall, sides))
+    {
+        return 0;
+    }
+
+    labelList componentOfFace;
+    const label n = findComponents(sides, wall.faces.size(), componentOfFace);
+    const bitSet inward(findInwardComponents(wall, componentOfFace, n));
+    label nFlipped = 0;
+
+    forAll(wall.faces, facei)
+    {
+        if (inward.test(componentOfFace[facei]) == fluidOutside)
+        {
+            wall.faces[facei].flip();
+            ++nFlipped;
+        }
+    }
+
+    return nFlipped;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,132 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "wallSides.H"
+#include "disjointSets.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Visit (low, high, face, up) of every side
+template<class Visitor>
+static void visitSides(const faceList& faces, const Visitor& visit)
+{
+    forAll(faces, facei)
+    {
+        const face& f = faces[facei];
+
+        forAll(f, i)
+        {
+            const label a = f[i];
+            const label b = f[f.fcIndex(i)];
+
+            if (a != b)
+            {
+                visit(wallSide{min(a, b), max(a, b), facei, a < b});
+            }
+        }
+    }
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::wallSides Foam::makeWallSides
+(
+    const faceList& faces,
+    const label nPoints
+)
+{
+    // A counting sort on low leaves runs of a few sides to be sorted by high
+    labelList starts(nPoints + 1, Zero);
+    visitSides(faces, [&](const wallSide& s) { ++starts[s.low + 1]; });
+
+    for (label i = 0; i < nPoints; ++i)
+    {
+        starts[i + 1] += starts[i];
+    }
+
+    wallSides result;
+    List<wallSide>& sides = result.sides;
+    sides.setSize(starts[nPoints]);
+
+    labelList next(starts);
+    visitSides(faces, [&](const wallSide& s) { sides[next[s.low]++] = s; });
+
+    DynamicList<label> edgeStarts(sides.size()/2 + 1);
+
+    for (label p = 0; p < nPoints; ++p)
+    {
+        std::stable_sort
+        (
+            sides.begin() + starts[p],
+            sides.begin() + starts[p + 1],
+            [](const wallSide& s, const wallSide& t)
+            {
+                return s.high < t.high;
+            }
+        );
+
+        for (label i = starts[p]; i < starts[p + 1]; ++i)
+        {
+            if (i == starts[p] || sides[i].high != sides[i - 1].high)
+            {
+                edgeStarts.append(i);
+            }
+        }
+    }
+
+    edgeStarts.append(sides.size());
+    result.edgeStarts.transfer(edgeStarts);
+
+    return result;
+}
+
+
+Foam::label Foam::findComponents
+(
+    const wallSides& sides,
+    const label nFaces,
+    labelList& componentOfFace
+)
+{
+    disjointSets sets(nFaces);
+
+    for (label e = 0; e < sides.nEdges(); ++e)
+    {
+        const label first = sides.edgeStarts[e];
+
+        for (label i = first + 1; i < sides.edgeStarts[e + 1]; ++i)
+        {
+            sets.join(sides.sides[first].facei, sides.sides[i].facei);
+        }
+    }
+
+    componentOfFace.setSize(nFaces);
+    label nComponents = 0;
+
+    for (label i = 0; i < nFaces; ++i)
+    {
+        // The representative of a set is its first member
+        const label first = sets.find(i);
+        componentOfFace[i] =
+            (first == i ? nComponents++ : componentOfFace[first]);
+    }
+
+    return nComponents;
+}
+
+
+// ************************************************************************* //

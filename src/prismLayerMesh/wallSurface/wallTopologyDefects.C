@@ -1,0 +1,246 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "wallTopologyDefects.H"
+#include "disjointSets.H"
+#include "bitSet.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static bool haveSamePoints(const face& f, const face& g)
+{
+    return
+        f.size() == g.size()
+     && std::is_permutation(f.begin(), f.end(), g.begin());
+}
+
+
+//- For each face its neighbours over edges with two faces, and whether they
+//  are oriented otherwise
+static List<DynamicList<std::pair<label, bool>>> neighbours
+(
+    const wallSides& sides,
+    const label nFaces
+)
+{
+    List<DynamicList<std::pair<label, bool>>> result(nFaces);
+
+    for (label e = 0; e < sides.nEdges(); ++e)
+    {
+        const label start = sides.edgeStarts[e];
+
+        if (sides.edgeStarts[e + 1] - start == 2)
+        {
+            const wallSide& s = sides.sides[start];
+            const wallSide& t = sides.sides[start + 1];
+            result[s.facei].append({t.facei, s.up == t.up});
+            result[t.facei].append({s.facei, s.up == t.up});
+        }
+    }
+
+    return result;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void Foam::findDuplicateFaces
+(
+    const wallSurface& wall,
+    const wallSides& sides,
+    defectList& defects
+)
+{
+    bitSet duplicate(wall.faces.size());
+
+    // Duplicates meet at an edge, where the sides are in the order of faces
+    for (label e = 0; e < sides.nEdges(); ++e)
+    {
+        for (label i = sides.edgeStarts[e]; i < sides.edgeStarts[e + 1]; ++i)
+        {
+            const label f = sides.sides[i].facei;
+
+            for (label j = sides.edgeStarts[e]; j < i; ++j)
+            {
+                const label g = sides.sides[j].facei;
+
+                if (f != g && haveSamePoints(wall.faces[f], wall.faces[g]))
+                {
+                    duplicate.set(f);
+                }
+            }
+        }
+    }
+
+    for (const label facei : duplicate)
+    {
+        defects.addFace(wallDefect::kind::duplicateFace, facei);
+    }
+}
+
+
+bool Foam::findBadEdges(const wallSides& sides, defectList& defects)
+{
+    bool oriented = true;
+
+    for (label e = 0; e < sides.nEdges(); ++e)
+    {
+        const label start = sides.edgeStarts[e];
+        const label n = sides.edgeStarts[e + 1] - start;
+        const wallSide& side = sides.sides[start];
+
+        if (n == 1)
+        {
+            defects.addEdge(wallDefect::kind::openEdge, side);
+        }
+        else if (n > 2)
+        {
+            defects.addEdge(wallDefect::kind::nonManifoldEdge, side);
+        }
+        else if (side.up == sides.sides[start + 1].up)
+        {
+            oriented = false;
+        }
+    }
+
+    return oriented;
+}
+
+
+void Foam::findFlippedFaces
+(
+    const wallSurface& wall,
+    const wallSides& sides,
+    defectList& defects
+)
+{
+    const label nFaces = wall.faces.size();
+    const auto adjacent(neighbours(sides, nFaces));
+    bitSet visited(nFaces), turned(nFaces), flipped(nFaces);
+    DynamicList<label> component;
+
+    for (label seed = 0; seed < nFaces; ++seed)
+    {
+        if (visited.test(seed))
+        {
+            continue;
+        }
+
+        component.clear();
+        component.append(seed);
+        visited.set(seed);
+        label nTurned = 0;
+
+        for (label i = 0; i < component.size(); ++i)
+        {
+            const label f = component[i];
+            nTurned += turned.test(f);
+
+            for (const auto& next : adjacent[f])
+            {
+                const bool turn = (turned.test(f) != next.second);
+
+                if (visited.set(next.first))
+                {
+                    turned.set(next.first, turn);
+                    component.append(next.first);
+                }
+                else if (turned.test(next.first) != turn)
+                {
+                    flipped.set(max(f, next.first));
+                }
+            }
+        }
+
+        const bool minority = (2*nTurned <= component.size());
+
+        for (const label f : component)
+        {
+            if (turned.test(f) == minority)
+            {
+                flipped.set(f);
+            }
+        }
+    }
+
+    for (const label facei : flipped)
+    {
+        defects.addFace(wallDefect::kind::flippedFace, facei);
+    }
+}
+
+
+void Foam::findNonManifoldPoints
+(
+    const wallSurface& wall,
+    const wallSides& sides,
+    defectList& defects
+)
+{
+    labelList starts(wall.faces.size() + 1, Zero);
+    forAll(wall.faces, facei)
+    {
+        starts[facei + 1] = starts[facei] + wall.faces[facei].size();
+    }
+
+    disjointSets corners(starts.last());
+
+    for (label e = 0; e < sides.nEdges(); ++e)
+    {
+        const wallSide& s = sides.sides[sides.edgeStarts[e]];
+        const face& f = wall.faces[s.facei];
+
+        const label end = sides.edgeStarts[e + 1];
+
+        for (label i = sides.edgeStarts[e] + 1; i < end; ++i)
+        {
+            const wallSide& t = sides.sides[i];
+            const face& g = wall.faces[t.facei];
+
+            for (const label p : {s.low, s.high})
+            {
+                corners.join
+                (
+                    starts[s.facei] + f.find(p),
+                    starts[t.facei] + g.find(p)
+                );
+            }
+        }
+    }
+
+    labelList nFans(wall.points.size(), Zero);
+    forAll(wall.faces, facei)
+    {
+        const face& f = wall.faces[facei];
+
+        forAll(f, i)
+        {
+            const label corner = starts[facei] + i;
+            nFans[f[i]] += (corners.find(corner) == corner);
+        }
+    }
+
+    forAll(nFans, p)
+    {
+        if (nFans[p] > 1)
+        {
+            defects.add(wallDefect::kind::nonManifoldPoint, p, wall.points[p]);
+        }
+    }
+}
+
+
+// ************************************************************************* //
