@@ -1,0 +1,155 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "wallSearch.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- cos(120 degrees)
+static const scalar oppositeCosine = -0.5;
+
+
+static triSurface triangulated(const wallSurface& wall)
+{
+    labelList triangleFace;
+    const faceList triangles(wallTriangles(wall, triangleFace));
+
+    List<labelledTri> tris(triangles.size());
+    forAll(tris, i)
+    {
+        const face& f = triangles[i];
+        tris[i] = labelledTri(f[0], f[1], f[2], 0);
+    }
+
+    return triSurface(tris, wall.points);
+}
+
+
+static vectorField unitNormals(const triSurface& surface)
+{
+    vectorField normals(surface.size());
+
+    forAll(normals, i)
+    {
+        normals[i] = normalised(surface[i].areaNormal(surface.points()));
+    }
+
+    return normals;
+}
+
+
+static treeBoundBox inflated(const pointField& points)
+{
+    treeBoundBox bounds(points);
+    bounds.inflate(1e-3);
+
+    return bounds;
+}
+
+
+//- For indexedOctree: skips the triangles that do not oppose a direction
+class oppositeOnly
+{
+    const triSurface& surface_;
+    const vectorField& normals_;
+    const vector& direction_;
+
+public:
+
+    oppositeOnly
+    (
+        const triSurface& surface,
+        const vectorField& normals,
+        const vector& direction
+    )
+    :
+        surface_(surface),
+        normals_(normals),
+        direction_(direction)
+    {}
+
+    void operator()
+    (
+        const labelUList& indices,
+        const point& sample,
+        scalar& nearestDistSqr,
+        label& minIndex,
+        point& nearestPoint
+    ) const
+    {
+        for (const label i : indices)
+        {
+            if ((normals_[i] & direction_) > oppositeCosine)
+            {
+                continue;
+            }
+
+            const pointHit hit
+            (
+                surface_[i].nearestPoint(sample, surface_.points())
+            );
+
+            if (sqr(hit.distance()) < nearestDistSqr)
+            {
+                nearestDistSqr = sqr(hit.distance());
+                minIndex = i;
+                nearestPoint = hit.rawPoint();
+            }
+        }
+    }
+};
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::wallSearch::wallSearch(const wallSurface& wall)
+:
+    surface_(triangulated(wall)),
+    normals_(unitNormals(surface_)),
+    tree_
+    (
+        treeDataTriSurface(true, surface_, 0),
+        inflated(wall.points),
+        12,
+        10,
+        3
+    )
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::wallSearch::nearer(const point& x, const scalar distance) const
+{
+    return tree_.findNearest(x, sqr(distance)).hit();
+}
+
+
+Foam::pointIndexHit Foam::wallSearch::nearestOpposite
+(
+    const point& x,
+    const scalar distance,
+    const vector& direction
+) const
+{
+    return tree_.findNearest
+    (
+        x,
+        sqr(distance),
+        oppositeOnly(surface_, normals_, direction)
+    );
+}
+
+
+// ************************************************************************* //
