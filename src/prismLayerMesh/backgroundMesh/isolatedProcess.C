@@ -1,0 +1,99 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "isolatedProcess.H"
+#include "error.H"
+
+#include <cerrno>
+#include <csignal>
+#include <fcntl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+[[noreturn]] static void runChild
+(
+    const std::function<void(std::FILE*)>& work,
+    const int writeEnd
+)
+{
+    // OpenFOAM's handlers would print a stack, and a core file helps nobody
+    for (const int sig : {SIGABRT, SIGFPE, SIGSEGV, SIGBUS})
+    {
+        std::signal(sig, SIG_DFL);
+    }
+
+    const rlimit none{0, 0};
+    ::setrlimit(RLIMIT_CORE, &none);
+
+    const int null = ::open("/dev/null", O_WRONLY);
+    ::dup2(null, STDOUT_FILENO);
+    ::dup2(null, STDERR_FILENO);
+
+    int status = 1;
+
+    try
+    {
+        std::FILE* out = ::fdopen(writeEnd, "wb");
+        work(out);
+        status = std::fclose(out) ? 1 : 0;
+    }
+    catch (...)
+    {}
+
+    // Not exit: what this process holds belongs to its parent
+    ::_exit(status);
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+bool Foam::isolatedProcess
+(
+    const std::function<void(std::FILE*)>& work,
+    const std::function<bool(std::FILE*)>& read
+)
+{
+    int ends[2];
+
+    if (::pipe(ends))
+    {
+        return false;
+    }
+
+    std::fflush(nullptr);
+    const pid_t child = ::fork();
+
+    if (child == 0)
+    {
+        ::close(ends[0]);
+        runChild(work, ends[1]);
+    }
+
+    ::close(ends[1]);
+    std::FILE* in = ::fdopen(ends[0], "rb");
+    const bool complete = child > 0 && read(in);
+    std::fclose(in);
+
+    int status = 1;
+    while (child > 0 && ::waitpid(child, &status, 0) < 0 && errno == EINTR)
+    {}
+
+    return complete && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+}
+
+
+// ************************************************************************* //

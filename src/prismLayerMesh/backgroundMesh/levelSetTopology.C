@@ -1,0 +1,220 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "levelSetTopology.H"
+#include "disjointSets.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+
+//- Edges of a tetrahedron that the level set crosses, around the polygon that
+//  it cuts out; seen from the lower side counter-clockwise
+static label crossedEdges
+(
+    const tetCell& tet,
+    const scalarField& field,
+    const scalar level,
+    FixedList<label, 4>& crossed
+)
+{
+    // Points above first; their parity decides the orientation
+    FixedList<label, 4> order;
+    label nAbove = 0, nBelow = 0;
+    for (label i = 0; i < 4; ++i)
+    {
+        if (field[tet[i]] > level)
+        {
+            order[nAbove++] = i;
+        }
+    }
+    for (label i = 0; i < 4; ++i)
+    {
+        if (field[tet[i]] <= level)
+        {
+            order[nAbove + nBelow++] = i;
+        }
+    }
+
+    bool odd = false;
+    for (label i = 0; i < 4; ++i)
+    {
+        for (label j = i + 1; j < 4; ++j)
+        {
+            odd = odd != (order[i] > order[j]);
+        }
+    }
+
+    static const label ids[4][4] =
+        {{-1, 0, 1, 2}, {0, -1, 3, 4}, {1, 3, -1, 5}, {2, 4, 5, -1}};
+
+    auto id = [&](label i, label j) { return ids[order[i]][order[j]]; };
+
+    label n = 0;
+    if (nAbove == 1)
+    {
+        for (label j = 1; j < 4; ++j) crossed[n++] = id(0, j);
+    }
+    else if (nAbove == 3)
+    {
+        for (label j = 0; j < 3; ++j) crossed[n++] = id(j, 3);
+    }
+    else if (nAbove == 2)
+    {
+        crossed[n++] = id(0, 2);
+        crossed[n++] = id(0, 3);
+        crossed[n++] = id(1, 3);
+        crossed[n++] = id(1, 2);
+    }
+
+    if (odd)
+    {
+        std::reverse(crossed.begin(), crossed.begin() + n);
+    }
+
+    return n;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::surfaceTopology Foam::wallTopology
+(
+    const wallSurface& wall,
+    const wallAddressing& addressing
+)
+{
+    disjointSets components(wall.points.size());
+    for (const edge& e : addressing.edges)
+    {
+        components.join(e.start(), e.end());
+    }
+
+    surfaceTopology topology;
+    forAll(wall.points, p)
+    {
+        topology.nComponents += components.find(p) == p;
+    }
+    topology.eulerCharacteristic = wall.points.size()
+      - addressing.edges.size() + wall.faces.size();
+
+    return topology;
+}
+
+
+Foam::surfaceTopology Foam::levelSetTopology
+(
+    const backgroundMesh& mesh,
+    const scalarField& field,
+    const scalar level
+)
+{
+    disjointSets components(mesh.edges.size());
+    boolList crossedEdge(mesh.edges.size(), false);
+    label nPolygons = 0, nSides = 0;
+
+    forAll(mesh.tets, t)
+    {
+        FixedList<label, 4> crossed;
+        const label n = crossedEdges(mesh.tets[t], field, level, crossed);
+
+        nPolygons += n > 0;
+        nSides += n;
+
+        for (label i = 0; i < n; ++i)
+        {
+            const label e = mesh.tetEdges[t][crossed[i]];
+            crossedEdge[e] = true;
+            components.join(e, mesh.tetEdges[t][crossed[0]]);
+        }
+    }
+
+    label nPoints = 0;
+    surfaceTopology topology;
+
+    forAll(crossedEdge, e)
+    {
+        nPoints += crossedEdge[e];
+        topology.nComponents += crossedEdge[e] && components.find(e) == e;
+    }
+
+    // Each side of a polygon is shared by two
+    topology.eulerCharacteristic = nPoints - nSides/2 + nPolygons;
+
+    return topology;
+}
+
+
+Foam::surfaceTopology Foam::wallLevelSetTopology(const backgroundMesh& mesh)
+{
+    scalarField onWall(mesh.points.size(), 0);
+    for (label p = 0; p < mesh.nWallPoints; ++p)
+    {
+        onWall[p] = 1;
+    }
+
+    return levelSetTopology(mesh, onWall, 0.5);
+}
+
+
+void Foam::levelSetTriangles
+(
+    const backgroundMesh& mesh,
+    const scalarField& field,
+    const scalar level,
+    pointField& points,
+    faceList& triangles
+)
+{
+    labelList edgePoint(mesh.edges.size(), -1);
+    DynamicList<point> newPoints;
+    DynamicList<face> newTriangles;
+
+    forAll(mesh.tets, t)
+    {
+        FixedList<label, 4> crossed;
+        const label n = crossedEdges(mesh.tets[t], field, level, crossed);
+
+        for (label i = 0; i < n; ++i)
+        {
+            const label e = mesh.tetEdges[t][crossed[i]];
+
+            if (edgePoint[e] < 0)
+            {
+                const label a = mesh.edges[e].start();
+                const label b = mesh.edges[e].end();
+                const scalar s = (level - field[a])/(field[b] - field[a]);
+
+                edgePoint[e] = newPoints.size();
+                newPoints.append
+                (
+                    (1 - s)*mesh.points[a] + s*mesh.points[b]
+                );
+            }
+            crossed[i] = edgePoint[e];
+        }
+
+        for (label i = 2; i < n; ++i)
+        {
+            newTriangles.append(face({crossed[0], crossed[i-1], crossed[i]}));
+        }
+    }
+
+    points.transfer(newPoints);
+    triangles.transfer(newTriangles);
+}
+
+
+// ************************************************************************* //

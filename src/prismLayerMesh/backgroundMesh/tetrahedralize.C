@@ -1,0 +1,148 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include <tetgen.h>
+
+#include "tetrahedralize.H"
+#include "error.H"
+#include "isolatedProcess.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- tetgenio frees with delete[] what is given to it
+static REAL* newCoordinates(const pointField& points)
+{
+    REAL* xyz = new REAL[3*points.size() + 1];
+
+    forAll(points, i)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            xyz[3*i + d] = points[i][d];
+        }
+    }
+
+    return xyz;
+}
+
+
+static void setFacets(tetgenio& io, const faceList& facets)
+{
+    io.numberoffacets = facets.size();
+    io.facetlist = new tetgenio::facet[facets.size()];
+    io.facetmarkerlist = new int[facets.size()];
+
+    forAll(facets, i)
+    {
+        tetgenio::facet& f = io.facetlist[i];
+        tetgenio::init(&f);
+        f.numberofpolygons = 1;
+        f.polygonlist = new tetgenio::polygon[1];
+
+        tetgenio::polygon& polygon = f.polygonlist[0];
+        polygon.numberofvertices = facets[i].size();
+        polygon.vertexlist = new int[facets[i].size()];
+
+        forAll(facets[i], j)
+        {
+            polygon.vertexlist[j] = facets[i][j];
+        }
+
+        io.facetmarkerlist[i] = 1;
+    }
+}
+
+
+static void run(const tetDomain& domain, std::FILE* result)
+{
+    tetgenio in, out;
+
+    in.numberofpoints = domain.points.size();
+    in.pointlist = newCoordinates(domain.points);
+    in.numberofholes = domain.holes.size();
+    in.holelist = newCoordinates(domain.holes);
+    setFacets(in, domain.facets);
+
+    // Facets stay as they are: not split (Y), coplanar ones not merged (M), no
+    // tolerance (T) in place of the exact predicates
+    char switches[] = "pYMQT1e-16";
+    ::tetrahedralize(switches, &in, &out);
+
+    std::fwrite(&out.numberofpoints, sizeof(int), 1, result);
+    std::fwrite(&out.numberoftetrahedra, sizeof(int), 1, result);
+    std::fwrite(out.pointlist, sizeof(REAL), 3*out.numberofpoints, result);
+    std::fwrite
+    (
+        out.tetrahedronlist, sizeof(int), 4*out.numberoftetrahedra, result
+    );
+}
+
+
+static bool read(std::FILE* result, tetMesh& mesh)
+{
+    int sizes[2];
+
+    if (std::fread(sizes, sizeof(int), 2, result) != 2)
+    {
+        return false;
+    }
+
+    static_assert
+    (
+        sizeof(point) == 3*sizeof(REAL) && sizeof(tetCell) == 4*sizeof(int),
+        "points of three doubles and labels of 32 bits"
+    );
+
+    mesh.points.setSize(sizes[0]);
+    mesh.tets.setSize(sizes[1]);
+
+    const size_t nPoints =
+        std::fread(mesh.points.data(), sizeof(point), sizes[0], result);
+    const size_t nTets =
+        std::fread(mesh.tets.data(), sizeof(tetCell), sizes[1], result);
+
+    // TetGen's tetrahedra are left-handed
+    for (tetCell& tet : mesh.tets)
+    {
+        Swap(tet[2], tet[3]);
+    }
+
+    return nPoints == size_t(sizes[0]) && nTets == size_t(sizes[1]);
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::tetMesh Foam::tetrahedralize(const tetDomain& domain)
+{
+    tetMesh mesh;
+
+    const bool complete = isolatedProcess
+    (
+        [&](std::FILE* result) { run(domain, result); },
+        [&](std::FILE* result) { return read(result, mesh); }
+    );
+
+    if (!complete)
+    {
+        FatalErrorInFunction
+            << "TetGen failed on " << domain.facets.size() << " facets and "
+            << domain.points.size() << " points" << exit(FatalError);
+    }
+
+    return mesh;
+}
+
+
+// ************************************************************************* //
