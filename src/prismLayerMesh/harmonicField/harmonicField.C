@@ -1,0 +1,334 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include <Eigen/SparseCore>
+#include <Eigen/IterativeLinearSolvers>
+
+#include "harmonicField.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+typedef Eigen::SparseMatrix<double, Eigen::RowMajor> sparseMatrix;
+
+
+//- Gradients of the four barycentric coordinates of a tetrahedron
+static FixedList<vector, 4> barycentricGradients(const tetPointRef& tet)
+{
+    const vector ab = tet.b() - tet.a();
+    const vector ac = tet.c() - tet.a();
+    const vector ad = tet.d() - tet.a();
+    const scalar sixV = (ab ^ ac) & ad;
+
+    FixedList<vector, 4> gradients;
+    gradients[1] = (ac ^ ad)/sixV;
+    gradients[2] = (ad ^ ab)/sixV;
+    gradients[3] = (ab ^ ac)/sixV;
+    gradients[0] = -(gradients[1] + gradients[2] + gradients[3]);
+
+    return gradients;
+}
+
+
+static scalarField boundaryValues(const backgroundMesh& mesh)
+{
+    scalarField field(mesh.points.size(), 0);
+
+    for (label p = 0; p < mesh.nWallPoints; ++p)
+    {
+        field[p] = 1;
+    }
+
+    return field;
+}
+
+
+static void solveKrylov
+(
+    const backgroundMesh& mesh,
+    const scalarField& weights,
+    const scalar tolerance,
+    scalarField& field
+)
+{
+    const labelList unknowns(findIndices(mesh.free, true));
+    labelList row(mesh.points.size(), -1);
+    forAll(unknowns, i)
+    {
+        row[unknowns[i]] = i;
+    }
+
+    std::vector<Eigen::Triplet<double>> entries;
+    entries.reserve(4*mesh.edges.size());
+    Eigen::VectorXd source = Eigen::VectorXd::Zero(unknowns.size());
+
+    forAll(mesh.edges, e)
+    {
+        const label a = mesh.edges[e].start(), b = mesh.edges[e].end();
+        const scalar w = weights[e];
+
+        for (const labelPair& ij : {labelPair(a, b), labelPair(b, a)})
+        {
+            const label i = row[ij.first()], j = row[ij.second()];
+
+            if (i >= 0)
+            {
+                entries.emplace_back(i, i, w);
+
+                if (j >= 0)
+                {
+                    entries.emplace_back(i, j, -w);
+                }
+                else
+                {
+                    source[i] += w*field[ij.second()];
+                }
+            }
+        }
+    }
+
+    sparseMatrix matrix(unknowns.size(), unknowns.size());
+    matrix.setFromTriplets(entries.begin(), entries.end());
+
+    Eigen::ConjugateGradient<sparseMatrix, Eigen::Lower|Eigen::Upper> solver;
+    solver.setTolerance(tolerance);
+    solver.compute(matrix);
+
+    const Eigen::VectorXd solution = solver.solveWithGuess
+    (
+        source, Eigen::VectorXd::Constant(unknowns.size(), 0.5)
+    );
+
+    if (unknowns.size() && solver.info() != Eigen::Success)
+    {
+        FatalErrorInFunction
+            << "No convergence after " << label(solver.iterations())
+            << " iterations: residual " << solver.error()
+            << ", tolerance " << tolerance << exit(FatalError);
+    }
+
+    forAll(unknowns, i)
+    {
+        field[unknowns[i]] = solution[i];
+    }
+}
+
+
+//- Edges at each point
+struct pointEdgeList
+{
+    labelList starts;
+    labelList edges;
+};
+
+
+static pointEdgeList makePointEdges(const backgroundMesh& mesh)
+{
+    pointEdgeList list;
+    list.starts.setSize(mesh.points.size() + 1, 0);
+    list.edges.setSize(2*mesh.edges.size());
+
+    for (const edge& e : mesh.edges)
+    {
+        ++list.starts[e.start() + 1];
+        ++list.starts[e.end() + 1];
+    }
+    for (label p = 0; p < mesh.points.size(); ++p)
+    {
+        list.starts[p + 1] += list.starts[p];
+    }
+
+    labelList next(list.starts);
+    forAll(mesh.edges, e)
+    {
+        list.edges[next[mesh.edges[e].start()]++] = e;
+        list.edges[next[mesh.edges[e].end()]++] = e;
+    }
+
+    return list;
+}
+
+
+//- Algorithm 1. Its line 6 is printed the wrong way round: iteration goes on
+//  while the energy still changes.
+static void iterate
+(
+    const backgroundMesh& mesh,
+    const scalarField& weights,
+    const scalar tolerance,
+    scalarField& field
+)
+{
+    const pointEdgeList pointEdges(makePointEdges(mesh));
+    const label maxIterations = 100000;
+
+    scalar energy = harmonicEnergy(mesh, weights, field);
+    scalar previous = 0;
+
+    for (label i = 0; i < maxIterations; ++i)
+    {
+        if (mag(energy - previous) <= tolerance*energy)
+        {
+            return;
+        }
+
+        forAll(field, p)
+        {
+            if (mesh.free[p])
+            {
+                scalar sumWeights = 0, sumValues = 0;
+
+                for
+                (
+                    label k = pointEdges.starts[p];
+                    k < pointEdges.starts[p + 1];
+                    ++k
+                )
+                {
+                    const label e = pointEdges.edges[k];
+                    sumWeights += weights[e];
+                    sumValues +=
+                        weights[e]*field[mesh.edges[e].otherVertex(p)];
+                }
+
+                field[p] = sumValues/sumWeights;
+            }
+        }
+
+        previous = energy;
+        energy = harmonicEnergy(mesh, weights, field);
+    }
+
+    FatalErrorInFunction
+        << "No convergence after " << maxIterations
+        << " iterations: energy " << energy << ", last change "
+        << mag(energy - previous) << exit(FatalError);
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::scalarField Foam::cotangentWeights(const backgroundMesh& mesh)
+{
+    scalarField weights(mesh.edges.size(), 0);
+
+    forAll(mesh.tets, t)
+    {
+        const FixedList<vector, 4> g(barycentricGradients(mesh.tet(t)));
+        const scalar volume = mesh.tet(t).mag();
+
+        label k = 0;
+        for (label i = 0; i < 4; ++i)
+        {
+            for (label j = i + 1; j < 4; ++j, ++k)
+            {
+                weights[mesh.tetEdges[t][k]] -= volume*(g[i] & g[j]);
+            }
+        }
+    }
+
+    return weights;
+}
+
+
+Foam::scalarField Foam::makeHarmonicField
+(
+    const backgroundMesh& mesh,
+    const scalarField& edgeWeights,
+    const fieldControls& controls
+)
+{
+    scalarField field(boundaryValues(mesh));
+
+    if (controls.solver == "iteration")
+    {
+        iterate(mesh, edgeWeights, controls.tolerance, field);
+    }
+    else
+    {
+        solveKrylov(mesh, edgeWeights, controls.tolerance, field);
+    }
+
+    return field;
+}
+
+
+Foam::scalar Foam::harmonicEnergy
+(
+    const backgroundMesh& mesh,
+    const scalarField& edgeWeights,
+    const scalarField& field
+)
+{
+    scalar energy = 0;
+
+    forAll(mesh.edges, e)
+    {
+        energy += edgeWeights[e]
+           *sqr(field[mesh.edges[e].start()] - field[mesh.edges[e].end()]);
+    }
+
+    return energy;
+}
+
+
+Foam::vectorField Foam::tetGradients
+(
+    const backgroundMesh& mesh,
+    const scalarField& field
+)
+{
+    vectorField gradients(mesh.tets.size());
+
+    forAll(mesh.tets, t)
+    {
+        const FixedList<vector, 4> g(barycentricGradients(mesh.tet(t)));
+
+        gradients[t] = Zero;
+        for (label i = 0; i < 4; ++i)
+        {
+            gradients[t] += field[mesh.tets[t][i]]*g[i];
+        }
+    }
+
+    return gradients;
+}
+
+
+Foam::vectorField Foam::pointGradients
+(
+    const backgroundMesh& mesh,
+    const scalarField& field
+)
+{
+    const vectorField tetGradient(tetGradients(mesh, field));
+
+    vectorField gradients(mesh.points.size(), Zero);
+    scalarField volumes(mesh.points.size(), 0);
+
+    forAll(mesh.tets, t)
+    {
+        const scalar volume = mesh.tet(t).mag();
+
+        for (const label p : mesh.tets[t])
+        {
+            gradients[p] += volume*tetGradient[t];
+            volumes[p] += volume;
+        }
+    }
+
+    return gradients/max(volumes, VSMALL);
+}
+
+
+// ************************************************************************* //
