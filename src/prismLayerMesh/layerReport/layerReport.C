@@ -1,0 +1,306 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+
+#include "layerReport.H"
+#include "prismPolyMesh.H"
+#include "stackHeights.H"
+#include "DynamicField.H"
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Mean over the points of a face
+static scalar faceMean(const scalarField& field, const face& f)
+{
+    scalar sum = 0;
+
+    for (const label p : f)
+    {
+        sum += field[p];
+    }
+
+    return sum/f.size();
+}
+
+
+//- What is known of the faces of a patch, from which its report is made
+struct patchSample
+{
+    label nFaces = 0;
+    scalar area = 0;
+    scalar fullLayersArea = 0;
+    scalar fullThicknessArea = 0;
+
+    label layersReached = labelMax;
+    scalar worstJacobian = GREAT;
+
+    DynamicField<scalar> firstHeight;
+    DynamicField<scalar> totalThickness;
+    DynamicField<scalar> growth;
+
+
+    //- Add the face whose heights were computed last. Its cells are positive
+    //  up to layersHere.
+    void add
+    (
+        const stackHeights& stack,
+        const layerSpacing& spacing,
+        const face& wallFace,
+        const label layersHere,
+        const scalar jacobian
+    );
+
+    void add(const patchSample& other);
+
+    //- The values are reordered
+    patchReport report(const word& name, label layersAsked);
+};
+
+
+void patchSample::add
+(
+    const stackHeights& stack,
+    const layerSpacing& spacing,
+    const face& wallFace,
+    const label layersHere,
+    const scalar jacobian
+)
+{
+    const scalarField& heights = stack.heights();
+    const scalar ratio = faceMean(spacing.ratio, wallFace);
+    const scalar thickness =
+        sum(heights)/faceMean(spacing.thickness, wallFace);
+
+    firstHeight.append
+    (
+        heights[0]/faceMean(spacing.firstThickness, wallFace)
+    );
+    totalThickness.append(thickness);
+
+    for (label i = 1; i < heights.size(); ++i)
+    {
+        growth.append(heights[i]/(ratio*max(heights[i - 1], VSMALL)));
+    }
+
+    ++nFaces;
+    area += stack.wallArea();
+    fullLayersArea += layersHere == heights.size() ? stack.wallArea() : 0;
+    fullThicknessArea += thickness >= 0.99 ? stack.wallArea() : 0;
+
+    layersReached = min(layersReached, layersHere);
+    worstJacobian = min(worstJacobian, jacobian);
+}
+
+
+void patchSample::add(const patchSample& other)
+{
+    nFaces += other.nFaces;
+    area += other.area;
+    fullLayersArea += other.fullLayersArea;
+    fullThicknessArea += other.fullThicknessArea;
+
+    layersReached = min(layersReached, other.layersReached);
+    worstJacobian = min(worstJacobian, other.worstJacobian);
+
+    firstHeight.append(other.firstHeight);
+    totalThickness.append(other.totalThickness);
+    growth.append(other.growth);
+}
+
+
+patchReport patchSample::report(const word& name, const label layersAsked)
+{
+    patchReport patch;
+    patch.name = name;
+    patch.nFaces = nFaces;
+    patch.area = area;
+    patch.layersAsked = layersAsked;
+
+    if (nFaces)
+    {
+        patch.layersReached = layersReached;
+        patch.fullLayersArea = 100*fullLayersArea/max(area, VSMALL);
+        patch.fullThicknessArea = 100*fullThicknessArea/max(area, VSMALL);
+        patch.worstJacobian = worstJacobian;
+    }
+
+    patch.firstHeight = makePercentiles(firstHeight);
+    patch.totalThickness = makePercentiles(totalThickness);
+    patch.growth = makePercentiles(growth);
+
+    return patch;
+}
+
+
+//- Layers below the lowest cell that is not positive
+static labelList validLayers
+(
+    const prismLayers& layers,
+    const layerCertificate& certificate
+)
+{
+    labelList valid(layers.faces.size(), layers.nLayers);
+
+    if (certificate.nInvalidCells)
+    {
+        for (const labelPair& faceAndLayer : findInvalidStacks(layers))
+        {
+            valid[faceAndLayer.first()] = faceAndLayer.second() - 1;
+        }
+    }
+
+    return valid;
+}
+
+
+static List<patchSample> samplePatches
+(
+    const wallSurface& wall,
+    const layerSpacing& spacing,
+    const prismLayers& layers,
+    const layerCertificate& certificate
+)
+{
+    List<patchSample> samples(wall.patchNames.size());
+
+    const labelList valid(validLayers(layers, certificate));
+    stackHeights stack(layers);
+
+    forAll(wall.faces, facei)
+    {
+        stack.compute(facei);
+
+        samples[wall.patchIDs[facei]].add
+        (
+            stack,
+            spacing,
+            wall.faces[facei],
+            valid[facei],
+            certificate.worstJacobian[facei]
+        );
+    }
+
+    return samples;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::scalar Foam::peakMemory()
+{
+    // Linux: "VmHWM:   123456 kB"
+    std::ifstream status("/proc/self/status");
+
+    for (std::string key; status >> key;)
+    {
+        scalar kiloBytes = 0;
+
+        if (key == "VmHWM:" && status >> kiloBytes)
+        {
+            return kiloBytes/1024;
+        }
+    }
+
+    return 0;
+}
+
+
+Foam::percentiles Foam::makePercentiles(scalarField& values)
+{
+    percentiles result;
+
+    if (values.empty())
+    {
+        return result;
+    }
+
+    // What is below a rank that was found need not be looked at again
+    auto start = values.begin();
+
+    const auto percentile = [&](const scalar percent)
+    {
+        const label rank = label(0.01*percent*(values.size() - 1) + 0.5);
+
+        std::nth_element(start, values.begin() + rank, values.end());
+        start = values.begin() + rank;
+
+        return *start;
+    };
+
+    result.min = percentile(0);
+    result.p1 = percentile(1);
+    result.p5 = percentile(5);
+    result.p50 = percentile(50);
+    result.p95 = percentile(95);
+    result.p99 = percentile(99);
+    result.max = percentile(100);
+
+    return result;
+}
+
+
+Foam::layerReport Foam::makeLayerReport
+(
+    const wallSurface& wall,
+    const layerSpacing& spacing,
+    const prismLayers& layers,
+    const layerCertificate& certificate,
+    const UList<squeezeCause>& causes,
+    const UList<stageCost>& stages
+)
+{
+    layerReport report;
+    report.nWallFaces = wall.faces.size();
+    report.nWallPoints = wall.points.size();
+    report.nCells = certificate.nCells;
+    report.nInvalidCells = certificate.nInvalidCells;
+    report.nIntersectingPairs = certificate.nIntersectingPairs;
+
+    List<patchSample> samples
+    (
+        samplePatches(wall, spacing, layers, certificate)
+    );
+
+    patchSample all;
+    for (const patchSample& sample : samples)
+    {
+        all.add(sample);
+    }
+    report.wall = all.report("allPatches", spacing.nLayers);
+
+    const wordList names(prismPatchNames(wall.patchNames));
+    report.patches.setSize(names.size());
+    forAll(samples, patchi)
+    {
+        report.patches[patchi] =
+            samples[patchi].report(names[patchi], spacing.nLayers);
+    }
+
+    report.columns = Zero;
+    for (const squeezeCause cause : causes)
+    {
+        ++report.columns[int(cause)];
+    }
+
+    report.stages = stages;
+
+    return report;
+}
+
+
+// ************************************************************************* //
