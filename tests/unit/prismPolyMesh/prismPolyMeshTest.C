@@ -193,7 +193,11 @@ TEST(prismPolyMesh, patchesOfAClosedWall)
     const memoryMesh mesh(layers);
     const polyBoundaryMesh& patches = mesh().boundaryMesh();
 
-    ASSERT_EQ(patches.names(), wordList({"nose", "wing", "tail", "layerOuter"}));
+    ASSERT_EQ
+    (
+        patches.names(),
+        wordList({"nose", "wing", "tail", "layerOuter"})
+    );
 
     label start = mesh().nInternalFaces();
     for (label patchi = 0; patchi < 3; ++patchi)

@@ -1,0 +1,412 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+
+#include "layerReport.H"
+#include "memoryMesh.H"
+#include "stackHeights.H"
+#include "testLayers.H"
+#include "testSurfaces.H"
+#include "StringStream.H"
+#include "Random.H"
+
+#include <sstream>
+
+#include <gtest/gtest.h>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+using namespace Foam;
+
+static const label n = 4;
+static const scalar h1 = 0.01;
+static const scalar ratio = 1.25;
+
+
+//- Six patches: the sides of a cube, named a..f, in layers of exact height
+class cubeRun
+{
+public:
+
+    wallSurface wall;
+    layerSpacing spacing;
+    prismLayers layers;
+    List<squeezeCause> causes;
+    List<stageCost> stages;
+
+    cubeRun()
+    :
+        wall(testSurfaces::cube(4)),
+        stages(2)
+    {
+        wall.patchNames = {"a", "b", "c", "d", "e", "f"};
+
+        const vectorField normals(wall.faceNormals());
+        forAll(wall.faces, facei)
+        {
+            const vector& normal = normals[facei];
+            const direction axis =
+                mag(normal.x()) > 0.5 ? 0 : mag(normal.y()) > 0.5 ? 1 : 2;
+
+            wall.patchIDs[facei] = 2*axis + (normal[axis] > 0);
+        }
+
+        const scalarList heights(testSurfaces::geometricHeights(n, h1, ratio));
+        const label nPoints = wall.points.size();
+
+        spacing.nLayers = n;
+        spacing.firstThickness = scalarField(nPoints, h1);
+        spacing.ratio = scalarField(nPoints, ratio);
+        spacing.thickness = scalarField(nPoints, heights.last());
+
+        layers = testSurfaces::straightLayers(wall, heights);
+        causes.setSize(nPoints, squeezeCause::none);
+
+        stages[0].stage = "read";
+        stages[0].seconds = 0.5;
+        stages[1].stage = "field";
+        stages[1].peakMemory = 123;
+    }
+
+    layerReport report() const
+    {
+        return makeLayerReport
+        (
+            wall, spacing, layers, certify(layers), causes, stages
+        );
+    }
+
+    //- The point in the middle of side z = 1, and its faces
+    label middlePoint(labelList& faces) const
+    {
+        const label p = wall.points.find(point(0.5, 0.5, 1));
+
+        faces.clear();
+        forAll(wall.faces, facei)
+        {
+            if (wall.faces[facei].found(p))
+            {
+                faces.append(facei);
+            }
+        }
+
+        return p;
+    }
+};
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(makePercentiles, ofARange)
+{
+    scalarField values(1001);
+    forAll(values, i)
+    {
+        values[i] = (i*8)%1001;
+    }
+
+    const percentiles spread(makePercentiles(values));
+
+    EXPECT_EQ(spread.min, 0);
+    EXPECT_EQ(spread.p1, 10);
+    EXPECT_EQ(spread.p5, 50);
+    EXPECT_EQ(spread.p50, 500);
+    EXPECT_EQ(spread.p95, 950);
+    EXPECT_EQ(spread.p99, 990);
+    EXPECT_EQ(spread.max, 1000);
+}
+
+
+TEST(makePercentiles, ofOneValue)
+{
+    scalarField values(1, 3.0);
+    const percentiles spread(makePercentiles(values));
+
+    EXPECT_EQ(spread.min, 3);
+    EXPECT_EQ(spread.p50, 3);
+    EXPECT_EQ(spread.max, 3);
+}
+
+
+TEST(makePercentiles, ofNothing)
+{
+    scalarField values;
+
+    EXPECT_EQ(makePercentiles(values).max, 0);
+}
+
+
+TEST(stackHeights, volumesOfThePolyMesh)
+{
+    // Warped sides: the decomposition matters
+    for (const wallSurface& wall :
+        {testSurfaces::sphere(4), testSurfaces::quadSphere(4)})
+    {
+        prismLayers layers
+        (
+            testSurfaces::straightLayers
+            (
+                wall,
+                testSurfaces::geometricHeights(n, 0.1, ratio)
+            )
+        );
+
+        Random random(1);
+        for (point& p : layers.points)
+        {
+            p += 0.02*(random.sample01<vector>() - vector::uniform(0.5));
+            p += vector(10, 20, -30);
+        }
+
+        const memoryMesh mesh(layers);
+        stackHeights stack(layers);
+
+        forAll(layers.faces, facei)
+        {
+            stack.compute(facei);
+
+            for (label i = 0; i < n; ++i)
+            {
+                scalar area = 0;
+                for (const label level : {i, i + 1})
+                {
+                    face f(layers.faces[facei]);
+                    for (label& p : f)
+                    {
+                        p = layers.pointLabel(p, level);
+                    }
+                    area += f.mag(layers.points);
+                }
+
+                const scalar volume = mesh().cellVolumes()[facei*n + i];
+
+                EXPECT_NEAR(0.5*stack.heights()[i]*area/volume, 1, 1e-11);
+            }
+        }
+    }
+}
+
+
+TEST(makeLayerReport, exactOnFlatParts)
+{
+    const layerReport report(cubeRun().report());
+
+    ASSERT_EQ(report.patches.size(), 6);
+
+    for (const patchReport& patch : report.patches)
+    {
+        // Away from its edges, half of the faces of a side
+        EXPECT_NEAR(patch.firstHeight.p50, 1, 1e-9);
+        EXPECT_NEAR(patch.totalThickness.p50, 1, 1e-9);
+        EXPECT_NEAR(patch.growth.p50, 1, 1e-9);
+    }
+}
+
+
+TEST(makeLayerReport, sizes)
+{
+    const layerReport report(cubeRun().report());
+
+    EXPECT_EQ(report.nWallFaces, 12*16);
+    EXPECT_EQ(report.nWallPoints, 6*16 + 2);
+    EXPECT_EQ(report.nCells, 12*16*n);
+    EXPECT_EQ(report.wall.nFaces, 12*16);
+    EXPECT_NEAR(report.wall.area, 6, 1e-13);
+
+    for (const patchReport& patch : report.patches)
+    {
+        EXPECT_EQ(patch.nFaces, 32);
+        EXPECT_NEAR(patch.area, 1, 1e-13);
+    }
+}
+
+
+TEST(makeLayerReport, fullCoverage)
+{
+    const layerReport report(cubeRun().report());
+
+    EXPECT_EQ(report.nInvalidCells, 0);
+    EXPECT_EQ(report.nIntersectingPairs, 0);
+    EXPECT_EQ(report.wall.layersAsked, n);
+    EXPECT_EQ(report.wall.layersReached, n);
+    EXPECT_NEAR(report.wall.fullLayersArea, 100, 1e-10);
+    EXPECT_GT(report.wall.worstJacobian, 0.3);
+}
+
+
+TEST(makeLayerReport, invalidStacksAreNotFull)
+{
+    cubeRun run;
+    labelList faces;
+    const label p = run.middlePoint(faces);
+
+    // Level 3 of the column falls below level 2
+    run.layers.points[run.layers.pointLabel(p, 3)] = run.layers(p, 1);
+
+    const layerReport report(run.report());
+    const label patchi = run.wall.patchIDs[faces[0]];
+
+    EXPECT_EQ(report.nInvalidCells, faces.size());
+    EXPECT_EQ(report.patches[patchi].layersReached, 2);
+    EXPECT_NEAR
+    (
+        report.patches[patchi].fullLayersArea,
+        100*(1 - faces.size()/32.0),
+        1e-10
+    );
+    EXPECT_LT(report.patches[patchi].worstJacobian, 0);
+
+    forAll(report.patches, otheri)
+    {
+        if (otheri != patchi)
+        {
+            EXPECT_EQ(report.patches[otheri].layersReached, n);
+        }
+    }
+}
+
+
+TEST(makeLayerReport, squeezedColumns)
+{
+    cubeRun run;
+    labelList faces;
+    const label p = run.middlePoint(faces);
+
+    for (label i = 1; i <= n; ++i)
+    {
+        point& q = run.layers.points[run.layers.pointLabel(p, i)];
+        q = 0.5*(run.wall.points[p] + q);
+    }
+    run.causes[p] = squeezeCause::gap;
+
+    const layerReport report(run.report());
+    const patchReport& patch = report.patches[run.wall.patchIDs[faces[0]]];
+
+    EXPECT_EQ(report.columns[int(squeezeCause::gap)], 1);
+    EXPECT_EQ(report.columns[int(squeezeCause::none)], 97);
+
+    // One column of three at half the height; a little less because the upper
+    // faces tilt, by up to 0.03 and 0.17 rad
+    EXPECT_NEAR(patch.firstHeight.min, 5.0/6, 0.0005);
+    EXPECT_NEAR(patch.totalThickness.min, 5.0/6, 0.01);
+    EXPECT_LT(patch.fullThicknessArea, 100*(1 - faces.size()/32.0) + 1e-9);
+    EXPECT_NEAR(patch.growth.p50, 1, 1e-9);
+}
+
+
+TEST(makeLayerReport, namesOfTheMesh)
+{
+    cubeRun run;
+    run.wall.patchNames[2] = layerOuterName;
+
+    EXPECT_EQ(run.report().patches[2].name, "layerOuter2");
+}
+
+
+TEST(makeLayerReport, patchesWithoutFaces)
+{
+    cubeRun run;
+    run.wall.patchNames.append("none");
+
+    const patchReport patch(run.report().patches[6]);
+
+    EXPECT_EQ(patch.nFaces, 0);
+    EXPECT_EQ(patch.area, 0);
+    EXPECT_EQ(patch.firstHeight.max, 0);
+}
+
+
+TEST(peakMemory, coversWhatIsUsed)
+{
+    const scalarField used(20000000, 1.0);
+
+    EXPECT_GE(peakMemory(), used.size()*sizeof(scalar)/1e6);
+    EXPECT_LT(peakMemory(), 1e6);
+}
+
+
+TEST(toDictionary, hasEveryPatch)
+{
+    cubeRun run;
+    const dictionary dict(toDictionary(run.report()));
+
+    for (const word& name : run.wall.patchNames)
+    {
+        const dictionary& patch = dict.subDict("patches").subDict(name);
+
+        EXPECT_EQ(patch.get<label>("faces"), 32);
+        EXPECT_EQ(patch.get<label>("layersReached"), n);
+        EXPECT_NEAR
+        (
+            patch.subDict("firstHeightOverRequest").get<scalar>("p50"),
+            1,
+            1e-6
+        );
+    }
+
+    EXPECT_EQ(dict.subDict("allPatches").get<label>("faces"), 6*32);
+}
+
+
+TEST(toDictionary, certificateColumnsAndStages)
+{
+    cubeRun run;
+    run.causes[3] = squeezeCause::validity;
+
+    const dictionary dict(toDictionary(run.report()));
+
+    EXPECT_EQ(dict.subDict("wall").get<label>("points"), 98);
+    EXPECT_TRUE(dict.subDict("certificate").get<bool>("valid"));
+
+    const dictionary& columns = dict.subDict("columns");
+    EXPECT_EQ(columns.get<label>("total"), 98);
+    EXPECT_EQ(columns.get<label>("fullThickness"), 97);
+    EXPECT_EQ(columns.subDict("squeezed").get<label>("validity"), 1);
+
+    const dictionary& stages = dict.subDict("stages");
+    EXPECT_EQ(stages.subDict("read").get<scalar>("seconds"), 0.5);
+    EXPECT_EQ(stages.subDict("field").get<scalar>("peakMemoryMB"), 123);
+}
+
+
+TEST(toDictionary, canBeReadBack)
+{
+    const dictionary dict(toDictionary(cubeRun().report()));
+
+    OStringStream os;
+    dict.write(os, false);
+    IStringStream is(os.str());
+
+    EXPECT_EQ(dictionary(is).toc(), dict.toc());
+}
+
+
+TEST(writeLayerReport, oneRowForEachPatchAndAll)
+{
+    OStringStream os;
+    write(os, cubeRun().report());
+
+    const std::string text(os.str());
+    label nRows = 0;
+    std::string::size_type width = 0;
+
+    std::istringstream lines(text);
+    for (std::string line; std::getline(lines, line) && !line.empty();)
+    {
+        width = width ? width : line.size();
+        EXPECT_EQ(line.size(), width);
+        ++nRows;
+    }
+
+    EXPECT_EQ(nRows, 2 + 6 + 1);
+    EXPECT_NE(text.find("allPatches"), std::string::npos);
+}
+
+
+// ************************************************************************* //
