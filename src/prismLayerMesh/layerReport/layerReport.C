@@ -203,7 +203,7 @@ static List<patchSample> samplePatches
 
 Foam::scalar Foam::peakMemory()
 {
-    // Linux: "VmHWM:   123456 kB"
+    // Linux: "VmHWM:   123456 kB", of 1024 bytes
     std::ifstream status("/proc/self/status");
 
     for (std::string key; status >> key;)
@@ -212,7 +212,7 @@ Foam::scalar Foam::peakMemory()
 
         if (key == "VmHWM:" && status >> kiloBytes)
         {
-            return kiloBytes/1024;
+            return 1.024e-3*kiloBytes;
         }
     }
 
