@@ -1,0 +1,183 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "controlEntries.H"
+#include "FlatOutput.H"
+#include "ListOps.H"
+#include "label.H"
+#include "scalar.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Number of letters to insert, delete or replace to make b of a
+static label editDistance(const std::string& a, const std::string& b)
+{
+    labelList row(identity(b.size() + 1));
+
+    for (size_t i = 0; i < a.size(); ++i)
+    {
+        label diagonal = row[0]++;
+
+        for (size_t j = 0; j < b.size(); ++j)
+        {
+            const label above = row[j + 1];
+            row[j + 1] = min
+            (
+                diagonal + (a[i] != b[j]),
+                1 + min(above, row[j])
+            );
+            diagonal = above;
+        }
+    }
+
+    return row[b.size()];
+}
+
+
+//- "; did you mean x?" where one of the valid words is near
+static string suggestion(const std::string& given, const wordList& valid)
+{
+    label nearest = 1 + label(given.size())/3;
+    string text;
+
+    for (const word& candidate : valid)
+    {
+        const label distance = editDistance(given, candidate);
+
+        if (distance <= nearest)
+        {
+            nearest = distance - 1;
+            text = "; did you mean " + candidate + "?";
+        }
+    }
+
+    return text;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::OSstream& Foam::entryError(const dictionary& dict, const word& key)
+{
+    label line = dict.startLineNumber();
+
+    for (const entry& e : dict)
+    {
+        if (e.keyword() == key)
+        {
+            line = e.startLineNumber();
+        }
+    }
+
+    return FatalIOError
+    (
+        FUNCTION_NAME, __FILE__, __LINE__, dict.name(), line
+    );
+}
+
+
+void Foam::checkKeys(const dictionary& dict, const wordList& validKeys)
+{
+    for (const entry& e : dict)
+    {
+        const keyType& key = e.keyword();
+
+        if (key != "FoamFile" && (key.isPattern() || !validKeys.found(key)))
+        {
+            entryError(dict, key)
+                << "Unknown key " << key << " in " << dict.dictName()
+                << suggestion(key, validKeys).c_str() << nl
+                << "Valid keys: " << flatOutput(validKeys)
+                << exit(FatalIOError);
+        }
+    }
+}
+
+
+template<class Type>
+bool Foam::readBounded
+(
+    const dictionary& dict,
+    const word& key,
+    const Type& min,
+    const Type& max,
+    Type& value
+)
+{
+    if (!dict.found(key, keyType::LITERAL))
+    {
+        return false;
+    }
+
+    const Type read = dict.get<Type>(key, keyType::LITERAL);
+
+    // Written so that a value that is not a number fails
+    if (!(read >= min && read <= max))
+    {
+        entryError(dict, key)
+            << "Value of " << key << " is " << read
+            << "; it must be from " << min << " to " << max
+            << exit(FatalIOError);
+    }
+
+    value = read;
+
+    return true;
+}
+
+
+bool Foam::readChoice
+(
+    const dictionary& dict,
+    const word& key,
+    const wordList& choices,
+    word& value
+)
+{
+    if (!dict.found(key, keyType::LITERAL))
+    {
+        return false;
+    }
+
+    const word read(dict.get<word>(key, keyType::LITERAL));
+
+    if (!choices.found(read))
+    {
+        entryError(dict, key)
+            << "Value of " << key << " is " << read << ", which is not"
+            << " available" << suggestion(read, choices).c_str() << nl
+            << "Valid values: " << flatOutput(choices)
+            << exit(FatalIOError);
+    }
+
+    value = read;
+
+    return true;
+}
+
+
+template bool Foam::readBounded
+(
+    const dictionary&, const word&,
+    const scalar&, const scalar&, scalar&
+);
+
+template bool Foam::readBounded
+(
+    const dictionary&, const word&,
+    const label&, const label&, label&
+);
+
+
+// ************************************************************************* //
