@@ -107,7 +107,8 @@ static std::streamsize probe(const fileName& file, char header[84])
 
         if (size == 0)
         {
-            std::memcpy(header, buffer, min(std::streamsize(84), stream.gcount()));
+            const std::streamsize n = min(std::streamsize(84), stream.gcount());
+            std::memcpy(header, buffer, n);
         }
 
         size += stream.gcount();
