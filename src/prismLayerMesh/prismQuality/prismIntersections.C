@@ -374,12 +374,22 @@ Foam::List<Foam::labelPair> Foam::findIntersections(const prismLayers& layers)
         }
     };
 
-    CGAL::box_self_intersection_d(outerBoxes.begin(), outerBoxes.end(), test);
+    // Where CGAL turns from its segment tree to scanning: with triangles of a
+    // surface much later than its default
+    const std::ptrdiff_t cutoff = 1000;
+
+    CGAL::box_self_intersection_d
+    (
+        outerBoxes.begin(), outerBoxes.end(),
+        test,
+        cutoff
+    );
     CGAL::box_intersection_d
     (
         wallBoxes.begin(), wallBoxes.end(),
         outerBoxes.begin(), outerBoxes.end(),
-        test
+        test,
+        cutoff
     );
 
     std::sort(pairs.begin(), pairs.end());
