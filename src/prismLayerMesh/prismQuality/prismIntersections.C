@@ -359,7 +359,6 @@ Foam::List<Foam::labelPair> Foam::findIntersections(const prismLayers& layers)
 
     const auto wall = trianglesOf(layers, 0, pairs);
     const auto outer = trianglesOf(layers, layers.nLayers, pairs);
-
     std::vector<triangleBox> wallBoxes(boxes(wall));
     std::vector<triangleBox> outerBoxes(boxes(outer));
 
@@ -380,16 +379,13 @@ Foam::List<Foam::labelPair> Foam::findIntersections(const prismLayers& layers)
 
     CGAL::box_self_intersection_d
     (
-        outerBoxes.begin(), outerBoxes.end(),
-        test,
-        cutoff
+        outerBoxes.begin(), outerBoxes.end(), test, cutoff
     );
     CGAL::box_intersection_d
     (
         wallBoxes.begin(), wallBoxes.end(),
         outerBoxes.begin(), outerBoxes.end(),
-        test,
-        cutoff
+        test, cutoff
     );
 
     std::sort(pairs.begin(), pairs.end());
