@@ -110,12 +110,6 @@ static bool read(std::FILE* result, tetMesh& mesh)
     const size_t nTets =
         std::fread(mesh.tets.data(), sizeof(tetCell), sizes[1], result);
 
-    // TetGen's tetrahedra are left-handed
-    for (tetCell& tet : mesh.tets)
-    {
-        Swap(tet[2], tet[3]);
-    }
-
     return nPoints == size_t(sizes[0]) && nTets == size_t(sizes[1]);
 }
 

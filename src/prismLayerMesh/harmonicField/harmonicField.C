@@ -38,6 +38,17 @@ static FixedList<vector, 4> barycentricGradients(const tetPointRef& tet)
 }
 
 
+//- Of the triangle that three unit vectors span on the sphere
+static scalar solidAngle(const vector& a, const vector& b, const vector& c)
+{
+    return 2*::atan2
+    (
+        mag((a ^ b) & c),
+        1 + (a & b) + (b & c) + (c & a)
+    );
+}
+
+
 static scalarField boundaryValues(const backgroundMesh& mesh)
 {
     scalarField field(mesh.points.size(), 0);
@@ -314,20 +325,33 @@ Foam::vectorField Foam::pointGradients
     const vectorField tetGradient(tetGradients(mesh, field));
 
     vectorField gradients(mesh.points.size(), Zero);
-    scalarField volumes(mesh.points.size(), 0);
+    scalarField angles(mesh.points.size(), 0);
 
     forAll(mesh.tets, t)
     {
-        const scalar volume = mesh.tet(t).mag();
+        const tetCell& tet = mesh.tets[t];
 
-        for (const label p : mesh.tets[t])
+        for (label i = 0; i < 4; ++i)
         {
-            gradients[p] += volume*tetGradient[t];
-            volumes[p] += volume;
+            const point& x = mesh.points[tet[i]];
+            const scalar angle = solidAngle
+            (
+                normalised(mesh.points[tet[(i + 1) % 4]] - x),
+                normalised(mesh.points[tet[(i + 2) % 4]] - x),
+                normalised(mesh.points[tet[(i + 3) % 4]] - x)
+            );
+
+            gradients[tet[i]] += angle*tetGradient[t];
+            angles[tet[i]] += angle;
         }
     }
 
-    return gradients/max(volumes, VSMALL);
+    forAll(gradients, p)
+    {
+        gradients[p] /= max(angles[p], VSMALL);
+    }
+
+    return gradients;
 }
 
 

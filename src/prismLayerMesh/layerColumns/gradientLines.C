@@ -60,7 +60,7 @@ struct walker
 {
     const backgroundMesh& mesh;
 
-    label tet = -1;
+    label tet;
     barycentrics l;
 
     //- Go to x, from the tetrahedron where it is. False where the boundary is
@@ -187,7 +187,7 @@ static void trace
     point x = mesh.points[p];
     vector d = directions[p];
 
-    walker w{mesh};
+    walker w{mesh, -1, {}};
     w.tet = startTet(mesh, tets, x, 1e-3*mesh.gaps[p]*d);
     bool inside = w.tet >= 0;
 

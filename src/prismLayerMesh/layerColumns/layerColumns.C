@@ -24,7 +24,7 @@ static const scalar gapShare = 0.9;
 static const scalar roomSlope = 0.5;
 
 //- Length of the smoothing along the wall over the height
-static const scalar smoothingLength = 1;
+static const scalar smoothingLength = 0.5;
 
 //- Smallest angle to a face, as a share of what the axis of the cone has
 static const scalar coneMargin = 0.2;
@@ -35,11 +35,11 @@ struct wallGraph
 {
     const wallAddressing& addressing;
 
-    //- 1/length of the edge to each of a point's neighbours, scaled to sum 1
+    //- 1/length^2 of the edge to each of a point's neighbours, scaled to sum 1
     List<scalarField> weights;
 
-    //- Squared distance that one full pass spreads over, half the mean square
-    //  of the edges
+    //- Half the weighted mean of length^2 [m^2]: what one full pass adds to
+    //  the variance of a peak
     scalarField spread;
 };
 
@@ -51,22 +51,23 @@ static wallGraph makeWallGraph
 )
 {
     const label nPoints = wall.points.size();
-    wallGraph graph{addressing};
+    wallGraph graph{addressing, {}, {}};
     graph.weights.setSize(nPoints);
     graph.spread.setSize(nPoints, 0);
 
     for (label p = 0; p < nPoints; ++p)
     {
         const labelList& neighbours = addressing.pointPoints[p];
-        scalarField lengths(neighbours.size());
+        scalarField weights(neighbours.size());
 
         forAll(neighbours, i)
         {
-            lengths[i] = mag(wall.points[neighbours[i]] - wall.points[p]);
+            weights[i] =
+                1/magSqr(wall.points[neighbours[i]] - wall.points[p]);
         }
 
-        graph.weights[p] = 1/lengths/sum(1/lengths);
-        graph.spread[p] = 0.5*sumSqr(lengths)/lengths.size();
+        graph.weights[p] = weights/sum(weights);
+        graph.spread[p] = 0.5*weights.size()/sum(weights);
     }
 
     return graph;

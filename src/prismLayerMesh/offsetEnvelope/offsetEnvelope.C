@@ -45,82 +45,110 @@ static scalarField edgeLengths
 }
 
 
-//- Directions from p to the Minkowski sum: the axis of the visibility cone, so
-//  long that all faces at p are one unit away; on the way around a sharp
-//  convex edge or corner also the normals of the faces
-static DynamicList<vector> offsets(const wallVisibility& visibility, label p)
+//- Vector along the axis of a cone so long that all faces are one unit away
+static vector miter(const visibilityCone& cone)
 {
-    const visibilityCone& cone = visibility.cones[p];
-    const scalar stretch = min(1/max(cone.cosine, SMALL), maxStretch);
-
-    DynamicList<vector> vectors;
-    vectors.append(stretch*cone.axis);
-
-    // 0.8: 37 degrees off the axis
-    for (const vector& n : visibility.cornerNormals[p])
-    {
-        bool far = (n & cone.axis) < 0.8;
-
-        for (label i = 1; far && i < vectors.size(); ++i)
-        {
-            far = (n & vectors[i]) < 0.8;
-        }
-
-        if (far)
-        {
-            vectors.append(n);
-        }
-    }
-
-    return vectors;
+    return min(1/max(cone.cosine, SMALL), maxStretch)*cone.axis;
 }
 
 
-//- Points on the sheet at share times the radius, in the order of the wall's
-static void addSheet
-(
-    const wallSurface& wall,
-    const wallSearch& search,
-    const wallVisibility& visibility,
-    const scalarField& lengths,
-    const scalar share,
-    const scalar density,
-    offsetEnvelope& envelope
-)
+//- Points of a sheet before they are thinned
+struct sheet
 {
+    const wallSurface& wall;
+    const wallSearch& search;
+    const wallVisibility& visibility;
+
     DynamicList<point> points;
-    DynamicList<scalar> heights, gaps;
+    DynamicList<scalar> heights;
+    DynamicList<scalar> gaps;
 
-    forAll(wall.points, p)
+    void add(const point& x, const scalar height, const scalar gap)
     {
-        const scalar height = share*envelope.radius[p];
-
-        // The finest sheet is about as far from the wall as its edges are long
-        if (share < 1 && height < lengths[p])
+        if (!search.nearer(x, ownShare*height))
         {
-            continue;
+            points.append(x);
+            heights.append(height);
+            gaps.append(gap);
         }
+    }
 
-        for (const vector& offset : offsets(visibility, p))
+
+    //- Above a point of the wall; on the way around a sharp convex edge or
+    //  corner also along the normals of the faces
+    void addPoint(const label p, const scalar height, const scalar gap)
+    {
+        const visibilityCone& cone = visibility.cones[p];
+        add(wall.points[p] + height*miter(cone), height, gap);
+
+        // 0.8: 37 degrees apart
+        DynamicList<vector> others;
+        for (const vector& n : visibility.cornerNormals[p])
         {
-            const point x = wall.points[p] + height*offset;
+            bool far = (n & cone.axis) < 0.8;
 
-            if (!search.nearer(x, ownShare*height))
+            for (const vector& other : others)
             {
-                points.append(x);
-                heights.append(height);
-                gaps.append(envelope.radius[p]);
+                far = far && (n & other) < 0.8;
+            }
+
+            if (far)
+            {
+                others.append(n);
+                add(wall.points[p] + height*n, height, gap);
             }
         }
     }
 
+
+    //- Beside a point on edges that are long for the height: columns stand
+    //  only on points, so that further along nothing depends on the field
+    void addLongEdges
+    (
+        const labelUList& neighbours,
+        const label p,
+        const scalar height
+    )
+    {
+        const vectorField& normals = visibility.cornerNormals[p];
+
+        forAll(neighbours, i)
+        {
+            const vector along = wall.points[neighbours[i]] - wall.points[p];
+
+            if (mag(along) > 2*height)
+            {
+                const visibilityCone cone = makeVisibilityCone
+                (
+                    vectorField({normals[i], normals[normals.rcIndex(i)]})
+                );
+
+                add
+                (
+                    wall.points[p] + height*(normalised(along) + miter(cone)),
+                    height,
+                    height
+                );
+            }
+        }
+    }
+};
+
+
+static void append
+(
+    const sheet& s,
+    const scalar density,
+    offsetEnvelope& envelope
+)
+{
     const labelList kept
     (
-        sparsePoints(pointField(points), density*scalarField(heights))
+        sparsePoints(pointField(s.points), density*scalarField(s.heights))
     );
 
-    envelope.points.append(pointField(UIndirectList<point>(points, kept)));
-    envelope.gaps.append(scalarField(UIndirectList<scalar>(gaps, kept)));
+    envelope.points.append(pointField(UIndirectList<point>(s.points, kept)));
+    envelope.gaps.append(scalarField(UIndirectList<scalar>(s.gaps, kept)));
 }
 
 } // End namespace Foam
@@ -144,24 +172,29 @@ Foam::offsetEnvelope Foam::makeOffsetEnvelope
 
     offsetEnvelope envelope;
     envelope.radius = min(controls.scale*spacing.thickness, clearance);
+    const scalarField& radius = envelope.radius;
 
-    addSheet
-    (
-        wall, search, visibility, lengths, 1, density, envelope
-    );
+    sheet outer{wall, search, visibility, {}, {}, {}};
+    forAll(wall.points, p)
+    {
+        outer.addPoint(p, radius[p], radius[p]);
+        outer.addLongEdges(addressing.pointPoints[p], p, radius[p]);
+    }
+    append(outer, density, envelope);
     envelope.nEnvelope = envelope.points.size();
 
-    for
-    (
-        scalar share = 0.5;
-        max(share*envelope.radius/lengths) >= 1;
-        share *= 0.5
-    )
+    for (scalar share = 0.5; max(share*radius/lengths) >= 1; share *= 0.5)
     {
-        addSheet
-        (
-            wall, search, visibility, lengths, share, density, envelope
-        );
+        sheet inner{wall, search, visibility, {}, {}, {}};
+        forAll(wall.points, p)
+        {
+            // The lowest sheet is as far from the wall as its edges are long
+            if (share*radius[p] >= lengths[p])
+            {
+                inner.addPoint(p, share*radius[p], radius[p]);
+            }
+        }
+        append(inner, density, envelope);
     }
 
     return envelope;
