@@ -375,7 +375,7 @@ Foam::List<Foam::labelPair> Foam::findIntersections(const prismLayers& layers)
 
     // Where CGAL turns from its segment tree to scanning: with triangles of a
     // surface much later than its default
-    const std::ptrdiff_t cutoff = 1000;
+    const std::ptrdiff_t cutoff = 4000;
 
     CGAL::box_self_intersection_d
     (
