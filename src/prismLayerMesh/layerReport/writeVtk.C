@@ -237,14 +237,6 @@ void Foam::vtkFields::add(const word& name, const UList<symmTensor>& field)
 }
 
 
-void Foam::vtkGrid::addCell(const vtkCell type, const labelUList& points)
-{
-    cellTypes.append(type);
-    cellPoints.append(points);
-    cellStarts.append(cellPoints.size());
-}
-
-
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 void Foam::writeVtk(const fileName& file, const vtkGrid& grid)
