@@ -77,26 +77,21 @@ static void requireHomeomorphic
     }
 }
 
-} // End namespace Foam
-
-
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
-Foam::prismLayerMesh Foam::makePrismLayerMesh
+//- From the request to the room for it
+static void makeRoom
 (
     const wallSurface& wall,
+    const wallSearch& search,
     const prismLayerControls& controls,
-    const stageObserver& observer
+    const stageObserver& observer,
+    prismLayerMesh& m
 )
 {
-    prismLayerMesh m;
-
     observer.begin("layerSpacing");
     m.addressing = makeWallAddressing(wall);
     m.spacing = makeLayerSpacing(wall, controls.layers);
     observer.end
     (
-        "layerSpacing",
         text(m.spacing.nLayers, " layers, total thickness ",
             min(m.spacing.thickness), " to ", max(m.spacing.thickness), " m")
     );
@@ -104,18 +99,25 @@ Foam::prismLayerMesh Foam::makePrismLayerMesh
     observer.begin("wallVisibility");
     m.visibility = makeWallVisibility(wall, m.addressing);
     refuseEmptyCones(wall, m.visibility);
-    observer.end("wallVisibility", text(wall.points.size(), " cones"));
+    observer.end(text(wall.points.size(), " cones"));
 
     observer.begin("wallClearance");
-    const wallSearch search(wall);
     const scalarField reach(2*controls.envelope.scale*m.spacing.thickness);
     m.clearance = makeWallClearance(wall, search, m.visibility, reach);
-    observer.end
-    (
-        "wallClearance",
-        text("room from ", min(m.clearance), " m")
-    );
+    observer.end(text("room from ", min(m.clearance), " m"));
+}
 
+
+//- From the room to the field that fills it
+static void makeField
+(
+    const wallSurface& wall,
+    const wallSearch& search,
+    const prismLayerControls& controls,
+    const stageObserver& observer,
+    prismLayerMesh& m
+)
+{
     observer.begin("offsetEnvelope");
     m.envelope = makeOffsetEnvelope
     (
@@ -124,23 +126,23 @@ Foam::prismLayerMesh Foam::makePrismLayerMesh
     );
     observer.end
     (
-        "offsetEnvelope",
         text(m.envelope.nEnvelope, " points, ",
             m.envelope.points.size() - m.envelope.nEnvelope,
             " on sheets between")
     );
 
     observer.begin("backgroundMesh");
-    m.background =
-        makeBackgroundMesh
-        (
-            wall, m.addressing, search, m.visibility, m.envelope
-        );
+    m.background = makeBackgroundMesh
+    (
+        wall, m.addressing, search, m.visibility, m.envelope
+    );
+    m.topology = wallLevelSetTopology(m.background);
+    requireHomeomorphic(m.topology, wallTopology(wall, m.addressing));
     observer.end
     (
-        "backgroundMesh",
-        text(m.background.points.size(), " points, ",
-            m.background.tets.size(), " tetrahedra")
+        text(m.background.tets.size(), " tetrahedra; components ",
+            m.topology.nComponents, ", Euler characteristic ",
+            m.topology.eulerCharacteristic, " as the wall's")
     );
 
     observer.begin("isotropicField");
@@ -150,7 +152,6 @@ Foam::prismLayerMesh Foam::makePrismLayerMesh
     );
     observer.end
     (
-        "isotropicField",
         text(findIndices(m.background.free, true).size(), " unknowns")
     );
 
@@ -166,16 +167,19 @@ Foam::prismLayerMesh Foam::makePrismLayerMesh
         tensor->edgeWeights(m.background, m.tensors),
         controls.field
     );
-    m.topology = wallLevelSetTopology(m.background);
-    requireHomeomorphic(m.topology, wallTopology(wall, m.addressing));
-    observer.end
-    (
-        "anisotropicField",
-        text("level sets of ", m.topology.nComponents,
-            " components, Euler characteristic ",
-            m.topology.eulerCharacteristic, ": as the wall")
-    );
+    observer.end(text("tensor model ", controls.field.tensor));
+}
 
+
+//- From the field to certified layers
+static void makeLayers
+(
+    const wallSurface& wall,
+    const prismLayerControls& controls,
+    const stageObserver& observer,
+    prismLayerMesh& m
+)
+{
     observer.begin("layerColumns");
     m.lines = makeGradientLines
     (
@@ -187,7 +191,7 @@ Foam::prismLayerMesh Foam::makePrismLayerMesh
         wall, m.addressing, m.visibility, m.clearance, m.spacing, m.lines,
         controls.layers.maxStretch
     );
-    observer.end("layerColumns", text(m.columns.room.size(), " columns"));
+    observer.end(text(m.columns.room.size(), " columns"));
 
     observer.begin("prismLayers");
     m.layers = makePrismLayers
@@ -195,20 +199,35 @@ Foam::prismLayerMesh Foam::makePrismLayerMesh
         wall, m.addressing, m.visibility, m.spacing,
         controls.layers.maxStretch, m.columns
     );
-    observer.end
-    (
-        "prismLayers",
-        text(wall.faces.size()*m.spacing.nLayers, " cells")
-    );
+    observer.end(text(m.layers.faces.size()*m.layers.nLayers, " cells"));
 
     observer.begin("prismQuality");
     m.certificate = certify(m.layers);
     observer.end
     (
-        "prismQuality",
         text(m.certificate.nInvalidCells, " invalid cells, ",
             m.certificate.nIntersectingPairs, " intersecting pairs")
     );
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::prismLayerMesh Foam::makePrismLayerMesh
+(
+    const wallSurface& wall,
+    const prismLayerControls& controls,
+    const stageObserver& observer
+)
+{
+    const wallSearch search(wall);
+
+    prismLayerMesh m;
+    makeRoom(wall, search, controls, observer, m);
+    makeField(wall, search, controls, observer, m);
+    makeLayers(wall, controls, observer, m);
 
     return m;
 }

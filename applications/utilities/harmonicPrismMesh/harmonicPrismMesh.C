@@ -1,0 +1,187 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+Application
+    harmonicPrismMesh
+
+Group
+    grpMeshGenerationUtilities
+
+Description
+    Makes the boundary-layer region of a mesh: n layers of prisms on all of a
+    wall surface, certified.
+
+    Reads system/harmonicPrismMeshDict and the surface in constant/triSurface
+    that it names; writes constant/polyMesh, constant/triSurface/layerOuter.obj
+    and postProcessing/harmonicPrismMesh/report.
+
+Usage
+    \b harmonicPrismMesh [OPTIONS]
+
+    Options:
+      - \par -dict \<file\>
+        Dictionary instead of system/harmonicPrismMeshDict
+
+      - \par -region \<name\>
+        Write the mesh of that region: constant/\<name\>/polyMesh
+
+      - \par -overwrite
+        Replace a mesh that is there already
+
+      - \par -checkSurface
+        Say what is wrong with the surface, write nothing
+
+      - \par -writeFields
+        Write VTK files of the envelope, the background mesh with its fields,
+        the columns and the layers
+
+\*---------------------------------------------------------------------------*/
+
+#include "argList.H"
+#include "Time.H"
+#include "polyMesh.H"
+#include "prismLayerMesh.H"
+#include "prismPolyMesh.H"
+#include "readWallSurface.H"
+#include "stageLog.H"
+#include "wallDefects.H"
+#include "prismCase.H"
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+static void addOptions()
+{
+    argList::noParallel();
+    argList::addNote
+    (
+        "Make n layers of prisms on all of a wall surface: the boundary-layer"
+        " region of a mesh.\n"
+        "Reads system/harmonicPrismMeshDict and the surface that it names;"
+        " writes\n"
+        "  constant/polyMesh\n"
+        "  constant/triSurface/layerOuter.obj\n"
+        "  postProcessing/harmonicPrismMesh/report\n"
+        "Every key is described in"
+        " etc/caseDicts/annotated/harmonicPrismMeshDict."
+    );
+    argList::addOption
+    (
+        "dict", "file", "Alternative to system/harmonicPrismMeshDict"
+    );
+    argList::addOption
+    (
+        "region", "name", "Write the mesh of that region"
+    );
+    argList::addBoolOption
+    (
+        "overwrite", "Replace a mesh that is there already"
+    );
+    argList::addBoolOption
+    (
+        "checkSurface", "Say what is wrong with the surface, write nothing"
+    );
+    argList::addBoolOption
+    (
+        "writeFields", "Write VTK files of what the stages made"
+    );
+}
+
+
+//- The wall, read and reported
+static wallSurface readWall
+(
+    const prismCase& files,
+    const wallSurfaceControls& controls,
+    stageLog& log
+)
+{
+    const fileName file(files.surfaceFile(controls.file));
+
+    log.begin("wallSurface");
+    wallReading reading;
+    wallSurface wall(readWallSurface(file, controls, reading));
+    log.end
+    (
+        name(wall.faces.size()) + " faces, "
+      + name(wall.points.size()) + " points, "
+      + name(wall.patchNames.size()) + " patches"
+    );
+
+    Info<< "    " << file << nl
+        << "    merged points " << reading.mergedPoints
+        << ", collapsed faces " << reading.collapsedFaces
+        << ", faces turned to the fluid " << reading.flippedFaces << endl;
+
+    return wall;
+}
+
+
+//- Whether the wall has defects; reported
+static bool checkWall(const wallSurface& wall, stageLog& log, string& defects)
+{
+    log.begin("wallDefects");
+    const List<wallDefect> found(findWallDefects(wall));
+    log.end(found.empty() ? "none" : name(found.size()) + " kinds");
+
+    defects = describe(found);
+
+    return found.size();
+}
+
+
+int main(int argc, char *argv[])
+{
+    addOptions();
+
+    #include "setRootCase.H"
+    #include "createTime.H"
+
+    const prismCase files(args, runTime);
+    const prismLayerControls controls(readPrismLayerControls(files.dict()));
+
+    stageLog log;
+    const wallSurface wall(readWall(files, controls.surface, log));
+
+    string defects;
+    const bool defective = checkWall(wall, log, defects);
+
+    if (args.found("checkSurface"))
+    {
+        Info<< nl << (defective ? defects.c_str() : "Surface OK.") << nl
+            << nl << "End" << nl << endl;
+
+        return defective;
+    }
+
+    if (defective)
+    {
+        FatalErrorInFunction
+            << "The surface " << controls.surface.file
+            << " cannot be meshed." << nl << defects.c_str()
+            << exit(FatalError);
+    }
+
+    files.checkOverwrite();
+
+    prismLayerMesh result(makePrismLayerMesh(wall, controls, log.observer()));
+
+    if (args.found("writeFields"))
+    {
+        files.writeFields(wall, result);
+    }
+
+    files.write(wall, result, log);
+
+    Info<< "End" << nl << endl;
+
+    return 0;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,213 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "prismCase.H"
+#include "argList.H"
+#include "MeshedSurface.H"
+#include "OFstream.H"
+#include "OSspecific.H"
+#include "polyMesh.H"
+#include "prismPolyMesh.H"
+#include "Time.H"
+#include "writeStageFields.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static const word dictName("harmonicPrismMeshDict");
+
+
+static IOobject dictObject(const argList& args, const Time& time)
+{
+    if (args.found("dict"))
+    {
+        fileName file(args["dict"]);
+
+        if (isDir(file))
+        {
+            file = file/dictName;
+        }
+
+        return IOobject(file, time, IOobject::MUST_READ, IOobject::NO_WRITE);
+    }
+
+    return IOobject
+    (
+        dictName,
+        time.system(),
+        time,
+        IOobject::MUST_READ,
+        IOobject::NO_WRITE
+    );
+}
+
+
+//- The outer surface of the layers
+static MeshedSurface<face> outerSurface(const prismLayers& layers)
+{
+    pointField points(layers.nColumns());
+    forAll(points, c)
+    {
+        points[c] = layers(c, layers.nLayers);
+    }
+
+    return MeshedSurface<face>
+    (
+        std::move(points),
+        faceList(layers.faces),
+        List<surfZone>(1, surfZone(layerOuterName, layers.faces.size(), 0, 0))
+    );
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::prismCase::prismCase(const argList& args, const Time& time)
+:
+    args_(args),
+    time_(time),
+    region_(args.lookupOrDefault<word>("region", polyMesh::defaultRegion)),
+    dict_(dictObject(args, time))
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::fileName Foam::prismCase::polyMeshFolder() const
+{
+    return time_.path()/time_.constant()
+       /(region_ == polyMesh::defaultRegion ? word::null : region_)
+       /polyMesh::meshSubDir;
+}
+
+
+Foam::fileName Foam::prismCase::reportFolder() const
+{
+    return time_.path()/"postProcessing"/"harmonicPrismMesh"
+       /(region_ == polyMesh::defaultRegion ? word::null : region_);
+}
+
+
+Foam::fileName Foam::prismCase::surfaceFile(const fileName& name) const
+{
+    if (name.isAbsolute())
+    {
+        return name;
+    }
+
+    return name.find('/') == std::string::npos
+      ? time_.path()/time_.constant()/"triSurface"/name
+      : time_.path()/name;
+}
+
+
+void Foam::prismCase::checkOverwrite() const
+{
+    const fileName folder(polyMeshFolder());
+
+    if (!args_.found("overwrite") && isDir(folder))
+    {
+        FatalErrorInFunction
+            << "There is a mesh already: " << folder << nl
+            << "Use -overwrite to replace it" << exit(FatalError);
+    }
+}
+
+
+void Foam::prismCase::writeFields
+(
+    const wallSurface& wall,
+    const prismLayerMesh& m
+) const
+{
+    Info<< "Writing VTK files to " << reportFolder() << endl;
+    writeStageFields(reportFolder(), wall, m);
+}
+
+
+void Foam::prismCase::write
+(
+    const wallSurface& wall,
+    prismLayerMesh& m,
+    stageLog& log
+) const
+{
+    log.begin("prismPolyMesh");
+
+    // What was certified is what is written: no digit may be lost
+    IOstream::defaultPrecision(17);
+
+    const MeshedSurface<face> outer(outerSurface(m.layers));
+    layerReport report
+    (
+        makeLayerReport
+        (
+            wall, m.spacing, m.layers, m.certificate, m.columns.causes,
+            UList<stageCost>()
+        )
+    );
+
+    autoPtr<polyMesh> mesh
+    (
+        makePrismPolyMesh
+        (
+            m.layers,
+            IOobject
+            (
+                region_, time_.constant(), time_,
+                IOobject::NO_READ, IOobject::AUTO_WRITE
+            )
+        )
+    );
+
+    mesh->removeFiles();
+
+    const fileName surfaces(time_.path()/time_.constant()/"triSurface");
+    mkDir(surfaces);
+    mkDir(reportFolder());
+    outer.write(surfaces/(layerOuterName + ".obj"));
+
+    if (!mesh->write())
+    {
+        FatalErrorInFunction
+            << "Cannot write " << polyMeshFolder() << exit(FatalError);
+    }
+
+    log.end
+    (
+        name(mesh->nCells()) + " cells, " + name(mesh->nFaces()) + " faces"
+    );
+
+    report.stages = log.costs();
+
+    IOstream::defaultPrecision(6);
+    OFstream os(reportFolder()/"report");
+    IOobject::writeBanner(os);
+    toDictionary(report).write(os, false);
+    IOobject::writeEndDivider(os);
+
+    if (!os.good())
+    {
+        FatalErrorInFunction
+            << "Cannot write " << os.name() << exit(FatalError);
+    }
+
+    Foam::write(Info, report);
+
+    Info<< nl << "Mesh:   " << polyMeshFolder() << nl
+        << "Outer:  " << surfaces/(layerOuterName + ".obj") << nl
+        << "Report: " << os.name() << nl << endl;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,49 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "stageLog.H"
+#include "IOmanip.H"
+#include "IOstreams.H"
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::stageLog::begin(const word& stage)
+{
+    // The line is visible while the stage runs
+    Info<< stage.c_str() << std::string(18 - stage.size(), ' ').c_str()
+        << flush;
+
+    costs_.append(stageCost());
+    costs_.last().stage = stage;
+    clock_.timeIncrement();
+}
+
+
+void Foam::stageLog::end(const string& sizes)
+{
+    stageCost& cost = costs_.last();
+    cost.seconds = clock_.timeIncrement();
+    cost.peakMemory = peakMemory();
+
+    Info<< sizes.c_str() << "  " << setprecision(3) << cost.seconds << " s"
+        << setprecision(IOstream::defaultPrecision()) << endl;
+}
+
+
+Foam::stageObserver Foam::stageLog::observer()
+{
+    return stageObserver
+    {
+        [this](const word& stage) { begin(stage); },
+        [this](const string& sizes) { end(sizes); }
+    };
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,187 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "writeStageFields.H"
+#include "harmonicField.H"
+#include "OSspecific.H"
+#include "unitConversion.H"
+#include "writeVtk.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- A level between the envelope and what is near to it
+static const scalar envelopeLevel = 0.02;
+
+
+static vtkCell cellType(const face& f)
+{
+    return f.size() == 3 ? vtkCell::triangle
+         : f.size() == 4 ? vtkCell::quad
+         : vtkCell::polygon;
+}
+
+
+static vtkGrid envelopeGrid(const prismLayerMesh& mesh)
+{
+    vtkGrid grid;
+    faceList triangles;
+    levelSetTriangles
+    (
+        mesh.background, mesh.field, envelopeLevel, grid.points, triangles
+    );
+
+    for (const face& f : triangles)
+    {
+        grid.addCell(vtkCell::triangle, f);
+    }
+
+    return grid;
+}
+
+
+static vtkGrid backgroundGrid(const prismLayerMesh& mesh)
+{
+    const backgroundMesh& background = mesh.background;
+
+    vtkGrid grid;
+    grid.points = background.points;
+
+    for (const tetCell& tet : background.tets)
+    {
+        grid.addCell(vtkCell::tetra, tet);
+    }
+
+    grid.pointFields.add("HIsotropic", mesh.isotropic);
+    grid.pointFields.add("H", mesh.field);
+    grid.pointFields.add("gradH", pointGradients(background, mesh.field));
+    grid.pointFields.add("T", mesh.tensors);
+    grid.pointFields.add("gap", background.gaps);
+
+    return grid;
+}
+
+
+static vtkGrid columnGrid(const prismLayerMesh& mesh)
+{
+    const prismLayers& layers = mesh.layers;
+    const label n = layers.nLayers;
+
+    vtkGrid grid;
+    grid.points = layers.points;
+
+    scalarField energies(layers.points.size());
+    for (label c = 0; c < layers.nColumns(); ++c)
+    {
+        grid.addCell
+        (
+            vtkCell::polyLine, identity(n + 1, layers.pointLabel(c, 0))
+        );
+
+        energies[layers.pointLabel(c, 0)] = 1;
+        for (label i = 1; i <= n; ++i)
+        {
+            energies[layers.pointLabel(c, i)] =
+                mesh.lines.energies[c*n + i - 1];
+        }
+    }
+    grid.pointFields.add("samplingEnergy", energies);
+
+    return grid;
+}
+
+
+static vtkGrid layerGrid(const prismLayerMesh& mesh)
+{
+    const prismLayers& layers = mesh.layers;
+
+    vtkGrid grid;
+    grid.points = layers.points;
+
+    DynamicList<scalar> numbers;
+    for (label i = 0; i <= layers.nLayers; ++i)
+    {
+        for (const face& f : layers.faces)
+        {
+            face level(f);
+            for (label& p : level)
+            {
+                p = layers.pointLabel(p, i);
+            }
+            grid.addCell(cellType(f), level);
+            numbers.append(i);
+        }
+    }
+    grid.cellFields.add("layer", numbers);
+
+    return grid;
+}
+
+
+static vtkGrid wallGrid(const wallSurface& wall, const prismLayerMesh& mesh)
+{
+    const layerSpacing& spacing = mesh.spacing;
+    const prismLayers& layers = mesh.layers;
+
+    vtkGrid grid;
+    grid.points = wall.points;
+    for (const face& f : wall.faces)
+    {
+        grid.addCell(cellType(f), f);
+    }
+
+    const label nPoints = wall.points.size();
+    scalarField first(nPoints), total(nPoints), causes(nPoints);
+    scalarField angles(nPoints);
+
+    for (label p = 0; p < nPoints; ++p)
+    {
+        const vector step = layers(p, 1) - layers(p, 0);
+        first[p] = mag(step)
+           *mesh.visibility.heightCosine(p, normalised(step))
+           /spacing.firstThickness[p];
+        total[p] = mesh.columns.room[p]/spacing.thickness[p];
+        causes[p] = scalar(int(mesh.columns.causes[p]));
+        angles[p] = radToDeg(::acos(min(mesh.visibility.cones[p].cosine, 1.0)));
+    }
+
+    grid.pointFields.add("firstHeightOverRequest", first);
+    grid.pointFields.add("thicknessOverRequest", total);
+    grid.pointFields.add("squeezeCause", causes);
+    grid.pointFields.add("visibilityAngle", angles);
+    grid.pointFields.add("clearance", mesh.clearance);
+    grid.cellFields.add("worstJacobian", mesh.certificate.worstJacobian);
+
+    return grid;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void Foam::writeStageFields
+(
+    const fileName& folder,
+    const wallSurface& wall,
+    const prismLayerMesh& mesh
+)
+{
+    mkDir(folder);
+    writeVtk(folder/"envelope.vtk", envelopeGrid(mesh));
+    writeVtk(folder/"backgroundMesh.vtk", backgroundGrid(mesh));
+    writeVtk(folder/"columns.vtk", columnGrid(mesh));
+    writeVtk(folder/"layers.vtk", layerGrid(mesh));
+    writeVtk(folder/"wall.vtk", wallGrid(wall, mesh));
+}
+
+
+// ************************************************************************* //
