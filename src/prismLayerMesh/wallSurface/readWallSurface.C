@@ -25,13 +25,16 @@ static void checkFinite(const fileName& file, const pointField& points)
 {
     forAll(points, i)
     {
-        // Larger ones overflow in areas and volumes
-        if (!(cmptMax(cmptMag(points[i])) < 1e90))
+        for (direction d = 0; d < 3; ++d)
         {
-            FatalErrorInFunction
-                << "Cannot use the surface " << file << ": point " << i
-                << " at " << points[i] << " is not finite"
-                << exit(FatalError);
+            // Larger ones overflow in areas and volumes
+            if (!(mag(points[i][d]) < 1e90))
+            {
+                FatalErrorInFunction
+                    << "Cannot use the surface " << file << ": point " << i
+                    << " at " << points[i] << " is not finite"
+                    << exit(FatalError);
+            }
         }
     }
 }

@@ -11,9 +11,10 @@ License
 #include "IFstream.H"
 #include "MeshedSurfaces.H"
 #include "OSspecific.H"
-#include "STLReader.H"
+#include "stlSurface.H"
 
 #include <cstring>
+#include <new>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -30,16 +31,26 @@ namespace Foam
 }
 
 
-//- Fatal errors are exceptions as long as it lives
-class errorsThrown
+//- As long as it lives fatal errors are exceptions, also where memory does not
+//  suffice, and readers do not talk
+class quietReading
 {
     const bool error_ = FatalError.throwExceptions(true);
     const bool ioError_ = FatalIOError.throwExceptions(true);
+    const int level_ = messageStream::level;
+    const std::new_handler newHandler_ = std::set_new_handler(nullptr);
 
 public:
 
-    ~errorsThrown()
+    quietReading()
     {
+        messageStream::level = 0;
+    }
+
+    ~quietReading()
+    {
+        std::set_new_handler(newHandler_);
+        messageStream::level = level_;
         FatalError.throwExceptions(error_);
         FatalIOError.throwExceptions(ioError_);
     }
@@ -54,12 +65,16 @@ static void readGuarded(const fileName& file, const Reader& read)
 
     try
     {
-        const errorsThrown guard;
+        const quietReading guard;
         read();
     }
     catch (const Foam::error& e)
     {
         what = e.message();
+    }
+    catch (const std::bad_alloc&)
+    {
+        what = "its sizes are beyond the memory; is it broken?";
     }
     catch (const std::exception& e)
     {
@@ -89,107 +104,6 @@ static fileName uncompressedName(const fileName& file)
     }
 
     return plain;
-}
-
-
-//- Size in bytes of the content, and its first 84
-static std::streamsize probe(const fileName& file, char header[84])
-{
-    IFstream is(file);
-    std::istream& stream = is.stdStream();
-    char buffer[1 << 14];
-    std::streamsize size = 0;
-    std::memset(header, 0, 84);
-
-    while (stream)
-    {
-        stream.read(buffer, sizeof(buffer));
-
-        if (size == 0)
-        {
-            const std::streamsize n = min(std::streamsize(84), stream.gcount());
-            std::memcpy(header, buffer, n);
-        }
-
-        size += stream.gcount();
-    }
-
-    return size;
-}
-
-
-//- The reader goes by the first word, which lies in some binary files, and
-//  takes a truncated file for a whole one
-static fileFormats::STLCore::STLFormat stlFormat(const fileName& file)
-{
-    char header[84];
-    const std::streamsize size = probe(file, header);
-
-    uint32_t nFacets = 0;
-    std::memcpy(&nFacets, header + 80, 4);
-    const std::streamsize expected = 84 + 50*std::streamsize(nFacets);
-
-    if (size >= 84 && size == expected)
-    {
-        return fileFormats::STLCore::BINARY;
-    }
-
-    const string text(std::string(header, 80));
-    const auto start = text.find_first_not_of(" \t\r\n");
-
-    if
-    (
-        start != std::string::npos
-     && (text.compare(start, 5, "solid") == 0
-      || text.compare(start, 5, "SOLID") == 0)
-    )
-    {
-        return fileFormats::STLCore::ASCII;
-    }
-
-    fail
-    (
-        file,
-        "neither an ascii STL, which begins with 'solid', nor a binary STL,"
-        " which would have " + Foam::name(int64_t(expected)) + " bytes and not "
-      + Foam::name(int64_t(size)) + "; is it truncated?"
-    );
-}
-
-
-static void readStl(const fileName& file, wallSurface& wall)
-{
-    fileFormats::STLReader reader(file, stlFormat(file));
-
-    const auto& points = reader.points();
-    wall.patchIDs = reader.zoneIds();
-    wall.patchNames = reader.names();
-    const label nFaces = wall.patchIDs.size();
-
-    if (points.size() != 3*nFaces)
-    {
-        FatalErrorInFunction
-            << "a facet does not have three points" << exit(FatalError);
-    }
-
-    wall.points.setSize(points.size());
-    wall.faces.setSize(nFaces);
-
-    forAll(wall.points, i)
-    {
-        wall.points[i] = point(points[i].x(), points[i].y(), points[i].z());
-    }
-
-    forAll(wall.faces, i)
-    {
-        wall.faces[i] = face(identity(3, 3*i));
-    }
-
-    // The solids of a binary file are numbers
-    for (label i = wall.patchNames.size(); i < reader.sizes().size(); ++i)
-    {
-        wall.patchNames.append("zone" + Foam::name(i));
-    }
 }
 
 
@@ -339,8 +253,7 @@ Foam::wallSurface Foam::readSurfaceFile
         );
     }
 
-    char header[84];
-    if (probe(plain, header) == 0)
+    if (IFstream(plain).stdStream().peek() == std::istream::traits_type::eof())
     {
         fail(file, "the file is empty");
     }
@@ -353,9 +266,14 @@ Foam::wallSurface Foam::readSurfaceFile
         file,
         [&]()
         {
-            separateFaces
-          ? readStl(plain, wall)
-          : readMeshed(plain, extension, wall);
+            if (separateFaces)
+            {
+                readStlSurface(plain, wall);
+            }
+            else
+            {
+                readMeshed(plain, extension, wall);
+            }
         }
     );
 

@@ -1,0 +1,156 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "stlSurface.H"
+#include "IFstream.H"
+#include "STLReader.H"
+
+#include <algorithm>
+#include <cstring>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- What a file looks like from afar
+struct fileProbe
+{
+    //- Of the content, [bytes]
+    std::streamsize size = 0;
+
+    //- Up to the first that is not a 7-bit character
+    std::streamsize asciiSize = 0;
+
+    char header[84];
+};
+
+
+static fileProbe probe(const fileName& file)
+{
+    IFstream is(file);
+    std::istream& stream = is.stdStream();
+    char buffer[1 << 14];
+    fileProbe result;
+    std::memset(result.header, 0, sizeof(result.header));
+
+    while (stream)
+    {
+        stream.read(buffer, sizeof(buffer));
+        const std::streamsize n = stream.gcount();
+
+        if (result.size == 0)
+        {
+            std::memcpy
+            (
+                result.header,
+                buffer,
+                min(std::streamsize(sizeof(result.header)), n)
+            );
+        }
+
+        if (result.asciiSize == result.size)
+        {
+            result.asciiSize += std::find_if
+            (
+                buffer,
+                buffer + n,
+                [](const char c) { return c <= 0; }
+            ) - buffer;
+        }
+
+        result.size += n;
+    }
+
+    return result;
+}
+
+
+//- The reader goes by the first word, which lies in some binary files, takes
+//  a truncated file for a whole one, and crashes on characters of 8 bits
+static fileFormats::STLCore::STLFormat findFormat(const fileName& file)
+{
+    const fileProbe content(probe(file));
+    uint32_t nFacets = 0;
+    std::memcpy(&nFacets, content.header + 80, 4);
+    const std::streamsize expected = 84 + 50*std::streamsize(nFacets);
+
+    if (content.size >= 84 && content.size == expected)
+    {
+        return fileFormats::STLCore::BINARY;
+    }
+
+    const std::string text(content.header, 80);
+    const auto start = text.find_first_not_of(" \t\r\n");
+    const std::string first
+    (
+        start == std::string::npos ? "" : text.substr(start, 5)
+    );
+
+    if
+    (
+        (first == "solid" || first == "SOLID")
+     && content.asciiSize == content.size
+    )
+    {
+        return fileFormats::STLCore::ASCII;
+    }
+
+    FatalErrorInFunction
+        << "not an ascii STL, which begins with 'solid' and has only ascii"
+        << " characters (here the first " << int64_t(content.asciiSize)
+        << "), nor a binary STL, which by the number of its facets would have "
+        << int64_t(expected) << " bytes (here " << int64_t(content.size)
+        << "); is it truncated?" << exit(FatalError);
+
+    return fileFormats::STLCore::UNKNOWN;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void Foam::readStlSurface(const fileName& file, wallSurface& wall)
+{
+    fileFormats::STLReader reader(file, findFormat(file));
+
+    const auto& points = reader.points();
+    wall.patchIDs = reader.zoneIds();
+    wall.patchNames = reader.names();
+    const label nFaces = wall.patchIDs.size();
+
+    if (points.size() != 3*nFaces)
+    {
+        FatalErrorInFunction
+            << "a facet does not have three points" << exit(FatalError);
+    }
+
+    wall.points.setSize(points.size());
+    wall.faces.setSize(nFaces);
+
+    forAll(wall.points, i)
+    {
+        wall.points[i] = point(points[i].x(), points[i].y(), points[i].z());
+    }
+
+    forAll(wall.faces, i)
+    {
+        wall.faces[i] = face(identity(3, 3*i));
+    }
+
+    // The solids of a binary file are numbers
+    for (label i = wall.patchNames.size(); i < reader.sizes().size(); ++i)
+    {
+        wall.patchNames.append("zone" + Foam::name(i));
+    }
+}
+
+
+// ************************************************************************* //
