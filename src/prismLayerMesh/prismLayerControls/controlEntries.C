@@ -8,7 +8,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "controlEntries.H"
-#include "FlatOutput.H"
 #include "ListOps.H"
 #include "label.H"
 #include "scalar.H"
@@ -63,6 +62,19 @@ static string suggestion(const std::string& given, const wordList& valid)
     return text;
 }
 
+//- "a, b, c"
+static string joined(const wordList& words)
+{
+    string text;
+
+    for (const word& w : words)
+    {
+        text += (text.empty() ? "" : ", ") + w;
+    }
+
+    return text;
+}
+
 } // End namespace Foam
 
 
@@ -98,7 +110,7 @@ void Foam::checkKeys(const dictionary& dict, const wordList& validKeys)
             entryError(dict, key)
                 << "Unknown key " << key << " in " << dict.dictName()
                 << suggestion(key, validKeys).c_str() << nl
-                << "Valid keys: " << flatOutput(validKeys)
+                << "Valid keys: " << joined(validKeys).c_str()
                 << exit(FatalIOError);
         }
     }
@@ -157,7 +169,7 @@ bool Foam::readChoice
         entryError(dict, key)
             << "Value of " << key << " is " << read << ", which is not"
             << " available" << suggestion(read, choices).c_str() << nl
-            << "Valid values: " << flatOutput(choices)
+            << "Valid values: " << joined(choices).c_str()
             << exit(FatalIOError);
     }
 

@@ -17,7 +17,25 @@ License
 namespace Foam
 {
 
-//- The sub-dictionary; FatalIOError where it is missing
+//- The sub-dictionary, or an empty one
+static const dictionary& optional(const dictionary& dict, const word& key)
+{
+    if (!dict.found(key, keyType::LITERAL))
+    {
+        return dictionary::null;
+    }
+
+    if (!dict.isDict(key, keyType::LITERAL))
+    {
+        entryError(dict, key)
+            << "The entry " << key << " of " << dict.dictName()
+            << " must be a dictionary" << exit(FatalIOError);
+    }
+
+    return dict.subDict(key, keyType::LITERAL);
+}
+
+
 static const dictionary& mandatory(const dictionary& dict, const word& key)
 {
     if (!dict.found(key, keyType::LITERAL))
@@ -27,17 +45,7 @@ static const dictionary& mandatory(const dictionary& dict, const word& key)
             << exit(FatalIOError);
     }
 
-    return dict.subDict(key);
-}
-
-
-//- The sub-dictionary, or an empty one
-static const dictionary& optional(const dictionary& dict, const word& key)
-{
-    return
-        dict.found(key, keyType::LITERAL)
-      ? dict.subDict(key)
-      : dictionary::null;
+    return optional(dict, key);
 }
 
 
@@ -125,11 +133,13 @@ static layerControls readLayers(const dictionary& dict)
 
     DynamicList<patchLayers> patches;
 
-    for (const entry& e : optional(dict, "patches"))
+    const dictionary& entries = optional(dict, "patches");
+
+    for (const entry& e : entries)
     {
         if (!e.isDict())
         {
-            entryError(optional(dict, "patches"), e.keyword())
+            entryError(entries, e.keyword())
                 << "The entry " << e.keyword() << " of patches must be a"
                 << " dictionary" << exit(FatalIOError);
         }
