@@ -9,6 +9,7 @@ License
 
 #include "wallVisibility.H"
 #include "FixedList.H"
+#include "mathematicalConstants.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -299,6 +300,11 @@ Foam::wallVisibility Foam::makeWallVisibility
             // At a reflex corner of a polygon the edges span the outside
             const vector& faceNormal = faceNormals[pFaces[i]];
             normals[i] = normalised((n & faceNormal) > 0 ? n : faceNormal);
+
+            if ((n & faceNormal) < 0)
+            {
+                angles[i] = constant::mathematical::twoPi - angles[i];
+            }
         }
 
         visibility.cones[p] = makeVisibilityCone(normals);
