@@ -210,7 +210,11 @@ static void iterate
                         weights[e]*field[mesh.edges[e].otherVertex(p)];
                 }
 
-                field[p] = sumValues/sumWeights;
+                // A point that no tetrahedron uses has no edges
+                if (sumWeights > 0)
+                {
+                    field[p] = sumValues/sumWeights;
+                }
             }
         }
 
