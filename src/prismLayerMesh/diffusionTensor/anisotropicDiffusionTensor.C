@@ -24,6 +24,20 @@ namespace diffusionTensors
 }
 
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Unit vector along an edge
+static vector along(const backgroundMesh& mesh, const edge& e)
+{
+    return normalised(mesh.points[e.end()] - mesh.points[e.start()]);
+}
+
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::diffusionTensors::anisotropic::anisotropic(const dictionary& coeffs)
@@ -47,17 +61,35 @@ Foam::symmTensorField Foam::diffusionTensors::anisotropic::tensors
     // Bound on lambda, and with it on the condition of the tensors
     const scalar flat = 0.1;
 
+    auto lambda = [&](const label p, const vector& unit)
+    {
+        const scalar slope = mag(unit & gradients[p])*mesh.gaps[p];
+        return ::pow(max(slope, flat), beta_);
+    };
+
+    // exp(lambda) overflows for steep powers; a factor at a point is nothing
+    // to a tensor that is scaled
+    scalarField largest(mesh.points.size(), 0);
+
+    for (const edge& e : mesh.edges)
+    {
+        const vector unit(along(mesh, e));
+
+        for (const label p : {e.start(), e.end()})
+        {
+            largest[p] = max(largest[p], lambda(p, unit));
+        }
+    }
+
     symmTensorField tensors(mesh.points.size(), Zero);
 
     for (const edge& e : mesh.edges)
     {
-        const vector along = normalised(mesh.points[e.end()]
-          - mesh.points[e.start()]);
+        const vector unit(along(mesh, e));
 
         for (const label p : {e.start(), e.end()})
         {
-            const scalar slope = mag(along & gradients[p])*mesh.gaps[p];
-            tensors[p] += ::exp(::pow(max(slope, flat), beta_))*sqr(along);
+            tensors[p] += ::exp(lambda(p, unit) - largest[p])*sqr(unit);
         }
     }
 
@@ -81,11 +113,10 @@ Foam::scalarField Foam::diffusionTensors::anisotropic::edgeWeights
     forAll(weights, i)
     {
         const edge& e = mesh.edges[i];
-        const vector along = normalised(mesh.points[e.end()]
-          - mesh.points[e.start()]);
+        const vector unit(along(mesh, e));
 
         const symmTensor t = tensors[e.start()] + tensors[e.end()];
-        weights[i] = ::exp((along & t & along)/delta_);
+        weights[i] = ::exp((unit & t & unit)/delta_);
     }
 
     return weights;
