@@ -1,0 +1,176 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "testStages.H"
+#include "testSurfaces.H"
+#include "tetrahedralize.H"
+#include "wallClearance.H"
+#include "Random.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+namespace testSurfaces
+{
+
+static backgroundMesh filled
+(
+    const tetDomain& domain,
+    const label nWallPoints,
+    const label nBoundaryPoints
+)
+{
+    tetMesh filled(tetrahedralize(domain));
+
+    backgroundMesh mesh;
+    mesh.points = filled.points;
+    mesh.tets = filled.tets;
+    mesh.nWallPoints = nWallPoints;
+    mesh.gaps.setSize(mesh.points.size(), 1);
+    mesh.free.setSize(mesh.points.size());
+    forAll(mesh.free, p)
+    {
+        mesh.free[p] = p >= nBoundaryPoints;
+    }
+    setAddressing(mesh);
+
+    return mesh;
+}
+
+} // End namespace testSurfaces
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::testSurfaces::stages::stages
+(
+    const wallSurface& w,
+    const label n,
+    const scalar thickness
+)
+:
+    wall(w),
+    addressing(makeWallAddressing(wall)),
+    search(wall),
+    visibility(makeWallVisibility(wall, addressing)),
+    spacing(makeLayerSpacing(wall, layersOf(n, thickness))),
+    clearance
+    (
+        makeWallClearance
+        (
+            wall,
+            search,
+            visibility,
+            scalarField(2*envelopeControls().scale*spacing.thickness)
+        )
+    ),
+    envelope
+    (
+        makeOffsetEnvelope
+        (
+            wall,
+            addressing,
+            search,
+            visibility,
+            clearance,
+            spacing,
+            envelopeControls(),
+            backgroundMeshControls().radiusEdgeRatio
+        )
+    )
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::backgroundMesh Foam::testSurfaces::stages::background() const
+{
+    return makeBackgroundMesh(wall, addressing, search, visibility, envelope);
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::layerControls Foam::testSurfaces::layersOf
+(
+    const label n,
+    const scalar thickness
+)
+{
+    layerControls controls;
+    controls.nSurfaceLayers = n;
+    controls.thickness.expansionRatio = 1.2;
+    controls.thickness.firstLayerThickness =
+        thickness/totalThickness(n, 1, 1.2);
+
+    return controls;
+}
+
+
+Foam::backgroundMesh Foam::testSurfaces::cubeMesh(const label n)
+{
+    const wallSurface box(cube(n));
+    Random random(7);
+
+    tetDomain domain;
+    domain.points = box.points;
+    domain.facets = box.faces;
+
+    for (label i = 0; i < n*n*n; ++i)
+    {
+        const vector x = random.sample01<vector>();
+        domain.points.append(0.8*x + point::uniform(0.1));
+    }
+
+    return filled(domain, 0, box.points.size());
+}
+
+
+Foam::backgroundMesh Foam::testSurfaces::shellMesh
+(
+    const label n,
+    const scalar a,
+    const scalar b
+)
+{
+    const wallSurface both(merge(sphere(n, a), reversed(sphere(n, b))));
+
+    tetDomain domain;
+    domain.points = both.points;
+    domain.facets = both.faces;
+    domain.holes = pointField(1, point(Zero));
+
+    const label nLayers = max(label(2), n/2);
+    for (label i = 1; i < nLayers; ++i)
+    {
+        domain.points.append(sphere(n, a + (b - a)*i/nLayers).points);
+    }
+
+    backgroundMesh mesh
+    (
+        filled(domain, both.points.size()/2, both.points.size())
+    );
+    mesh.gaps = b - a;
+
+    return mesh;
+}
+
+
+Foam::tensor Foam::testSurfaces::rotation()
+{
+    const vector x(normalised(vector(1, 0.3, -0.7)));
+    const vector y(normalised(x ^ vector(0.2, 1, 0.9)));
+
+    return tensor(x, y, x ^ y);
+}
+
+
+// ************************************************************************* //

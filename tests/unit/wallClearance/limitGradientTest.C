@@ -1,0 +1,174 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "wallClearance.H"
+#include "testSurfaces.H"
+#include "Random.H"
+
+#include <gtest/gtest.h>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+using namespace Foam;
+
+static scalarField randomValues(const label n)
+{
+    Random random(6);
+    scalarField values(n);
+
+    for (scalar& v : values)
+    {
+        v = random.sample01<scalar>();
+    }
+
+    return values;
+}
+
+
+//- The largest difference over slope times distance between neighbours
+static scalar steepest
+(
+    const wallSurface& wall,
+    const wallAddressing& addressing,
+    const scalar slope,
+    const scalarField& values
+)
+{
+    scalar largest = 0;
+
+    for (const edge& e : addressing.edges)
+    {
+        largest = max
+        (
+            largest,
+            mag(values[e.start()] - values[e.end()])/(slope*e.mag(wall.points))
+        );
+    }
+
+    return largest;
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(limitGradient, coneAboveOneLowPoint)
+{
+    // On the squares of a cube the way along edges from the origin to a point
+    // is as long as the sum of its coordinates
+    const wallSurface wall(testSurfaces::quadCube(6));
+    const scalar slope = 0.5;
+    scalarField values(wall.points.size(), GREAT);
+
+    forAll(values, p)
+    {
+        if (mag(wall.points[p]) < 1e-9)
+        {
+            values[p] = 0;
+        }
+    }
+    limitGradient(wall, makeWallAddressing(wall), slope, values);
+
+    forAll(values, p)
+    {
+        const point& x = wall.points[p];
+        EXPECT_NEAR(values[p], slope*(x.x() + x.y() + x.z()), 1e-14);
+    }
+}
+
+
+TEST(limitGradient, boundsTheSlope)
+{
+    const wallSurface wall(testSurfaces::sphere(8));
+    const wallAddressing addressing(makeWallAddressing(wall));
+    scalarField values(randomValues(wall.points.size()));
+    limitGradient(wall, addressing, 0.3, values);
+
+    EXPECT_LE(steepest(wall, addressing, 0.3, values), 1 + 1e-12);
+}
+
+
+TEST(limitGradient, lowersNoMoreThanItMust)
+{
+    // Each point keeps its value or has a neighbour that bounds it
+    const wallSurface wall(testSurfaces::sphere(8));
+    const wallAddressing addressing(makeWallAddressing(wall));
+    const scalarField before(randomValues(wall.points.size()));
+    scalarField values(before);
+    limitGradient(wall, addressing, 0.3, values);
+
+    forAll(values, p)
+    {
+        scalar bound = before[p];
+        for (const label q : addressing.pointPoints[p])
+        {
+            const scalar length = mag(wall.points[q] - wall.points[p]);
+            bound = min(bound, values[q] + 0.3*length);
+        }
+
+        EXPECT_EQ(values[p], bound);
+    }
+}
+
+
+TEST(limitGradient, returnsThePointsThatItLowered)
+{
+    const wallSurface wall(testSurfaces::sphere(8));
+    const scalarField before(randomValues(wall.points.size()));
+    scalarField values(before);
+    const labelList lowered
+    (
+        limitGradient(wall, makeWallAddressing(wall), 0.3, values)
+    );
+
+    DynamicList<label> expected;
+    forAll(values, p)
+    {
+        if (values[p] < before[p])
+        {
+            expected.append(p);
+        }
+    }
+
+    EXPECT_GT(lowered.size(), 0);
+    EXPECT_EQ(lowered, labelList(expected));
+}
+
+
+TEST(limitGradient, secondTimeChangesNothing)
+{
+    const wallSurface wall(testSurfaces::sphere(8));
+    const wallAddressing addressing(makeWallAddressing(wall));
+    scalarField values(randomValues(wall.points.size()));
+    limitGradient(wall, addressing, 0.3, values);
+    const scalarField once(values);
+
+    EXPECT_TRUE(limitGradient(wall, addressing, 0.3, values).empty());
+    EXPECT_EQ(values, once);
+}
+
+
+TEST(limitGradient, leavesWhatIsFlatEnough)
+{
+    const wallSurface wall(testSurfaces::cube(5));
+    scalarField values(wall.points.component(vector::X));
+    const scalarField before(values);
+
+    // Edges along x have this slope, up to the rounding of their lengths
+    EXPECT_TRUE
+    (
+        limitGradient
+        (
+            wall, makeWallAddressing(wall), 1 + 1e-12, values
+        ).empty()
+    );
+    EXPECT_EQ(values, before);
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,198 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "wallClearance.H"
+#include "testSurfaces.H"
+
+#include <gtest/gtest.h>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+using namespace Foam;
+
+static scalarField clearanceOf(const wallSurface& wall, const scalar reach)
+{
+    return makeWallClearance
+    (
+        wall,
+        wallSearch(wall),
+        makeWallVisibility(wall, makeWallAddressing(wall)),
+        scalarField(wall.points.size(), reach)
+    );
+}
+
+
+static bool between(const scalar a, const scalar x, const scalar b)
+{
+    return x > a && x < b;
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(wallClearance, convexBodyHasAllItReachesFor)
+{
+    for (const wallSurface& wall :
+        {testSurfaces::cube(3), testSurfaces::sphere(6)})
+    {
+        for (const scalar c : clearanceOf(wall, 5))
+        {
+            EXPECT_EQ(c, 5);
+        }
+    }
+}
+
+
+TEST(wallClearance, rightAngledConcaveEdgeDoesNotLimit)
+{
+    for (const scalar c : clearanceOf(testSurfaces::lBlock(6), 0.3))
+    {
+        EXPECT_EQ(c, 0.3);
+    }
+}
+
+
+TEST(wallClearance, slitOfWidthGivesHalfOfIt)
+{
+    const scalar width = 0.1;
+    const wallSurface wall(testSurfaces::slitBlock(8, width));
+    const scalarField clearance(clearanceOf(wall, 0.5));
+    label nInside = 0;
+
+    forAll(wall.points, p)
+    {
+        const point& x = wall.points[p];
+
+        if
+        (
+            mag(mag(x.x() - 1) - 0.5*width) < 1e-9
+         && between(1.1, x.y(), 1.9) && between(0.1, x.z(), 0.9)
+        )
+        {
+            ++nInside;
+
+            // Rounds end where they gain less than 1e-6
+            EXPECT_NEAR(clearance[p], 0.5*width, 2e-6*width);
+        }
+    }
+
+    EXPECT_GT(nInside, 20);
+}
+
+
+TEST(wallClearance, roomBetweenBodiesIsHalfTheirDistance)
+{
+    const wallSurface box(testSurfaces::cube(4));
+    const wallSurface wall
+    (
+        testSurfaces::merge
+        (
+            box, testSurfaces::translated(box, vector(1.2, 0, 0))
+        )
+    );
+    const scalarField clearance(clearanceOf(wall, 2));
+
+    forAll(wall.points, p)
+    {
+        const point& x = wall.points[p];
+        const bool inner =
+            between(0.1, x.y(), 0.9) && between(0.1, x.z(), 0.9);
+
+        if (inner && between(0.9, x.x(), 1.3))
+        {
+            EXPECT_NEAR(clearance[p], 0.1, 1e-6);
+        }
+        if (inner && !between(-0.1, x.x(), 2.1))
+        {
+            EXPECT_EQ(clearance[p], 2);
+        }
+    }
+}
+
+
+TEST(wallClearance, ballInAcuteEdgeTouchesBothSides)
+{
+    // The ball that touches one side at the distance s from the edge touches
+    // the other there too: its radius is s*tan(angle/2)
+    const scalar tanHalf = std::tan(0.125*constant::mathematical::pi);
+    const wallSurface wall(testSurfaces::wedgeBlock(10, 45));
+    const scalarField clearance(clearanceOf(wall, 1));
+    label nInside = 0;
+
+    forAll(wall.points, p)
+    {
+        const point& x = wall.points[p];
+        const scalar s = std::hypot(x.x() - 1, x.y() - 1);
+
+        if
+        (
+            mag(mag(x.x() - 1) - tanHalf*(x.y() - 1)) < 1e-9
+         && between(0.2, s, 0.9) && between(0.4, x.z(), 0.6)
+        )
+        {
+            ++nInside;
+            EXPECT_NEAR(clearance[p]/(s*tanHalf), 1, 1e-4);
+        }
+    }
+
+    EXPECT_GT(nInside, 5);
+}
+
+
+TEST(wallClearance, ballHoldsNoOppositePoint)
+{
+    const wallSurface wall(testSurfaces::torus(24, 12, 1, 0.8));
+    const wallSearch search(wall);
+    const wallVisibility visibility
+    (
+        makeWallVisibility(wall, makeWallAddressing(wall))
+    );
+    const scalarField clearance
+    (
+        makeWallClearance
+        (
+            wall, search, visibility, scalarField(wall.points.size(), 1)
+        )
+    );
+    label nLimited = 0;
+
+    forAll(wall.points, p)
+    {
+        const vector& d = visibility.cones[p].axis;
+        const scalar r = clearance[p];
+        nLimited += r < 1;
+
+        // The ball at the bottom touches its own point
+        EXPECT_FALSE
+        (
+            search.nearestOpposite
+            (
+                wall.points[p] + r*d, (1 - 1e-5)*r, d
+            ).hit()
+        );
+    }
+
+    EXPECT_GT(nLimited, 0);
+}
+
+
+TEST(wallClearance, scalesWithTheWall)
+{
+    const wallSurface wall(testSurfaces::slitBlock(4, 0.1));
+    wallSurface scaled(wall);
+    scaled.points *= 1e-3;
+
+    const scalarField clearance(clearanceOf(wall, 0.5));
+    const scalarField small(clearanceOf(scaled, 0.5e-3));
+
+    EXPECT_LT(max(mag(1e3*small/clearance - 1)), 1e-5);
+}
+
+
+// ************************************************************************* //

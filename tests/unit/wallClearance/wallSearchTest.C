@@ -1,0 +1,112 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "wallSearch.H"
+#include "testSurfaces.H"
+
+#include <gtest/gtest.h>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(wallSearch, boundsHoldTheWall)
+{
+    const wallSurface wall(testSurfaces::torus(12, 8, 3, 1));
+    const wallSearch search(wall);
+
+    for (const point& x : wall.points)
+    {
+        EXPECT_TRUE(search.bounds().contains(x));
+    }
+}
+
+
+TEST(wallSearch, nearerComparesWithTheDistance)
+{
+    const wallSearch search(testSurfaces::cube(3));
+
+    for (const point& x : {point(1.5, 0.4, 0.6), point(0.5, 0.4, 0.5)})
+    {
+        const scalar distance = x.x() > 1 ? 0.5 : 0.4;
+
+        EXPECT_TRUE(search.nearer(x, (1 + 1e-9)*distance));
+        EXPECT_FALSE(search.nearer(x, (1 - 1e-9)*distance));
+    }
+}
+
+
+TEST(wallSearch, nearerFarFromTheWall)
+{
+    const wallSearch search(testSurfaces::cube(3));
+
+    EXPECT_TRUE(search.nearer(point(100, 0.5, 0.5), 99.1));
+    EXPECT_FALSE(search.nearer(point(100, 0.5, 0.5), 98.9));
+}
+
+
+TEST(wallSearch, firstHitIsTheFirst)
+{
+    const wallSearch search(testSurfaces::cube(3));
+    const point x(-1, 0.41, 0.52), y(3, 0.41, 0.52);
+
+    ASSERT_TRUE(search.firstHit(x, y).hit());
+    ASSERT_TRUE(search.firstHit(y, x).hit());
+    EXPECT_NEAR(search.firstHit(x, y).rawPoint().x(), 0, 1e-12);
+    EXPECT_NEAR(search.firstHit(y, x).rawPoint().x(), 1, 1e-12);
+}
+
+
+TEST(wallSearch, firstHitMissesBesideTheWall)
+{
+    const wallSearch search(testSurfaces::cube(3));
+
+    EXPECT_FALSE(search.firstHit(point(-1, 2, 0), point(3, 2, 0)).hit());
+    EXPECT_FALSE
+    (
+        search.firstHit(point(-1, 0.41, 0.52), point(-0.1, 0.41, 0.52)).hit()
+    );
+}
+
+
+TEST(wallSearch, oppositeSkipsWhatFacesAlong)
+{
+    // From above the cube only its top is opposite to what points down
+    const wallSearch search(testSurfaces::cube(3));
+    const point x(0.5, 0.45, 1.5);
+
+    const pointIndexHit top(search.nearestOpposite(x, 5, vector(0, 0, -1)));
+    ASSERT_TRUE(top.hit());
+    EXPECT_NEAR(mag(top.rawPoint() - point(0.5, 0.45, 1)), 0, 1e-12);
+
+    const pointIndexHit bottom(search.nearestOpposite(x, 5, vector(0, 0, 1)));
+    ASSERT_TRUE(bottom.hit());
+    EXPECT_NEAR(mag(bottom.rawPoint() - point(0.5, 0.45, 0)), 0, 1e-12);
+}
+
+
+TEST(wallSearch, oppositeBeginsAt120Degrees)
+{
+    const wallSearch search(testSurfaces::cube(3));
+    const point x(0.5, 0.45, 1.2);
+
+    for (const scalar degrees : {119.0, 121.0})
+    {
+        const scalar angle = degrees*constant::mathematical::pi/180;
+        const vector d(std::sin(angle), 0, std::cos(angle));
+
+        // Only the top is within this distance
+        EXPECT_EQ(search.nearestOpposite(x, 0.3, d).hit(), degrees > 120);
+    }
+}
+
+
+// ************************************************************************* //
