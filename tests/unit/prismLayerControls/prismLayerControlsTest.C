@@ -7,38 +7,11 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "backgroundMesh.H"
-#include "diffusionTensor.H"
-#include "IFstream.H"
-#include "OSspecific.H"
-#include "prismLayerControls.H"
-#include "readLayerThickness.H"
-#include "thrownMessage.H"
-
-#include <sstream>
+#include "minimalControls.H"
 
 using namespace Foam;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-static const std::string surface("surface { file \"body.obj\"; }\n");
-static const std::string layers
-(
-    "layers { nSurfaceLayers 20; firstLayerThickness 1e-4; }\n"
-);
-
-
-static prismLayerControls read(const std::string& text)
-{
-    return readPrismLayerControls(dictionaryOf(text));
-}
-
-
-static std::string errorOf(const std::string& text)
-{
-    return thrownMessage([&]() { read(text); });
-}
-
 
 //- Of layers with one more entry
 static std::string errorOfLayers(const std::string& entry)
@@ -51,74 +24,6 @@ static std::string errorOfLayers(const std::string& entry)
     );
 }
 
-
-static dictionary annotated()
-{
-    return dictionary
-    (
-        IFstream
-        (
-            getEnv("HARMONIC_PRISM_MESH")
-           /"etc/caseDicts/annotated/harmonicPrismMeshDict"
-        )()
-    );
-}
-
-
-//- What the anisotropic model makes of a tetrahedron
-static scalarField weightsOf(const dictionary& coeffs)
-{
-    backgroundMesh mesh;
-    mesh.points = pointField
-    ({
-        point(0, 0, 0), point(1, 0, 0), point(0, 2, 0), point(0, 0, 3)
-    });
-    mesh.tets = List<tetCell>(1, tetCell(0, 1, 2, 3));
-    mesh.gaps = scalarField(4, 2.0);
-    setAddressing(mesh);
-
-    const auto model = diffusionTensor::New("anisotropic", coeffs);
-    const scalarField field({1, 0.9, 0.2, 0});
-
-    return model->edgeWeights(mesh, model->tensors(mesh, field));
-}
-
-
-static void expectEqual
-(
-    const prismLayerControls& a,
-    const prismLayerControls& b
-)
-{
-    EXPECT_EQ(a.surface.file, b.surface.file);
-    EXPECT_EQ(a.surface.fluidOutside, b.surface.fluidOutside);
-    EXPECT_EQ(a.surface.scale, b.surface.scale);
-    EXPECT_EQ(a.surface.mergeTolerance, b.surface.mergeTolerance);
-    EXPECT_EQ(a.layers.nSurfaceLayers, b.layers.nSurfaceLayers);
-    EXPECT_EQ
-    (
-        a.layers.thickness.firstLayerThickness,
-        b.layers.thickness.firstLayerThickness
-    );
-    EXPECT_EQ
-    (
-        a.layers.thickness.expansionRatio,
-        b.layers.thickness.expansionRatio
-    );
-    EXPECT_EQ(a.layers.patches.size(), b.layers.patches.size());
-    EXPECT_EQ(a.layers.maxStretch, b.layers.maxStretch);
-    EXPECT_EQ(a.envelope.scale, b.envelope.scale);
-    EXPECT_EQ
-    (
-        a.backgroundMesh.radiusEdgeRatio,
-        b.backgroundMesh.radiusEdgeRatio
-    );
-    EXPECT_EQ(a.field.tensor, b.field.tensor);
-    EXPECT_EQ(a.field.solver, b.field.solver);
-    EXPECT_EQ(a.field.tolerance, b.field.tolerance);
-    EXPECT_EQ(a.farFieldType, b.farFieldType);
-}
-
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
 TEST(prismLayerControls, minimalDictionaryHasTheDefaults)
@@ -128,101 +33,7 @@ TEST(prismLayerControls, minimalDictionaryHasTheDefaults)
     defaults.layers.nSurfaceLayers = 20;
     defaults.layers.thickness.firstLayerThickness = 1e-4;
 
-    expectEqual(read(surface + layers), defaults);
-}
-
-
-TEST(prismLayerControls, annotatedDictionaryHasTheDefaults)
-{
-    expectEqual(readPrismLayerControls(annotated()), read(surface + layers));
-}
-
-
-TEST(prismLayerControls, annotatedDictionaryHasEveryKey)
-{
-    // The reader lists its keys where it meets an unknown one
-    IFstream is
-    (
-        getEnv("HARMONIC_PRISM_MESH")
-       /"etc/caseDicts/annotated/harmonicPrismMeshDict"
-    );
-    std::string text, line;
-    while (std::getline(is.stdStream(), line))
-    {
-        text += line + '\n';
-    }
-
-    const auto keysOf = [](const std::string& message)
-    {
-        const std::string before("Valid keys: ");
-        const auto start = message.find(before);
-        EXPECT_NE(start, std::string::npos) << message;
-
-        wordList keys;
-        std::istringstream list(message.substr(start + before.size()));
-        for (std::string key; list >> key; )
-        {
-            keys.append(word::validate(key.substr(0, key.find(','))));
-        }
-
-        return keys;
-    };
-
-    const std::string other("zzz 1;");
-    const std::string yPlus
-    (
-        "layers { nSurfaceLayers 1; yPlus { " + other + " } }"
-    );
-
-    for
-    (
-        const std::string& wrong :
-        {
-            other,
-            "surface { " + other + " }",
-            surface + "layers { " + other + " }",
-            surface + yPlus,
-            surface + layers + "envelope { " + other + " }",
-            surface + layers + "backgroundMesh { " + other + " }",
-            surface + layers + "field { " + other + " }",
-            surface + layers
-          + "field { anisotropicCoeffs { " + other + " } }",
-            surface + layers + "farField { " + other + " }"
-        }
-    )
-    {
-        for (const word& key : keysOf(errorOf(wrong)))
-        {
-            // The Laplace equation has no coefficients
-            if (key != "isotropicCoeffs")
-            {
-                EXPECT_TRUE
-                (
-                    text.find(' ' + key) != std::string::npos
-                 || text.find('\n' + key) != std::string::npos
-                 || text.find("//" + key) != std::string::npos
-                ) << key;
-            }
-        }
-    }
-}
-
-
-TEST(prismLayerControls, annotatedCoefficientsAreTheDefaults)
-{
-    const dictionary coeffs
-    (
-        annotated().subDict("field").subDict("anisotropicCoeffs")
-    );
-    EXPECT_EQ(weightsOf(coeffs), weightsOf(dictionary()));
-
-    // Each of them counts
-    for (const word& key : {"beta", "delta"})
-    {
-        dictionary other(coeffs);
-        other.set(key, 0.5*coeffs.get<scalar>(key));
-        EXPECT_NE(weightsOf(other), weightsOf(coeffs));
-    }
+    expectEqual(readControls(surface + layers), defaults);
 }
 
 
@@ -230,7 +41,7 @@ TEST(prismLayerControls, everyEntryIsRead)
 {
     const prismLayerControls controls
     (
-        read
+        readControls
         (
             "FoamFile { version 2.0; format ascii; class dictionary;"
             " object harmonicPrismMeshDict; }"
@@ -274,7 +85,7 @@ TEST(prismLayerControls, coefficientsOfTheTensorAreKept)
 {
     const prismLayerControls controls
     (
-        read
+        readControls
         (
             surface + layers
           + "field { anisotropicCoeffs { beta -2; delta 1; } }"

@@ -7,8 +7,7 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "testSurfaces.H"
-#include "wallDefects.H"
+#include "brokenSurfaces.H"
 
 #include <gtest/gtest.h>
 
@@ -16,62 +15,6 @@ using namespace Foam;
 using namespace Foam::testSurfaces;
 
 typedef wallDefect::kind kind;
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- The defect of the kind; with count 0 where there is none
-static wallDefect defectOf(const wallSurface& wall, const kind what)
-{
-    for (const wallDefect& defect : findWallDefects(wall))
-    {
-        if (defect.what == what)
-        {
-            return defect;
-        }
-    }
-
-    return wallDefect();
-}
-
-
-static bool isValid(const wallSurface& wall)
-{
-    return findWallDefects(wall).empty();
-}
-
-
-static face triangle(const label a, const label b, const label c)
-{
-    return face(labelList({a, b, c}));
-}
-
-
-//- With one more face
-static wallSurface with(const wallSurface& wall, const face& f)
-{
-    wallSurface result(wall);
-    result.faces.append(f);
-    result.patchIDs.append(0);
-
-    return result;
-}
-
-
-//- Two triangles that share the edge from the origin to (1 0 0); the given
-//  point is the third of the second
-static wallSurface hinge(const scalar x, const scalar y, const scalar z)
-{
-    wallSurface wall;
-    wall.points = pointField
-    ({
-        point(0, 0, 0), point(1, 0, 0), point(0.5, 1, 0), point(x, y, z)
-    });
-    wall.faces = faceList({triangle(0, 1, 2), triangle(1, 0, 3)});
-    wall.patchIDs = labelList(2, Zero);
-    wall.patchNames = wordList(1, word("wall"));
-
-    return wall;
-}
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
@@ -164,7 +107,7 @@ TEST(wallDefects, copyOfAFaceIsADuplicate)
     (
         defectOf
         (
-            with(wall, triangle(f[0], f[2], f[1])),
+            with(wall, triangleOf(f[0], f[2], f[1])),
             kind::duplicateFace
         )
     );
@@ -213,7 +156,7 @@ TEST(wallDefects, finOnAnEdgeIsNonManifold)
     (
         defectOf
         (
-            with(wall, triangle(f[0], f[1], wall.points.size() - 1)),
+            with(wall, triangleOf(f[0], f[1], wall.points.size() - 1)),
             kind::nonManifoldEdge
         )
     );
@@ -250,11 +193,11 @@ TEST(wallDefects, moebiusStripIsFlippedSomewhere)
     wall.points = sphere(2).points;
     wall.faces = faceList
     ({
-        triangle(0, 1, 2),
-        triangle(1, 3, 2),
-        triangle(2, 3, 4),
-        triangle(3, 0, 4),
-        triangle(4, 0, 1)
+        triangleOf(0, 1, 2),
+        triangleOf(1, 3, 2),
+        triangleOf(2, 3, 4),
+        triangleOf(3, 0, 4),
+        triangleOf(4, 0, 1)
     });
     wall.patchIDs = labelList(5, Zero);
 
@@ -291,113 +234,6 @@ TEST(wallDefects, conesThatShareTheirTipAreNonManifoldThere)
     EXPECT_EQ(defects[0].count, 1);
     EXPECT_EQ(defects[0].labels[0], one);
     EXPECT_EQ(defects[0].places[0], wall.points[one]);
-}
-
-
-TEST(wallDefects, overlappingBodiesIntersect)
-{
-    const wallSurface wall
-    (
-        merge(cube(1), translated(cube(1), vector(0.5, 0.6, 0.7)))
-    );
-    const wallDefect defect(defectOf(wall, kind::selfIntersection));
-
-    EXPECT_GT(defect.count, 0);
-    EXPECT_EQ(findWallDefects(wall).size(), 1);
-}
-
-
-TEST(wallDefects, touchingBodiesIntersect)
-{
-    // Face on face, point on point
-    for (const vector& by : {vector(1, 0, 0), vector(1, 1, 1)})
-    {
-        const wallSurface wall(merge(cube(1), translated(cube(1), by)));
-        EXPECT_GT(defectOf(wall, kind::selfIntersection).count, 0);
-    }
-}
-
-
-TEST(wallDefects, coincidentBodiesIntersect)
-{
-    const wallSurface wall(merge(sphere(3), sphere(3)));
-
-    EXPECT_GE
-    (
-        defectOf(wall, kind::selfIntersection).count,
-        wall.faces.size()/2
-    );
-}
-
-
-TEST(wallDefects, nearestBodiesDoNotIntersect)
-{
-    // One unit in the last place apart
-    const scalar apart = 1 + 2.3e-16;
-
-    EXPECT_TRUE
-    (
-        isValid(merge(cube(2), translated(cube(2), vector(apart, 0, 0))))
-    );
-}
-
-
-TEST(wallDefects, foldedNeighboursIntersect)
-{
-    EXPECT_EQ(defectOf(hinge(0.4, 0.5, 0), kind::selfIntersection).count, 1);
-    EXPECT_EQ(defectOf(hinge(0.5, 1e-9, 0), kind::selfIntersection).count, 1);
-
-    EXPECT_EQ(defectOf(hinge(0.4, -0.5, 0), kind::selfIntersection).count, 0);
-    EXPECT_EQ
-    (
-        defectOf(hinge(0.4, 0.5, 1e-12), kind::selfIntersection).count,
-        0
-    );
-}
-
-
-TEST(wallDefects, facesThatCutBeyondACommonPointIntersect)
-{
-    wallSurface wall(hinge(0.5, -1, 0));
-    wall.points.append(point(0.5, 0.2, -1));
-    wall.points.append(point(0.5, 0.2, 1));
-    wall.faces = faceList({triangle(0, 1, 2), triangle(0, 4, 5)});
-
-    EXPECT_EQ(defectOf(wall, kind::selfIntersection).count, 1);
-
-    // The same on the other side of the common point
-    wall.points[4].x() = wall.points[5].x() = -0.5;
-    EXPECT_EQ(defectOf(wall, kind::selfIntersection).count, 0);
-}
-
-
-TEST(wallDefects, polygonFoldedOntoItselfIntersects)
-{
-    wallSurface wall;
-    wall.points = pointField
-    ({
-        point(0, 0, 0), point(2, -1, 0), point(2, 1, 0), point(-0.5, 0.5, 0)
-    });
-    wall.faces = faceList(1, face(labelList({0, 1, 2, 3})));
-    wall.patchIDs = labelList(1, Zero);
-    EXPECT_EQ(defectOf(wall, kind::selfIntersection).count, 0);
-
-    // Re-entrant, so that the fan from the first point folds
-    wall.points[3] = point(1.9, 0, 0);
-    EXPECT_EQ(defectOf(wall, kind::selfIntersection).count, 1);
-}
-
-
-TEST(wallDefects, pairOfWarpedQuadsCountsOnce)
-{
-    const wallSurface wall
-    (
-        merge(quadCube(1), translated(quadCube(1), vector(0.5, 0.6, 0.7)))
-    );
-    const label nPairs = defectOf(wall, kind::selfIntersection).count;
-
-    // Three sides of one cube each meet two or three of the other
-    EXPECT_EQ(nPairs, 6);
 }
 
 

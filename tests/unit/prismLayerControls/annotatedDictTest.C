@@ -1,0 +1,153 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "backgroundMesh.H"
+#include "diffusionTensor.H"
+#include "IFstream.H"
+#include "minimalControls.H"
+#include "OSspecific.H"
+
+#include <sstream>
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+static dictionary annotated()
+{
+    return dictionary
+    (
+        IFstream
+        (
+            getEnv("HARMONIC_PRISM_MESH")
+           /"etc/caseDicts/annotated/harmonicPrismMeshDict"
+        )()
+    );
+}
+
+
+//- What the anisotropic model makes of a tetrahedron
+static scalarField weightsOf(const dictionary& coeffs)
+{
+    backgroundMesh mesh;
+    mesh.points = pointField
+    ({
+        point(0, 0, 0), point(1, 0, 0), point(0, 2, 0), point(0, 0, 3)
+    });
+    mesh.tets = List<tetCell>(1, tetCell(0, 1, 2, 3));
+    mesh.gaps = scalarField(4, 2.0);
+    setAddressing(mesh);
+
+    const auto model = diffusionTensor::New("anisotropic", coeffs);
+    const scalarField field({1, 0.9, 0.2, 0});
+
+    return model->edgeWeights(mesh, model->tensors(mesh, field));
+}
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(annotatedDict, hasTheDefaults)
+{
+    expectEqual
+    (
+        readPrismLayerControls(annotated()),
+        readControls(surface + layers)
+    );
+}
+
+
+TEST(annotatedDict, hasEveryKey)
+{
+    // The reader lists its keys where it meets an unknown one
+    IFstream is
+    (
+        getEnv("HARMONIC_PRISM_MESH")
+       /"etc/caseDicts/annotated/harmonicPrismMeshDict"
+    );
+    std::string text, line;
+    while (std::getline(is.stdStream(), line))
+    {
+        text += line + '\n';
+    }
+
+    const auto keysOf = [](const std::string& message)
+    {
+        const std::string before("Valid keys: ");
+        const auto start = message.find(before);
+        EXPECT_NE(start, std::string::npos) << message;
+
+        wordList keys;
+        std::istringstream list(message.substr(start + before.size()));
+        for (std::string key; list >> key; )
+        {
+            keys.append(word::validate(key.substr(0, key.find(','))));
+        }
+
+        return keys;
+    };
+
+    const std::string other("zzz 1;");
+    const std::string yPlus
+    (
+        "layers { nSurfaceLayers 1; yPlus { " + other + " } }"
+    );
+
+    for
+    (
+        const std::string& wrong :
+        {
+            other,
+            "surface { " + other + " }",
+            surface + "layers { " + other + " }",
+            surface + yPlus,
+            surface + layers + "envelope { " + other + " }",
+            surface + layers + "backgroundMesh { " + other + " }",
+            surface + layers + "field { " + other + " }",
+            surface + layers
+          + "field { anisotropicCoeffs { " + other + " } }",
+            surface + layers + "farField { " + other + " }"
+        }
+    )
+    {
+        for (const word& key : keysOf(errorOf(wrong)))
+        {
+            // The Laplace equation has no coefficients
+            if (key != "isotropicCoeffs")
+            {
+                EXPECT_TRUE
+                (
+                    text.find(' ' + key) != std::string::npos
+                 || text.find('\n' + key) != std::string::npos
+                 || text.find("//" + key) != std::string::npos
+                ) << key;
+            }
+        }
+    }
+}
+
+
+TEST(annotatedDict, coefficientsAreTheDefaults)
+{
+    const dictionary coeffs
+    (
+        annotated().subDict("field").subDict("anisotropicCoeffs")
+    );
+    EXPECT_EQ(weightsOf(coeffs), weightsOf(dictionary()));
+
+    // Each of them counts
+    for (const word& key : {"beta", "delta"})
+    {
+        dictionary other(coeffs);
+        other.set(key, 0.5*coeffs.get<scalar>(key));
+        EXPECT_NE(weightsOf(other), weightsOf(coeffs));
+    }
+}
+
+
+// ************************************************************************* //
