@@ -73,8 +73,9 @@ static void run(const tetDomain& domain, std::FILE* result)
     setFacets(in, domain.facets);
 
     // Facets stay as they are: not split (Y), coplanar ones not merged (M), no
-    // tolerance (T) in place of the exact predicates
-    char switches[] = "pYMQT1e-16";
+    // tolerance (T) in place of the exact predicates. Points that are not used
+    // are not left out (J), or the others would change their labels.
+    char switches[] = "pYMJQT1e-16";
     ::tetrahedralize(switches, &in, &out);
 
     std::fwrite(&out.numberofpoints, sizeof(int), 1, result);

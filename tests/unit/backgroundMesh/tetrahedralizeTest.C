@@ -1,0 +1,260 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "tetrahedralize.H"
+#include "testSurfaces.H"
+#include "HashSet.H"
+#include "Random.H"
+
+#include <gtest/gtest.h>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+using namespace Foam;
+
+static tetDomain inside(const wallSurface& wall)
+{
+    tetDomain domain;
+    domain.points = wall.points;
+    domain.facets = wall.faces;
+
+    return domain;
+}
+
+
+//- Between the cube [-1, 2]^3 and the unit cube in it
+static tetDomain boxWithHole()
+{
+    const wallSurface outer
+    (
+        testSurfaces::translated
+        (
+            testSurfaces::cube(2, 3), vector::uniform(-1)
+        )
+    );
+
+    tetDomain domain
+    (
+        inside(testSurfaces::merge(testSurfaces::cube(3), outer))
+    );
+    domain.holes = pointField(1, point(0.5, 0.5, 0.5));
+
+    return domain;
+}
+
+
+static tetDomain boxWithNodes(const label nNodes)
+{
+    Random random(11);
+    tetDomain domain(inside(testSurfaces::cube(3)));
+
+    for (label i = 0; i < nNodes; ++i)
+    {
+        domain.points.append(random.sample01<vector>());
+    }
+
+    return domain;
+}
+
+
+static scalar volumeOf(const tetMesh& mesh)
+{
+    scalar volume = 0;
+
+    for (const tetCell& tet : mesh.tets)
+    {
+        volume += tet.tet(mesh.points).mag();
+    }
+
+    return volume;
+}
+
+
+static List<tetDomain> domains()
+{
+    return List<tetDomain>
+    ({
+        inside(testSurfaces::cube(3)),
+        inside(testSurfaces::sphere(6)),
+        boxWithHole(),
+        boxWithNodes(200)
+    });
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(tetrahedralize, volumesSumToThatOfTheBody)
+{
+    for (const wallSurface& wall :
+        {
+            testSurfaces::cube(3),
+            testSurfaces::sphere(6),
+            testSurfaces::lBlock(4)
+        })
+    {
+        EXPECT_NEAR
+        (
+            volumeOf(tetrahedralize(inside(wall))),
+            testSurfaces::enclosedVolume(wall),
+            1e-12
+        );
+    }
+}
+
+
+TEST(tetrahedralize, nodesDoNotChangeTheVolume)
+{
+    EXPECT_NEAR(volumeOf(tetrahedralize(boxWithNodes(200))), 1, 1e-12);
+}
+
+
+TEST(tetrahedralize, holeIsNotFilled)
+{
+    EXPECT_NEAR(volumeOf(tetrahedralize(boxWithHole())), 27 - 1, 1e-12);
+}
+
+
+TEST(tetrahedralize, volumesArePositive)
+{
+    for (const tetDomain& domain : domains())
+    {
+        const tetMesh mesh(tetrahedralize(domain));
+
+        for (const tetCell& tet : mesh.tets)
+        {
+            EXPECT_GT(tet.tet(mesh.points).mag(), 0);
+        }
+    }
+}
+
+
+TEST(tetrahedralize, pointsKeepTheirOrder)
+{
+    for (const tetDomain& domain : domains())
+    {
+        const tetMesh mesh(tetrahedralize(domain));
+
+        ASSERT_GE(mesh.points.size(), domain.points.size());
+        forAll(domain.points, p)
+        {
+            EXPECT_EQ(mesh.points[p], domain.points[p]);
+        }
+    }
+}
+
+
+TEST(tetrahedralize, nodesInsideAreUsed)
+{
+    const tetMesh mesh(tetrahedralize(boxWithNodes(200)));
+
+    labelHashSet used;
+    for (const tetCell& tet : mesh.tets)
+    {
+        for (const label p : tet)
+        {
+            used.insert(p);
+        }
+    }
+
+    EXPECT_EQ(used.size(), mesh.points.size());
+}
+
+
+TEST(tetrahedralize, nodesOutsideAreKeptUnused)
+{
+    tetDomain domain(boxWithNodes(20));
+    const label outside = domain.points.size();
+    domain.points.append(point(5, 5, 5));
+    domain.points.append(point(0.4, 0.4, 0.4));
+    const tetMesh mesh(tetrahedralize(domain));
+
+    EXPECT_EQ(mesh.points[outside], point(5, 5, 5));
+    EXPECT_EQ(mesh.points[outside + 1], point(0.4, 0.4, 0.4));
+    for (const tetCell& tet : mesh.tets)
+    {
+        EXPECT_EQ(tet.find(outside), -1);
+    }
+}
+
+
+TEST(tetrahedralize, equalNodesKeepTheOrder)
+{
+    tetDomain domain(boxWithNodes(20));
+    const label n = domain.points.size();
+    domain.points.append(domain.points[n - 1]);
+    domain.points.append(point(0.4, 0.4, 0.4));
+    const tetMesh mesh(tetrahedralize(domain));
+
+    EXPECT_EQ(mesh.points[n], domain.points[n - 1]);
+    EXPECT_EQ(mesh.points[n + 1], point(0.4, 0.4, 0.4));
+    EXPECT_NEAR(volumeOf(mesh), 1, 1e-12);
+}
+
+
+TEST(tetrahedralize, facetsAreFaces)
+{
+    for (const tetDomain& domain : domains())
+    {
+        const tetMesh mesh(tetrahedralize(domain));
+
+        List<DynamicList<label>> pointTets(mesh.points.size());
+        forAll(mesh.tets, t)
+        {
+            for (const label p : mesh.tets[t])
+            {
+                pointTets[p].append(t);
+            }
+        }
+
+        for (const face& f : domain.facets)
+        {
+            label n = 0;
+            for (const label t : pointTets[f[0]])
+            {
+                n += mesh.tets[t].find(f[1]) >= 0
+                  && mesh.tets[t].find(f[2]) >= 0;
+            }
+            EXPECT_EQ(n, 1);
+        }
+    }
+}
+
+
+TEST(tetrahedralize, intersectingFacetsAreAnError)
+{
+    const wallSurface box(testSurfaces::cube(3));
+    const wallSurface both
+    (
+        testSurfaces::merge
+        (
+            box, testSurfaces::translated(box, vector(0.4, 0.45, 0.37))
+        )
+    );
+
+    EXPECT_THROW(tetrahedralize(inside(both)), Foam::error);
+}
+
+
+TEST(tetrahedralize, tinyAndHugeDomainsAreFilled)
+{
+    for (const scalar scale : {1e-6, 1e6})
+    {
+        tetDomain domain(boxWithNodes(100));
+        domain.points *= scale;
+
+        EXPECT_NEAR
+        (
+            volumeOf(tetrahedralize(domain))/pow3(scale), 1, 1e-12
+        );
+    }
+}
+
+
+// ************************************************************************* //
