@@ -134,6 +134,18 @@ Foam::backgroundMesh Foam::testSurfaces::cubeMesh(const label n)
 }
 
 
+Foam::backgroundMesh Foam::testSurfaces::ballMesh(const label n)
+{
+    const wallSurface ball(sphere(n));
+
+    tetDomain domain;
+    domain.points = ball.points;
+    domain.facets = ball.faces;
+
+    return filled(domain, ball.points.size(), ball.points.size());
+}
+
+
 Foam::backgroundMesh Foam::testSurfaces::shellMesh
 (
     const label n,

@@ -1,0 +1,164 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "isolatedProcess.H"
+#include "error.H"
+
+#include <csignal>
+#include <cstdlib>
+#include <numeric>
+#include <stdexcept>
+#include <vector>
+
+#include <gtest/gtest.h>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+using namespace Foam;
+
+//- Whether a piece of work comes to its end, when one number is read on
+static bool completes(const std::function<void(std::FILE*)>& work)
+{
+    return isolatedProcess
+    (
+        work,
+        [](std::FILE* in)
+        {
+            int i = 0;
+            return std::fread(&i, sizeof(i), 1, in) == 1 && i == 42;
+        }
+    );
+}
+
+
+static void write42(std::FILE* out)
+{
+    const int i = 42;
+    std::fwrite(&i, sizeof(i), 1, out);
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(isolatedProcess, whatIsWrittenIsRead)
+{
+    EXPECT_TRUE(completes(write42));
+}
+
+
+TEST(isolatedProcess, moreThanAPipeHolds)
+{
+    std::vector<int> sent(1000000), received(sent.size());
+    std::iota(sent.begin(), sent.end(), 0);
+
+    EXPECT_TRUE
+    (
+        isolatedProcess
+        (
+            [&](std::FILE* out)
+            {
+                std::fwrite(sent.data(), sizeof(int), sent.size(), out);
+            },
+            [&](std::FILE* in)
+            {
+                return received.size() == std::fread
+                (
+                    received.data(), sizeof(int), received.size(), in
+                );
+            }
+        )
+    );
+    EXPECT_EQ(received, sent);
+}
+
+
+TEST(isolatedProcess, childChangesNothingHere)
+{
+    int i = 1;
+    EXPECT_TRUE(completes([&](std::FILE* out) { i = 2; write42(out); }));
+    EXPECT_EQ(i, 1);
+}
+
+
+TEST(isolatedProcess, signalsAreFailures)
+{
+    for (const int sig : {SIGABRT, SIGSEGV, SIGFPE, SIGKILL})
+    {
+        EXPECT_FALSE
+        (
+            completes([&](std::FILE* out) { write42(out); std::raise(sig); })
+        );
+    }
+}
+
+
+TEST(isolatedProcess, exceptionsAreFailures)
+{
+    EXPECT_FALSE
+    (
+        completes
+        (
+            [](std::FILE* out)
+            {
+                write42(out);
+                throw std::runtime_error("no result");
+            }
+        )
+    );
+    EXPECT_FALSE(completes([](std::FILE*) { throw 1; }));
+}
+
+
+TEST(isolatedProcess, fatalErrorsAreFailures)
+{
+    EXPECT_FALSE
+    (
+        completes
+        (
+            [](std::FILE* out)
+            {
+                write42(out);
+                FatalErrorInFunction << "no result" << exit(FatalError);
+            }
+        )
+    );
+}
+
+
+TEST(isolatedProcess, exitIsAFailure)
+{
+    EXPECT_FALSE
+    (
+        completes([](std::FILE* out) { write42(out); std::_Exit(3); })
+    );
+    EXPECT_FALSE(completes([](std::FILE*) { std::_Exit(0); }));
+}
+
+
+TEST(isolatedProcess, readerThatRefusesIsAFailure)
+{
+    // It leaves a child behind that has more to write
+    EXPECT_FALSE
+    (
+        isolatedProcess
+        (
+            [](std::FILE* out)
+            {
+                for (int i = 0; i < 1000000; ++i)
+                {
+                    write42(out);
+                }
+            },
+            [](std::FILE*) { return false; }
+        )
+    );
+}
+
+
+// ************************************************************************* //
