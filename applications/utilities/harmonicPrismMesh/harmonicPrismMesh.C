@@ -156,7 +156,13 @@ int main(int argc, char *argv[])
         Info<< nl << (defective ? defects.c_str() : "Surface OK.") << nl
             << nl << "End" << nl << endl;
 
-        return defective;
+        // What main returns is lost: the destructor of args exits with 0
+        if (defective)
+        {
+            UPstream::exit(1);
+        }
+
+        return 0;
     }
 
     if (defective)

@@ -15,6 +15,7 @@ License
 
 #include <algorithm>
 #include <fstream>
+#include <sys/resource.h>
 #include <string>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -203,20 +204,25 @@ static List<patchSample> samplePatches
 
 Foam::scalar Foam::peakMemory()
 {
-    // Linux: "VmHWM:   123456 kB", of 1024 bytes
+    // In units of 1024 bytes. Children: TetGen runs in a process of its own
+    rusage children;
+    ::getrusage(RUSAGE_CHILDREN, &children);
+    scalar peak = children.ru_maxrss;
+
+    // Linux: "VmHWM:   123456 kB"
     std::ifstream status("/proc/self/status");
 
     for (std::string key; status >> key;)
     {
-        scalar kiloBytes = 0;
+        scalar own = 0;
 
-        if (key == "VmHWM:" && status >> kiloBytes)
+        if (key == "VmHWM:" && status >> own)
         {
-            return 1.024e-3*kiloBytes;
+            peak = max(peak, own);
         }
     }
 
-    return 0;
+    return 1.024e-3*peak;
 }
 
 

@@ -15,6 +15,7 @@ License
 #include "ListOps.H"
 
 #include <algorithm>
+#include <cmath>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -27,8 +28,9 @@ static void checkFinite(const fileName& file, const pointField& points)
     {
         for (direction d = 0; d < 3; ++d)
         {
-            // Larger ones overflow in areas and volumes
-            if (!(mag(points[i][d]) < 1e90))
+            // Larger ones overflow in areas and volumes; isless because < on
+            // NaN ends the process where floating-point exceptions do
+            if (!std::isless(mag(points[i][d]), 1e90))
             {
                 FatalErrorInFunction
                     << "Cannot use the surface " << file << ": point " << i

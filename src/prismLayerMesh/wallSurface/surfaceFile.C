@@ -14,6 +14,7 @@ License
 #include "stlSurface.H"
 
 #include <cstring>
+#include <cfenv>
 #include <new>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -39,16 +40,21 @@ class quietReading
     const bool ioError_ = FatalIOError.throwExceptions(true);
     const int level_ = messageStream::level;
     const std::new_handler newHandler_ = std::set_new_handler(nullptr);
+    std::fenv_t environment_;
 
 public:
 
     quietReading()
     {
         messageStream::level = 0;
+
+        // A comparison with NaN must not end the process
+        std::feholdexcept(&environment_);
     }
 
     ~quietReading()
     {
+        std::fesetenv(&environment_);
         std::set_new_handler(newHandler_);
         messageStream::level = level_;
         FatalError.throwExceptions(error_);
