@@ -172,17 +172,14 @@ static void mergePoints
 
 
 //- Number those that are used, in their order
-static labelList compactNumbers(const boolList& used, label& nUsed)
+static labelList compactNumbers(const bitSet& used, label& nUsed)
 {
     labelList numbers(used.size(), -1);
     nUsed = 0;
 
-    forAll(used, i)
+    for (const label i : used)
     {
-        if (used[i])
-        {
-            numbers[i] = nUsed++;
-        }
+        numbers[i] = nUsed++;
     }
 
     return numbers;
@@ -191,12 +188,12 @@ static labelList compactNumbers(const boolList& used, label& nUsed)
 
 static void removeUnusedPoints(wallSurface& wall)
 {
-    boolList used(wall.points.size(), false);
+    bitSet used(wall.points.size());
     for (const face& f : wall.faces)
     {
         for (const label p : f)
         {
-            used[p] = true;
+            used.set(p);
         }
     }
 
@@ -226,27 +223,24 @@ static void removeUnusedPoints(wallSurface& wall)
 //  one that the file has not named is named after the file
 static void cleanPatches(wallSurface& wall, const fileName& file)
 {
-    boolList used(wall.patchNames.size(), false);
+    bitSet used(wall.patchNames.size());
     for (const label patchi : wall.patchIDs)
     {
-        used[patchi] = true;
+        used.set(patchi);
     }
 
     DynamicList<word> names;
     labelList numbers(used.size(), -1);
 
-    forAll(used, i)
+    for (const label i : used)
     {
-        if (used[i])
-        {
-            const word name(word::validate(wall.patchNames[i], true));
-            numbers[i] = names.find(name);
+        const word name(word::validate(wall.patchNames[i], true));
+        numbers[i] = names.find(name);
 
-            if (numbers[i] < 0)
-            {
-                numbers[i] = names.size();
-                names.append(name);
-            }
+        if (numbers[i] < 0)
+        {
+            numbers[i] = names.size();
+            names.append(name);
         }
     }
 

@@ -141,7 +141,7 @@ TEST(annotatedDict, coefficientsAreTheDefaults)
     EXPECT_EQ(weightsOf(coeffs), weightsOf(dictionary()));
 
     // Each of them counts
-    for (const word& key : {"beta", "delta"})
+    for (const word key : {"beta", "delta"})
     {
         dictionary other(coeffs);
         other.set(key, 0.5*coeffs.get<scalar>(key));

@@ -119,7 +119,7 @@ TEST_F(brokenSurfaceFiles, garbageIsRefused)
         garbage += char(37*i*i + 11*i + 1);
     }
 
-    for (const word& extension : {"obj", "off", "stl", "vtk"})
+    for (const word extension : {"obj", "off", "stl", "vtk"})
     {
         expectError(file("garbage." + extension, garbage), "");
     }

@@ -32,7 +32,7 @@ TEST_F(readWallSurfaceFiles, vtkAndOffAreRead)
 {
     const wallSurface wall(quadCube(2));
 
-    for (const word& name : {"body.vtk", "body.off"})
+    for (const word name : {"body.vtk", "body.off"})
     {
         const wallSurface read_(read(file(name, wall)));
         EXPECT_EQ(read_.faces, wall.faces);
@@ -143,7 +143,7 @@ TEST_F(readWallSurfaceFiles, binaryStlIsReadWhateverItsHeader)
 
 TEST_F(readWallSurfaceFiles, compressedFilesAreRead)
 {
-    for (const word& name : {"a.obj", "b.stl", "c.off"})
+    for (const word name : {"a.obj", "b.stl", "c.off"})
     {
         const fileName plain(file(name, cube(2)));
         const std::string gzip("gzip " + plain);
