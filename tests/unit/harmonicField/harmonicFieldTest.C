@@ -1,0 +1,366 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "harmonicField.H"
+#include "testStages.H"
+#include "Random.H"
+
+#include <limits>
+
+#include <gtest/gtest.h>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+using namespace Foam;
+using testSurfaces::cubeMesh;
+using testSurfaces::shellMesh;
+
+static fieldControls controlsOf(const word& solver, const scalar tolerance)
+{
+    fieldControls controls;
+    controls.solver = solver;
+    controls.tolerance = tolerance;
+
+    return controls;
+}
+
+
+static scalarField solve
+(
+    const backgroundMesh& mesh,
+    const scalarField& weights,
+    const scalar tolerance = 1e-12
+)
+{
+    return makeHarmonicField(mesh, weights, controlsOf("krylov", tolerance));
+}
+
+
+static scalarField randomWeights(const backgroundMesh& mesh)
+{
+    Random random(13);
+    scalarField weights(mesh.edges.size());
+
+    for (scalar& w : weights)
+    {
+        w = std::exp(4*random.sample01<scalar>() - 2);
+    }
+
+    return weights;
+}
+
+
+//- Values between -1 and 1 at free points, 0 at the others
+static scalarField perturbation(const backgroundMesh& mesh)
+{
+    Random random(14);
+    scalarField values(mesh.points.size(), 0);
+
+    forAll(values, p)
+    {
+        if (mesh.free[p])
+        {
+            values[p] = 2*random.sample01<scalar>() - 1;
+        }
+    }
+
+    return values;
+}
+
+
+static scalarField linearField(const backgroundMesh& mesh)
+{
+    return (mesh.points & vector(2, -3, 0.7)) + 0.4;
+}
+
+
+//- Root mean square difference from the exact field between spheres of radius
+//  1 and 2
+static scalar shellError(const label n)
+{
+    const backgroundMesh mesh(shellMesh(n, 1, 2));
+    const scalarField field(solve(mesh, cotangentWeights(mesh)));
+    scalar sumSqr = 0;
+    label nFree = 0;
+
+    forAll(field, p)
+    {
+        if (mesh.free[p])
+        {
+            sumSqr += sqr(field[p] - (2/mag(mesh.points[p]) - 1));
+            ++nFree;
+        }
+    }
+
+    return Foam::sqrt(sumSqr/nFree);
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(cotangentWeights, balanceALinearField)
+{
+    const backgroundMesh mesh(cubeMesh(5));
+    const scalarField weights(cotangentWeights(mesh));
+    const scalarField field(linearField(mesh));
+    scalarField residual(mesh.points.size(), 0);
+    scalarField scale(mesh.points.size(), 0);
+
+    forAll(mesh.edges, e)
+    {
+        const label a = mesh.edges[e].start(), b = mesh.edges[e].end();
+        residual[a] += weights[e]*(field[b] - field[a]);
+        residual[b] += weights[e]*(field[a] - field[b]);
+        scale[a] += mag(weights[e]);
+        scale[b] += mag(weights[e]);
+    }
+
+    forAll(residual, p)
+    {
+        if (mesh.free[p])
+        {
+            EXPECT_NEAR(residual[p]/scale[p], 0, 1e-12);
+        }
+    }
+}
+
+
+TEST(cotangentWeights, energyIsThatOfTheGradient)
+{
+    // Over the unit cube it is the square of the slope
+    const backgroundMesh mesh(cubeMesh(5));
+
+    EXPECT_NEAR
+    (
+        harmonicEnergy(mesh, cotangentWeights(mesh), linearField(mesh)),
+        magSqr(vector(2, -3, 0.7)),
+        1e-10
+    );
+}
+
+
+TEST(cotangentWeights, growWithTheSizeOfTheMesh)
+{
+    const backgroundMesh mesh(cubeMesh(3));
+    backgroundMesh large(mesh);
+    large.points *= 1e3;
+
+    const scalarField weights(cotangentWeights(mesh));
+    EXPECT_LT
+    (
+        max(mag(1e-3*cotangentWeights(large) - weights)), 1e-9*max(weights)
+    );
+}
+
+
+TEST(makeHarmonicField, valuesOnTheBoundary)
+{
+    const backgroundMesh mesh(shellMesh(6, 1, 2));
+    const scalarField field(solve(mesh, cotangentWeights(mesh)));
+
+    forAll(field, p)
+    {
+        if (!mesh.free[p])
+        {
+            EXPECT_EQ(field[p], mesh.onWall(p) ? 1 : 0);
+        }
+    }
+}
+
+
+TEST(makeHarmonicField, betweenSpheresConvergesInSecondOrder)
+{
+    const scalar coarse = shellError(8);
+    const scalar fine = shellError(16);
+
+    EXPECT_LT(fine, 0.01);
+
+    // 4 in the limit
+    EXPECT_GT(coarse/fine, 3);
+}
+
+
+TEST(makeHarmonicField, noExtremumInside)
+{
+    const backgroundMesh mesh(shellMesh(8, 1, 2));
+    const scalarField weights(randomWeights(mesh));
+
+    for (const word solver : {"krylov", "iteration"})
+    {
+        const scalarField field
+        (
+            makeHarmonicField(mesh, weights, controlsOf(solver, 1e-10))
+        );
+
+        forAll(field, p)
+        {
+            if (mesh.free[p])
+            {
+                EXPECT_GT(field[p], 0);
+                EXPECT_LT(field[p], 1);
+            }
+        }
+    }
+}
+
+
+TEST(makeHarmonicField, isTheMeanOfItsNeighbours)
+{
+    const backgroundMesh mesh(shellMesh(6, 1, 2));
+    const scalarField weights(randomWeights(mesh));
+    const scalarField field(solve(mesh, weights));
+    scalarField sums(mesh.points.size(), 0), total(mesh.points.size(), 0);
+
+    forAll(mesh.edges, e)
+    {
+        const label a = mesh.edges[e].start(), b = mesh.edges[e].end();
+        sums[a] += weights[e]*field[b];
+        sums[b] += weights[e]*field[a];
+        total[a] += weights[e];
+        total[b] += weights[e];
+    }
+
+    forAll(field, p)
+    {
+        if (mesh.free[p])
+        {
+            EXPECT_NEAR(field[p], sums[p]/total[p], 1e-10);
+        }
+    }
+}
+
+
+TEST(makeHarmonicField, solversAgree)
+{
+    const backgroundMesh mesh(shellMesh(6, 1, 2));
+    const scalarField weights(randomWeights(mesh));
+
+    // The energy has no linear term at its minimum: a change of 1e-16 of it
+    // leaves the square root of that in the field
+    const scalarField iterated
+    (
+        makeHarmonicField(mesh, weights, controlsOf("iteration", 1e-16))
+    );
+
+    EXPECT_LT(max(mag(iterated - solve(mesh, weights, 1e-14))), 1e-7);
+}
+
+
+TEST(makeHarmonicField, otherFieldsHaveMoreEnergy)
+{
+    // The excess is exactly the energy of the difference
+    const backgroundMesh mesh(shellMesh(6, 1, 2));
+    const scalarField weights(randomWeights(mesh));
+    const scalarField field(solve(mesh, weights));
+    const scalar energy = harmonicEnergy(mesh, weights, field);
+    const scalarField change(perturbation(mesh));
+
+    for (const scalar size : {1.0, 0.1, 0.01})
+    {
+        const scalar excess =
+            harmonicEnergy(mesh, weights, field + size*change) - energy;
+
+        EXPECT_GT(excess, 0);
+        EXPECT_NEAR
+        (
+            excess/harmonicEnergy(mesh, weights, size*change), 1, 1e-6
+        );
+    }
+}
+
+
+TEST(makeHarmonicField, factorOnWeightsDoesNotMatter)
+{
+    const backgroundMesh mesh(shellMesh(6, 1, 2));
+    const scalarField weights(randomWeights(mesh));
+
+    EXPECT_LT
+    (
+        max(mag(solve(mesh, weights) - solve(mesh, 1e6*weights))), 1e-10
+    );
+}
+
+
+TEST(makeHarmonicField, pointsWithoutTetsAreLeftAlone)
+{
+    backgroundMesh mesh(shellMesh(4, 1, 2));
+    const scalarField weights(randomWeights(mesh));
+    const scalarField field(solve(mesh, weights));
+
+    backgroundMesh more(mesh);
+    more.points.append(point(Zero));
+    more.gaps.append(1);
+    more.free.append(true);
+
+    for (const word solver : {"krylov", "iteration"})
+    {
+        const scalarField other
+        (
+            makeHarmonicField(more, weights, controlsOf(solver, 1e-14))
+        );
+
+        forAll(field, p)
+        {
+            EXPECT_NEAR(other[p], field[p], 1e-6);
+        }
+        EXPECT_TRUE(other.last() >= 0 && other.last() <= 1);
+    }
+}
+
+
+TEST(makeHarmonicField, noConvergenceIsAnError)
+{
+    const backgroundMesh mesh(shellMesh(4, 1, 2));
+    scalarField weights(randomWeights(mesh));
+    weights = std::numeric_limits<scalar>::quiet_NaN();
+
+    EXPECT_THROW(solve(mesh, weights), Foam::error);
+}
+
+
+TEST(tetGradients, ofALinearField)
+{
+    const backgroundMesh mesh(cubeMesh(5));
+
+    for (const vector& g : tetGradients(mesh, linearField(mesh)))
+    {
+        // Rounding over the height of the flattest tetrahedron
+        EXPECT_NEAR(mag(g - vector(2, -3, 0.7)), 0, 1e-9);
+    }
+}
+
+
+TEST(pointGradients, ofALinearField)
+{
+    const backgroundMesh mesh(cubeMesh(5));
+
+    for (const vector& g : pointGradients(mesh, linearField(mesh)))
+    {
+        EXPECT_NEAR(mag(g - vector(2, -3, 0.7)), 0, 1e-9);
+    }
+}
+
+
+TEST(pointGradients, pointInwardsBetweenSpheres)
+{
+    const backgroundMesh mesh(shellMesh(12, 1, 2));
+    const scalarField field(solve(mesh, cotangentWeights(mesh)));
+    const vectorField gradients(pointGradients(mesh, field));
+
+    for (label p = 0; p < mesh.nWallPoints; ++p)
+    {
+        const scalar cosine =
+            -(mesh.points[p] & gradients[p])/mag(gradients[p]);
+
+        EXPECT_GT(cosine, std::cos(0.1));
+    }
+}
+
+
+// ************************************************************************* //
