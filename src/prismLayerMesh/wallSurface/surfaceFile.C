@@ -9,6 +9,7 @@ License
 
 #include "surfaceFile.H"
 #include "IFstream.H"
+#include "isolatedProcess.H"
 #include "MeshedSurfaces.H"
 #include "OSspecific.H"
 #include "stlSurface.H"
@@ -153,6 +154,28 @@ static void checkObjPoints(const fileName& file)
 }
 
 
+//- The readers of formats that are not checked here are tried out first in a
+//  process of their own, because some crash on inconsistent sizes
+static void tryReader(const fileName& file, const word& extension)
+{
+    const auto read = [&](std::FILE*)
+    {
+        try
+        {
+            meshedSurface::New(file, extension);
+        }
+        catch (const std::exception&)
+        {}
+    };
+
+    if (!isolatedProcess(read, [](std::FILE*) { return true; }))
+    {
+        FatalErrorInFunction
+            << "the reader crashes; is it broken?" << exit(FatalError);
+    }
+}
+
+
 static void setPatches(const surfZoneList& zones, wallSurface& wall)
 {
     const label nFaces = wall.faces.size();
@@ -196,6 +219,10 @@ static void readMeshed
     if (extension == "obj")
     {
         checkObjPoints(file);
+    }
+    else if (extension != "off")
+    {
+        tryReader(file, extension);
     }
 
     const autoPtr<meshedSurface> surface

@@ -130,6 +130,23 @@ TEST_F(brokenSurfaceFiles, garbageIsRefused)
 }
 
 
+TEST_F(brokenSurfaceFiles, crashOfAReaderIsAnError)
+{
+    // Sizes that OpenFOAM's reader believes
+    expectError
+    (
+        file
+        (
+            "sizes.vtk",
+            "# vtk DataFile Version 2.0\ntitle\nASCII\nDATASET POLYDATA\n"
+            "POINTS 4 float\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n\n"
+            "POLYGONS 40 2 1\n3 0 1 3\n3 1 2 3\n3 0 3 2\n"
+        ),
+        ""
+    );
+}
+
+
 TEST_F(brokenSurfaceFiles, fatalErrorsStayAsTheyWere)
 {
     const bool throwing = FatalError.throwing();
