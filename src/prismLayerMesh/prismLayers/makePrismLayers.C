@@ -25,6 +25,11 @@ static const scalar straightenShare = 0.25;
 //- Bound on the gradient of the heights along the wall
 static const scalar heightSlope = 1;
 
+//- A cell is acceptable when its scaled Jacobian is this share of what it is
+//  with low columns on the axes of the cones. Relative to that, since slivers
+//  of the wall have poor cells at any height.
+static const scalar jacobianShare = 0.05;
+
 //- Heights then are below 1e-9 of what they were
 static const label maxRounds = 100;
 
@@ -43,8 +48,61 @@ class retreat
     //- How far each column has gone back to the axis, 0 to 1
     scalarField straightened_;
 
+    //- Scaled Jacobians of each front face's cells as they would be with low
+    //  columns on the axes
+    scalarField bestJacobians_;
+
     //- Front faces with a column that the last round moved
     labelList candidates_;
+
+
+    scalar bestJacobian(const face& f) const
+    {
+        scalar worst = GREAT;
+
+        forAll(f, k)
+        {
+            const point& p = wall_.points[f[k]];
+            const vector next = wall_.points[f.nextLabel(k)] - p;
+            const vector prev = wall_.points[f.prevLabel(k)] - p;
+
+            worst = min
+            (
+                worst,
+                ((next ^ prev) & visibility_.cones[f[k]].axis)
+               /max(mag(next)*mag(prev), VSMALL)
+            );
+        }
+
+        return worst;
+    }
+
+
+    //- Candidates with a cell that is not positive or not acceptable
+    labelList poorFaces() const
+    {
+        DynamicList<label> poor;
+
+        for (const label facei : candidates_)
+        {
+            const scalar smallest = jacobianShare*bestJacobians_[facei];
+
+            for (label i = 1; i <= spacing_.nLayers; ++i)
+            {
+                if
+                (
+                    scaledJacobian(layers_, facei, i) < smallest
+                 || !isPositive(layers_, facei, i)
+                )
+                {
+                    poor.append(facei);
+                    break;
+                }
+            }
+        }
+
+        return labelList(std::move(poor));
+    }
 
 
     //- Points of a column
@@ -171,6 +229,7 @@ public:
         maxStretch_(maxStretch),
         columns_(columns),
         straightened_(wall.points.size(), 0),
+        bestJacobians_(wall.faces.size()),
         candidates_(identity(wall.faces.size()))
     {
         layers_.nLayers = spacing.nLayers;
@@ -183,28 +242,24 @@ public:
         {
             build(p);
         }
+
+        forAll(wall.faces, facei)
+        {
+            bestJacobians_[facei] = bestJacobian(wall.faces[facei]);
+        }
     }
 
 
-    //- Until all cells are positive
+    //- Until all cells are positive and acceptable
     void makePositive()
     {
         for (label round = 0; ; ++round)
         {
-            const List<labelPair> invalid
-            (
-                findInvalidStacks(layers_, candidates_)
-            );
+            const labelList faces(poorFaces());
 
-            if (invalid.empty())
+            if (faces.empty())
             {
                 return;
-            }
-
-            labelList faces(invalid.size());
-            forAll(invalid, i)
-            {
-                faces[i] = invalid[i].first();
             }
 
             const labelList points(columnsOf(faces));

@@ -16,13 +16,29 @@ License
 namespace Foam
 {
 
-//- Radius of the ball that touches p, is centred on p + s*d, and passes
-//  through q
-static scalar touchingRadius(const point& p, const vector& d, const point& q)
+//- Columns of offset envelopes are at most this much longer than high
+static const scalar smallestCosine = 0.5;
+
+
+//- Height at which the ball of that radius, centred on the axis so that the
+//  wall's faces at p touch it, passes through q: the smaller root s*c of
+//  |p + s*d - q| = s*c. Negative where there is none.
+static scalar touchingHeight
+(
+    const point& p,
+    const vector& d,
+    const scalar cosine,
+    const point& q
+)
 {
     const vector pq = q - p;
+    const scalar along = d & pq;
+    const scalar discriminant =
+        sqr(along) - (1 - sqr(cosine))*magSqr(pq);
 
-    return magSqr(pq)/max(2*(d & pq), VSMALL);
+    return along > 0 && discriminant >= 0
+      ? cosine*magSqr(pq)/(along + ::sqrt(discriminant))
+      : -1;
 }
 
 
@@ -30,36 +46,39 @@ static scalar shrunkenBall
 (
     const wallSearch& search,
     const point& p,
-    const vector& d,
+    const visibilityCone& cone,
     const scalar reach
 )
 {
-    scalar radius = reach;
+    const vector& d = cone.axis;
+    const scalar cosine = max(cone.cosine, smallestCosine);
+    scalar height = reach;
 
     // Each round takes the deepest point inside the ball; two or three do
     for (label round = 0; round < 20; ++round)
     {
         const pointIndexHit hit
         (
-            search.nearestOpposite(p + radius*d, radius, d)
+            search.nearestOpposite(p + height/cosine*d, height, d)
         );
 
-        if (!hit.hit() || (d & (hit.rawPoint() - p)) <= 0)
+        if (!hit.hit())
         {
             break;
         }
 
-        const scalar smaller = touchingRadius(p, d, hit.rawPoint());
+        const scalar lower =
+            touchingHeight(p, d, cosine, hit.rawPoint());
 
-        if (smaller >= (1 - 1e-6)*radius)
+        if (lower < 0 || lower >= (1 - 1e-6)*height)
         {
             break;
         }
 
-        radius = smaller;
+        height = lower;
     }
 
-    return radius;
+    return height;
 }
 
 } // End namespace Foam
@@ -83,7 +102,7 @@ Foam::scalarField Foam::makeWallClearance
         (
             search,
             wall.points[p],
-            visibility.cones[p].axis,
+            visibility.cones[p],
             reach[p]
         );
     }
