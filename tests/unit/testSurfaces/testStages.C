@@ -176,6 +176,25 @@ Foam::backgroundMesh Foam::testSurfaces::shellMesh
 }
 
 
+Foam::prismLayerMesh Foam::testSurfaces::layeredMesh
+(
+    const wallSurface& wall,
+    const label n,
+    const scalar thickness
+)
+{
+    prismLayerControls controls;
+    controls.layers = layersOf(n, thickness);
+
+    return makePrismLayerMesh
+    (
+        wall,
+        controls,
+        stageObserver{[](const word&) {}, [](const string&) {}}
+    );
+}
+
+
 Foam::tensor Foam::testSurfaces::rotation()
 {
     const vector x(normalised(vector(1, 0.3, -0.7)));

@@ -1,0 +1,263 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "diffusionTensor.H"
+#include "harmonicField.H"
+#include "labelVector.H"
+#include "testStages.H"
+#include "testSurfaces.H"
+
+#include <gtest/gtest.h>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+using namespace Foam;
+using testSurfaces::layeredMesh;
+
+//- Four cubes in a screw about a point where top and bottom, left and right
+//  meet: no direction is in front of all its faces
+static wallSurface screw(const point& centre)
+{
+    const bool filled[2][2][2] =
+        {{{true, false}, {false, false}}, {{true, false}, {true, true}}};
+
+    auto isFilled = [&](const labelVector& v)
+    {
+        return cmptMin(v) >= 0 && cmptMax(v) <= 1
+            && filled[v.x()][v.y()][v.z()];
+    };
+
+    labelList pointOf(27, -1);
+    DynamicList<point> points;
+    DynamicList<face> faces;
+
+    for (label cell = 0; cell < 8; ++cell)
+    {
+        const labelVector v(cell/4, (cell/2) % 2, cell % 2);
+
+        for (label side = 0; isFilled(v) && side < 6; ++side)
+        {
+            const direction d = side/2;
+            labelVector out(0, 0, 0), u(0, 0, 0), w(0, 0, 0);
+            out[d] = side % 2 ? 1 : -1;
+            u[(d + 2 - side % 2) % 3] = 1;
+            w[(d + 1 + side % 2) % 3] = 1;
+
+            if (isFilled(v + out))
+            {
+                continue;
+            }
+
+            labelVector a(v);
+            a[d] += side % 2;
+            face f(4);
+            label i = 0;
+            for (const labelVector& x : {a, a + u, a + u + w, a + w})
+            {
+                label& p = pointOf[9*x.x() + 3*x.y() + x.z()];
+                if (p < 0)
+                {
+                    p = points.size();
+                    points.append
+                    (
+                        centre + point(x.x() - 1, x.y() - 1, x.z() - 1)
+                    );
+                }
+                f[i++] = p;
+            }
+            faces.append(f);
+        }
+    }
+
+    wallSurface wall;
+    wall.points.transfer(points);
+    wall.faces.transfer(faces);
+    wall.patchIDs.setSize(wall.faces.size(), 0);
+    wall.patchNames = wordList(1, word("wall"));
+
+    return wall;
+}
+
+
+static wallSurface scaled(const wallSurface& wall, const scalar factor)
+{
+    wallSurface result(wall);
+    result.points *= factor;
+
+    return result;
+}
+
+
+static labelList countCauses(const layerColumns& columns)
+{
+    labelList counts(nSqueezeCauses, 0);
+
+    for (const squeezeCause cause : columns.causes)
+    {
+        ++counts[int(cause)];
+    }
+
+    return counts;
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(makePrismLayerMesh, layersOnASphereAreCertified)
+{
+    const wallSurface wall(testSurfaces::sphere(6));
+    const prismLayerMesh m(layeredMesh(wall, 5, 0.1));
+
+    EXPECT_TRUE(m.certificate.valid());
+    EXPECT_EQ(m.certificate.nCells, 5*wall.faces.size());
+    EXPECT_EQ(m.topology.eulerCharacteristic, 2);
+}
+
+
+TEST(makePrismLayerMesh, fluidInsideASphere)
+{
+    const wallSurface wall(testSurfaces::reversed(testSurfaces::sphere(6)));
+    const prismLayerMesh m(layeredMesh(wall, 5, 0.1));
+
+    EXPECT_TRUE(m.certificate.valid());
+    EXPECT_EQ(countCauses(m.columns)[0], wall.points.size());
+    for (label p = 0; p < wall.points.size(); ++p)
+    {
+        EXPECT_LT(mag(m.layers(p, 5)), 1);
+    }
+}
+
+
+TEST(makePrismLayerMesh, stagesAreToldInTheirOrder)
+{
+    DynamicList<word> begun;
+    label nEnded = 0;
+    prismLayerControls controls;
+    controls.layers = testSurfaces::layersOf(3, 0.1);
+
+    makePrismLayerMesh
+    (
+        testSurfaces::cube(2),
+        controls,
+        stageObserver
+        {
+            [&](const word& stage)
+            {
+                EXPECT_EQ(begun.size(), nEnded);
+                begun.append(stage);
+            },
+            [&](const string& sizes)
+            {
+                ++nEnded;
+                EXPECT_FALSE(sizes.empty());
+            }
+        }
+    );
+
+    EXPECT_EQ(nEnded, begun.size());
+    EXPECT_EQ
+    (
+        wordList(begun),
+        wordList
+        ({
+            "layerSpacing", "wallVisibility", "wallClearance",
+            "offsetEnvelope", "backgroundMesh", "isotropicField",
+            "anisotropicField", "layerColumns", "prismLayers", "prismQuality"
+        })
+    );
+}
+
+
+TEST(makePrismLayerMesh, unitOfLengthDoesNotMatter)
+{
+    const wallSurface wall(testSurfaces::slitBlock(6, 0.1));
+    const prismLayerMesh m(layeredMesh(wall, 5, 0.1));
+
+    for (const scalar factor : {1e-3, 1e3})
+    {
+        const prismLayerMesh other
+        (
+            layeredMesh(scaled(wall, factor), 5, 0.1*factor)
+        );
+
+        EXPECT_TRUE(other.certificate.valid());
+        EXPECT_EQ(countCauses(other.columns), countCauses(m.columns));
+        EXPECT_LT(max(mag(other.columns.room/(factor*m.columns.room) - 1)),
+            1e-5);
+    }
+}
+
+
+TEST(makePrismLayerMesh, placeDoesNotMatter)
+{
+    const wallSurface wall(testSurfaces::slitBlock(6, 0.1));
+    const prismLayerMesh m(layeredMesh(wall, 5, 0.1));
+    const prismLayerMesh other
+    (
+        layeredMesh
+        (
+            testSurfaces::translated(wall, vector(100, -200, 300)), 5, 0.1
+        )
+    );
+
+    EXPECT_TRUE(other.certificate.valid());
+    EXPECT_EQ(countCauses(other.columns), countCauses(m.columns));
+}
+
+
+TEST(makePrismLayerMesh, bothSolversGiveTheLayers)
+{
+    const wallSurface wall(testSurfaces::cube(4));
+    prismLayerControls controls;
+    controls.layers = testSurfaces::layersOf(5, 0.1);
+    controls.field.tolerance = 1e-12;
+    const stageObserver unheard{[](const word&) {}, [](const string&) {}};
+
+    controls.field.solver = "krylov";
+    const prismLayerMesh a(makePrismLayerMesh(wall, controls, unheard));
+    controls.field.solver = "iteration";
+    controls.field.tensor = "anisotropic";
+
+    // Cotangent weights may be negative: not for the iteration
+    const scalarField weights
+    (
+        diffusionTensor::New("anisotropic", dictionary())->edgeWeights
+        (
+            a.background, a.tensors
+        )
+    );
+    const scalarField field
+    (
+        makeHarmonicField(a.background, weights, controls.field)
+    );
+
+    EXPECT_LT(max(mag(field - a.field)), 1e-4);
+}
+
+
+TEST(makePrismLayerMesh, pointThatSeesNothingIsRefusedWithItsPlace)
+{
+    const wallSurface wall(screw(point(3, 4, 5)));
+    ASSERT_NEAR(testSurfaces::enclosedVolume(wall), 4, 1e-12);
+
+    try
+    {
+        layeredMesh(wall, 3, 0.1);
+        FAIL();
+    }
+    catch (const Foam::error& err)
+    {
+        const std::string message(err.message());
+        EXPECT_NE(message.find("1 points of the wall"), std::string::npos);
+        EXPECT_NE(message.find("at (3 4 5)"), std::string::npos);
+    }
+}
+
+
+// ************************************************************************* //

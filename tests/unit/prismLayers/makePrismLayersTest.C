@@ -1,0 +1,332 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "makePrismLayers.H"
+#include "testStages.H"
+#include "testSurfaces.H"
+
+#include <gtest/gtest.h>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+using namespace Foam;
+using testSurfaces::layeredMesh;
+
+static const label nLayers = 8;
+
+//- A wall and its layers
+struct shape
+{
+    const char* name;
+    wallSurface wall;
+    prismLayerMesh mesh;
+};
+
+
+static shape makeShape(const char* name, const wallSurface& wall)
+{
+    return shape{name, wall, layeredMesh(wall, nLayers, 0.1)};
+}
+
+
+//- Made once: all tests look at the same layers
+static const List<shape>& shapes()
+{
+    static const wallSurface box(testSurfaces::cube(6));
+    static const List<shape> list
+    ({
+        makeShape("cube", box),
+        makeShape("quadCube", testSurfaces::quadCube(6)),
+        makeShape("sphere", testSurfaces::sphere(8)),
+        makeShape("quadSphere", testSurfaces::quadSphere(8)),
+        makeShape("torus", testSurfaces::torus(24, 12, 1, 0.8)),
+        makeShape("lBlock", testSurfaces::lBlock(6)),
+        makeShape("wedge", testSurfaces::wedgeBlock(8, 45)),
+        makeShape("slit", testSurfaces::slitBlock(8, 0.05)),
+        makeShape
+        (
+            "bodies",
+            testSurfaces::merge
+            (
+                box,
+                testSurfaces::translated(box, vector(1.05, 0.1, 0.2))
+            )
+        )
+    });
+
+    return list;
+}
+
+
+static label count(const layerColumns& columns, const squeezeCause cause)
+{
+    label n = 0;
+
+    for (const squeezeCause c : columns.causes)
+    {
+        n += c == cause;
+    }
+
+    return n;
+}
+
+
+//- Whether nothing hinders the layers
+static bool isFree(const shape& s)
+{
+    const string name(s.name);
+
+    return name == "cube" || name == "quadCube" || name == "sphere"
+        || name == "quadSphere" || name == "lBlock";
+}
+
+
+//- Layers on columns of a mesh that were changed
+static prismLayers remade
+(
+    const wallSurface& wall,
+    const prismLayerMesh& m,
+    layerColumns& columns
+)
+{
+    return makePrismLayers
+    (
+        wall, m.addressing, m.visibility, m.spacing,
+        layerControls().maxStretch, columns
+    );
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(makePrismLayers, areCertified)
+{
+    for (const shape& s : shapes())
+    {
+        SCOPED_TRACE(s.name);
+        const layerCertificate certificate(certify(s.mesh.layers));
+
+        EXPECT_TRUE(certificate.valid());
+        EXPECT_EQ(certificate.nCells, nLayers*s.wall.faces.size());
+    }
+}
+
+
+TEST(makePrismLayers, areOnAllFacesOfTheWall)
+{
+    for (const shape& s : shapes())
+    {
+        SCOPED_TRACE(s.name);
+        const prismLayers& layers = s.mesh.layers;
+
+        EXPECT_EQ(layers.nLayers, nLayers);
+        EXPECT_EQ(layers.faces, s.wall.faces);
+        EXPECT_EQ(layers.patchIDs, s.wall.patchIDs);
+        EXPECT_EQ(layers.patchNames, s.wall.patchNames);
+        ASSERT_EQ(layers.nColumns(), s.wall.points.size());
+        forAll(s.wall.points, p)
+        {
+            EXPECT_EQ(layers(p, 0), s.wall.points[p]);
+        }
+    }
+}
+
+
+TEST(makePrismLayers, haveAllTheirThicknessWhereNothingHinders)
+{
+    for (const shape& s : shapes())
+    {
+        if (isFree(s))
+        {
+            SCOPED_TRACE(s.name);
+            EXPECT_EQ
+            (
+                count(s.mesh.columns, squeezeCause::none),
+                s.wall.points.size()
+            );
+            EXPECT_EQ(s.mesh.columns.room, s.mesh.spacing.thickness);
+        }
+    }
+}
+
+
+TEST(makePrismLayers, endAtTheirRoom)
+{
+    for (const shape& s : shapes())
+    {
+        SCOPED_TRACE(s.name);
+        forAll(s.wall.points, p)
+        {
+            const vector column(s.mesh.layers(p, nLayers) - s.wall.points[p]);
+            const scalar height = s.mesh.visibility.heightCosine(p, column);
+
+            // Less where the bound on the stretch is reached
+            EXPECT_LE(height, s.mesh.columns.room[p]*(1 + 1e-12));
+            if (mag(column) < 1.9*s.mesh.columns.room[p])
+            {
+                EXPECT_NEAR(height/s.mesh.columns.room[p], 1, 1e-10);
+            }
+        }
+    }
+}
+
+
+TEST(makePrismLayers, firstHeightIsExactOnFlatFaces)
+{
+    const shape& s = shapes()[0];
+    const scalar h1 = s.mesh.spacing.firstThickness[0];
+    label nFlat = 0;
+
+    forAll(s.wall.points, p)
+    {
+        const vector& n = s.mesh.visibility.cones[p].axis;
+
+        if (s.mesh.visibility.cones[p].cosine > 1 - 1e-12)
+        {
+            ++nFlat;
+            EXPECT_NEAR
+            (
+                ((s.mesh.layers(p, 1) - s.wall.points[p]) & n)/h1, 1, 1e-10
+            );
+        }
+    }
+
+    EXPECT_EQ(nFlat, 6*25);
+}
+
+
+TEST(makePrismLayers, heightsAscend)
+{
+    for (const shape& s : shapes())
+    {
+        SCOPED_TRACE(s.name);
+        forAll(s.wall.points, p)
+        {
+            const vector& n = s.mesh.visibility.cones[p].axis;
+
+            for (label i = 1; i <= nLayers; ++i)
+            {
+                EXPECT_GT
+                (
+                    (s.mesh.layers(p, i) - s.mesh.layers(p, i - 1)) & n, 0
+                );
+            }
+        }
+    }
+}
+
+
+TEST(makePrismLayers, causeIsNoneExactlyWhereTheRoomIsAll)
+{
+    for (const shape& s : shapes())
+    {
+        SCOPED_TRACE(s.name);
+        forAll(s.wall.points, p)
+        {
+            EXPECT_EQ
+            (
+                s.mesh.columns.causes[p] == squeezeCause::none,
+                s.mesh.columns.room[p] == s.mesh.spacing.thickness[p]
+            );
+        }
+    }
+}
+
+
+TEST(makePrismLayers, columnsThatLeanTooFarRetreat)
+{
+    // Every second column lies down almost flat
+    const wallSurface wall(testSurfaces::sphere(8));
+    const prismLayerMesh m(layeredMesh(wall, nLayers, 0.1));
+    layerColumns columns(m.columns);
+
+    for (label p = 0; p < wall.points.size(); p += 2)
+    {
+        const vector n(normalised(wall.points[p]));
+        const vector across(normalised(n ^ vector(0.36, 0.48, 0.8)));
+
+        for (label i = 0; i < nLayers; ++i)
+        {
+            columns.offsets[p*nLayers + i] = n + 20*across;
+        }
+    }
+    const prismLayers layers(remade(wall, m, columns));
+
+    EXPECT_TRUE(certify(layers).valid());
+    EXPECT_GT(count(columns, squeezeCause::validity), 0);
+}
+
+
+TEST(makePrismLayers, columnsThroughTheOppositeWallRetreat)
+{
+    const wallSurface box(testSurfaces::cube(6));
+    const wallSurface wall
+    (
+        testSurfaces::merge
+        (
+            box, testSurfaces::translated(box, vector(1.05, 0.1, 0.2))
+        )
+    );
+    const prismLayerMesh m(layeredMesh(wall, nLayers, 0.1));
+    layerColumns columns(m.columns);
+    columns.room = m.spacing.thickness;
+    columns.causes = squeezeCause::none;
+    const prismLayers layers(remade(wall, m, columns));
+
+    EXPECT_TRUE(certify(layers).valid());
+    EXPECT_GT(count(columns, squeezeCause::intersection), 0);
+    EXPECT_GT(count(columns, squeezeCause::none), 0);
+}
+
+
+TEST(makePrismLayers, columnsWithTooMuchRoomInASlitRetreat)
+{
+    const shape& s = shapes()[7];
+    layerColumns columns(s.mesh.columns);
+    columns.room = s.mesh.spacing.thickness;
+    columns.causes = squeezeCause::none;
+    const prismLayers layers(remade(s.wall, s.mesh, columns));
+
+    EXPECT_TRUE(certify(layers).valid());
+    EXPECT_GT
+    (
+        count(columns, squeezeCause::intersection)
+      + count(columns, squeezeCause::validity),
+        0
+    );
+    EXPECT_LT(min(columns.room), 0.05);
+}
+
+
+TEST(makePrismLayers, columnsIntoTheBodyAreAnError)
+{
+    const wallSurface wall(testSurfaces::cube(2));
+    prismLayerMesh m(layeredMesh(wall, 2, 0.01));
+    for (visibilityCone& cone : m.visibility.cones)
+    {
+        cone.axis = -cone.axis;
+    }
+    for (vector& offset : m.columns.offsets)
+    {
+        offset = -offset;
+    }
+
+    try
+    {
+        remade(wall, m, m.columns);
+        FAIL();
+    }
+    catch (const Foam::error& err)
+    {
+        EXPECT_NE(err.message().find("point 0 at (0 0 0)"), string::npos);
+    }
+}
+
+
+// ************************************************************************* //
