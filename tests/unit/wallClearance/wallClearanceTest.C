@@ -119,7 +119,7 @@ TEST(wallClearance, roomBetweenBodiesIsHalfTheirDistance)
 TEST(wallClearance, ballInAcuteEdgeTouchesBothSides)
 {
     // The ball that touches one side at the distance s from the edge touches
-    // the other there too: its radius is s*tan(angle/2)
+    // the other there too: its radius is s*std::tan(angle/2)
     const scalar tanHalf = std::tan(0.125*constant::mathematical::pi);
     const wallSurface wall(testSurfaces::wedgeBlock(10, 45));
     const scalarField clearance(clearanceOf(wall, 1));
@@ -164,16 +164,17 @@ TEST(wallClearance, ballHoldsNoOppositePoint)
 
     forAll(wall.points, p)
     {
-        const vector& d = visibility.cones[p].axis;
+        const visibilityCone& cone = visibility.cones[p];
         const scalar r = clearance[p];
         nLimited += r < 1;
 
-        // The ball at the bottom touches its own point
         EXPECT_FALSE
         (
             search.nearestOpposite
             (
-                wall.points[p] + r*d, (1 - 1e-5)*r, d
+                wall.points[p] + r/cone.cosine*cone.axis,
+                (1 - 1e-5)*r,
+                cone.axis
             ).hit()
         );
     }
