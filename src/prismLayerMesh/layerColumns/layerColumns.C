@@ -9,6 +9,7 @@ License
 
 #include "layerColumns.H"
 #include "wallClearance.H"
+#include "wallGraph.H"
 
 #include <algorithm>
 
@@ -26,89 +27,11 @@ static const scalar roomSlope = 0.5;
 //- Length of the smoothing along the wall over the height
 static const scalar smoothingLength = 0.5;
 
+//- Bound on the passes of smoothing for each layer
+static const label maxPasses = 4;
+
 //- Smallest angle to a face, as a share of what the axis of the cone has
 static const scalar coneMargin = 0.2;
-
-
-//- What smoothing on the graph of the wall needs
-struct wallGraph
-{
-    const wallAddressing& addressing;
-
-    //- 1/length^2 of the edge to each of a point's neighbours, scaled to sum 1
-    List<scalarField> weights;
-
-    //- Half the weighted mean of length^2 [m^2]: what one full pass adds to
-    //  the variance of a peak
-    scalarField spread;
-};
-
-
-static wallGraph makeWallGraph
-(
-    const wallSurface& wall,
-    const wallAddressing& addressing
-)
-{
-    const label nPoints = wall.points.size();
-    wallGraph graph{addressing, {}, {}};
-    graph.weights.setSize(nPoints);
-    graph.spread.setSize(nPoints, 0);
-
-    for (label p = 0; p < nPoints; ++p)
-    {
-        const labelList& neighbours = addressing.pointPoints[p];
-        scalarField weights(neighbours.size());
-
-        forAll(neighbours, i)
-        {
-            weights[i] =
-                1/magSqr(wall.points[neighbours[i]] - wall.points[p]);
-        }
-
-        graph.weights[p] = weights/sum(weights);
-        graph.spread[p] = 0.5*weights.size()/sum(weights);
-    }
-
-    return graph;
-}
-
-
-//- Spread values over the square root of variances [m]
-static void smooth
-(
-    const wallGraph& graph,
-    const scalarField& variances,
-    vectorField& values
-)
-{
-    const scalar fullPass = 0.7;
-    const label maxPasses = 4;
-
-    const scalar needed = max(variances/(fullPass*graph.spread));
-    const label nPasses =
-        min(maxPasses, label(std::ceil(min(needed, scalar(maxPasses)))));
-
-    vectorField old(values.size());
-    for (label pass = 0; pass < nPasses; ++pass)
-    {
-        old = values;
-
-        forAll(values, p)
-        {
-            const labelList& neighbours = graph.addressing.pointPoints[p];
-            vector mean(Zero);
-            forAll(neighbours, i)
-            {
-                mean += graph.weights[p][i]*old[neighbours[i]];
-            }
-
-            const scalar share =
-                min(fullPass, variances[p]/(nPasses*graph.spread[p]));
-            values[p] += share*(mean - old[p]);
-        }
-    }
-}
 
 
 //- Unit directions from the wall to the samples of layer i
@@ -199,6 +122,33 @@ Foam::vector Foam::layerColumns::offset
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
+Foam::vector Foam::columnOffset
+(
+    const wallVisibility& visibility,
+    const label p,
+    const vector& direction,
+    const scalar maxStretch
+)
+{
+    const vector& axis = visibility.cones[p].axis;
+    vector d = visibility.limited(p, normalised(direction), coneMargin);
+
+    // Not so far over that the stretch would take height away
+    const scalar smallest =
+        min(1/maxStretch, visibility.heightCosine(p, axis));
+    const scalar cosine = visibility.heightCosine(p, d);
+
+    if (cosine < smallest)
+    {
+        const scalar s = (smallest - cosine)
+           /max(visibility.heightCosine(p, axis) - cosine, VSMALL);
+        d = normalised(d + min(s, scalar(1))*(axis - d));
+    }
+
+    return d/max(visibility.heightCosine(p, d), 1/maxStretch);
+}
+
+
 Foam::scalarField Foam::requestedHeights(const layerSpacing& spacing)
 {
     const label n = spacing.nLayers;
@@ -263,15 +213,12 @@ Foam::layerColumns Foam::makeLayerColumns
             previousHeights[p] = height;
         }
 
-        smooth(graph, variances, smoothed);
+        smooth(graph, variances, maxPasses, smoothed);
 
         for (label p = 0; p < nPoints; ++p)
         {
-            const vector d =
-                visibility.limited(p, normalised(smoothed[p]), coneMargin);
-
             columns.offsets[p*n + i] =
-                d/max(visibility.heightCosine(p, d), 1/maxStretch);
+                columnOffset(visibility, p, smoothed[p], maxStretch);
         }
     }
 

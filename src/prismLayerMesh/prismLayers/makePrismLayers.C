@@ -8,13 +8,18 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "makePrismLayers.H"
+#include "poorStacks.H"
 #include "prismQuality.H"
 #include "wallClearance.H"
+#include "wallGraph.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
+
+//- How often a column turns to its neighbours before it retreats
+static const label maxTurns = 10;
 
 //- What a round leaves of the height of a column that retreats
 static const scalar retreatFactor = 0.8;
@@ -25,13 +30,8 @@ static const scalar straightenShare = 0.25;
 //- Bound on the gradient of the heights along the wall
 static const scalar heightSlope = 1;
 
-//- A cell is acceptable when its scaled Jacobian is this share of what it is
-//  with low columns on the axes of the cones. Relative to that, since slivers
-//  of the wall have poor cells at any height.
-static const scalar jacobianShare = 0.05;
-
 //- Heights then are below 1e-9 of what they were
-static const label maxRounds = 100;
+static const label maxSteps = 100;
 
 
 class retreat
@@ -45,64 +45,19 @@ class retreat
     layerColumns& columns_;
     prismLayers layers_;
 
+    const wallGraph graph_;
+
+    //- How often each column has turned
+    labelList turns_;
+
     //- How far each column has gone back to the axis, 0 to 1
     scalarField straightened_;
 
-    //- Scaled Jacobians of each front face's cells as they would be with low
-    //  columns on the axes
-    scalarField bestJacobians_;
+    //- What the cells of each front face are compared with
+    const scalarField bestJacobians_;
 
     //- Front faces with a column that the last round moved
     labelList candidates_;
-
-
-    scalar bestJacobian(const face& f) const
-    {
-        scalar worst = GREAT;
-
-        forAll(f, k)
-        {
-            const point& p = wall_.points[f[k]];
-            const vector next = wall_.points[f.nextLabel(k)] - p;
-            const vector prev = wall_.points[f.prevLabel(k)] - p;
-
-            worst = min
-            (
-                worst,
-                ((next ^ prev) & visibility_.cones[f[k]].axis)
-               /max(mag(next)*mag(prev), VSMALL)
-            );
-        }
-
-        return worst;
-    }
-
-
-    //- Candidates with a cell that is not positive or not acceptable
-    labelList poorFaces() const
-    {
-        DynamicList<label> poor;
-
-        for (const label facei : candidates_)
-        {
-            const scalar smallest = jacobianShare*bestJacobians_[facei];
-
-            for (label i = 1; i <= spacing_.nLayers; ++i)
-            {
-                if
-                (
-                    scaledJacobian(layers_, facei, i) < smallest
-                 || !isPositive(layers_, facei, i)
-                )
-                {
-                    poor.append(facei);
-                    break;
-                }
-            }
-        }
-
-        return labelList(std::move(poor));
-    }
 
 
     //- Points of a column
@@ -119,9 +74,13 @@ class retreat
             heights
         );
 
-        const visibilityCone& cone = visibility_.cones[p];
-        const vector axis = cone.axis
-           /max(visibility_.heightCosine(p, cone.axis), 1/maxStretch_);
+        const vector axis
+        (
+            columnOffset
+            (
+                visibility_, p, visibility_.cones[p].axis, maxStretch_
+            )
+        );
         const scalar s = straightened_[p];
 
         for (label i = 0; i <= n; ++i)
@@ -159,6 +118,13 @@ class retreat
             moved[p] = true;
         }
 
+        rebuild(moved);
+    }
+
+
+    //- Build the columns that were moved; their faces are the candidates
+    void rebuild(const boolList& moved)
+    {
         boolList touched(wall_.faces.size(), false);
         forAll(moved, p)
         {
@@ -173,6 +139,66 @@ class retreat
         }
 
         candidates_ = findIndices(touched, true);
+    }
+
+
+    //- Turn the columns and their neighbours to the mean of those around them.
+    //  False where all of them have done so often enough.
+    bool turn(const labelUList& poor)
+    {
+        boolList moved(wall_.points.size(), false);
+        bool any = false;
+
+        for (const label p : poor)
+        {
+            moved[p] = true;
+
+            if (turns_[p] < maxTurns)
+            {
+                any = true;
+                for (const label q : addressing_.pointPoints[p])
+                {
+                    moved[q] = true;
+                }
+            }
+        }
+
+        if (!any)
+        {
+            return false;
+        }
+
+        const label n = spacing_.nLayers;
+        const labelList turning(findIndices(moved, true));
+        vectorField turned(turning.size()*n);
+
+        forAll(turned, k)
+        {
+            const label p = turning[k/n];
+            const vector& own = columns_.offsets[p*n + k % n];
+            const vector mean = graph_.mean(columns_.offsets, p, n, k % n);
+
+            // Less so near to the wall, where columns stand upright
+            const scalar share = wallGraph::fullPass*::sqrt
+            (
+                columns_.heights[p*n + k % n]/columns_.heights[p*n + n - 1]
+            );
+
+            turned[k] = columnOffset
+            (
+                visibility_, p, own + share*(mean - own), maxStretch_
+            );
+        }
+
+        forAll(turned, k)
+        {
+            columns_.offsets[turning[k/n]*n + k % n] = turned[k];
+            turns_[turning[k/n]] += k % n == 0;
+        }
+
+        rebuild(moved);
+
+        return true;
     }
 
 
@@ -228,8 +254,10 @@ public:
         spacing_(spacing),
         maxStretch_(maxStretch),
         columns_(columns),
+        graph_(makeWallGraph(wall, addressing)),
+        turns_(wall.points.size(), 0),
         straightened_(wall.points.size(), 0),
-        bestJacobians_(wall.faces.size()),
+        bestJacobians_(bestJacobians(wall, visibility)),
         candidates_(identity(wall.faces.size()))
     {
         layers_.nLayers = spacing.nLayers;
@@ -242,20 +270,20 @@ public:
         {
             build(p);
         }
-
-        forAll(wall.faces, facei)
-        {
-            bestJacobians_[facei] = bestJacobian(wall.faces[facei]);
-        }
     }
 
 
-    //- Until all cells are positive and acceptable
+    //- Until all cells are positive and good enough
     void makePositive()
     {
-        for (label round = 0; ; ++round)
+        label nSteps = 0;
+
+        while (true)
         {
-            const labelList faces(poorFaces());
+            const labelList faces
+            (
+                findPoorStacks(layers_, bestJacobians_, candidates_)
+            );
 
             if (faces.empty())
             {
@@ -264,12 +292,15 @@ public:
 
             const labelList points(columnsOf(faces));
 
-            if (round == maxRounds)
+            if (!turn(points))
             {
-                giveUp(points, "have cells that are not positive");
-            }
+                if (nSteps++ == maxSteps)
+                {
+                    giveUp(points, "have cells that are not positive");
+                }
 
-            step(points, squeezeCause::validity);
+                step(points, squeezeCause::validity);
+            }
         }
     }
 
@@ -277,7 +308,7 @@ public:
     //- Until wall and outer surface are embedded too
     void makeEmbedded()
     {
-        for (label round = 0; ; ++round)
+        for (label nSteps = 0; ; ++nSteps)
         {
             makePositive();
 
@@ -302,7 +333,7 @@ public:
 
             const labelList points(columnsOf(faces));
 
-            if (round == maxRounds)
+            if (nSteps == maxSteps)
             {
                 giveUp(points, "intersect");
             }

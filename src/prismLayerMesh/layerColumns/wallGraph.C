@@ -1,0 +1,76 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "wallGraph.H"
+
+#include <cmath>
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::wallGraph Foam::makeWallGraph
+(
+    const wallSurface& wall,
+    const wallAddressing& addressing
+)
+{
+    const label nPoints = wall.points.size();
+    wallGraph graph{addressing, {}, {}};
+    graph.weights.setSize(nPoints);
+    graph.spread.setSize(nPoints, 0);
+
+    for (label p = 0; p < nPoints; ++p)
+    {
+        const labelList& neighbours = addressing.pointPoints[p];
+        scalarField weights(neighbours.size());
+
+        forAll(neighbours, i)
+        {
+            weights[i] =
+                1/magSqr(wall.points[neighbours[i]] - wall.points[p]);
+        }
+
+        graph.weights[p] = weights/sum(weights);
+        graph.spread[p] = 0.5*weights.size()/sum(weights);
+    }
+
+    return graph;
+}
+
+
+void Foam::smooth
+(
+    const wallGraph& graph,
+    const scalarField& variances,
+    const label maxPasses,
+    vectorField& values
+)
+{
+    const scalar needed = max(variances/(wallGraph::fullPass*graph.spread));
+    const label nPasses =
+        label(std::ceil(min(needed, scalar(maxPasses))));
+
+    vectorField old;
+    for (label pass = 0; pass < nPasses; ++pass)
+    {
+        old = values;
+
+        forAll(values, p)
+        {
+            const scalar share = min
+            (
+                wallGraph::fullPass,
+                variances[p]/(nPasses*graph.spread[p])
+            );
+            values[p] += share*(graph.mean(old, p) - old[p]);
+        }
+    }
+}
+
+
+// ************************************************************************* //

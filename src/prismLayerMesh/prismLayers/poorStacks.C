@@ -1,0 +1,113 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "poorStacks.H"
+#include "prismQuality.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static const scalar smallestShare = 0.05;
+
+
+static scalar bestJacobian
+(
+    const face& f,
+    const pointField& points,
+    const wallVisibility& visibility
+)
+{
+    scalar worst = GREAT;
+
+    forAll(f, k)
+    {
+        const vector next = points[f.nextLabel(k)] - points[f[k]];
+        const vector prev = points[f.prevLabel(k)] - points[f[k]];
+
+        worst = min
+        (
+            worst,
+            ((next ^ prev) & visibility.cones[f[k]].axis)
+           /max(mag(next)*mag(prev), VSMALL)
+        );
+    }
+
+    return worst;
+}
+
+
+static bool isPoor
+(
+    const prismLayers& layers,
+    const label facei,
+    const scalar smallest
+)
+{
+    for (label i = 1; i <= layers.nLayers; ++i)
+    {
+        if
+        (
+            scaledJacobian(layers, facei, i) < smallest
+         || !isPositive(layers, facei, i)
+        )
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::scalarField Foam::bestJacobians
+(
+    const wallSurface& wall,
+    const wallVisibility& visibility
+)
+{
+    scalarField jacobians(wall.faces.size());
+
+    forAll(jacobians, facei)
+    {
+        jacobians[facei] =
+            bestJacobian(wall.faces[facei], wall.points, visibility);
+    }
+
+    return jacobians;
+}
+
+
+Foam::labelList Foam::findPoorStacks
+(
+    const prismLayers& layers,
+    const scalarField& bestJacobians,
+    const labelUList& candidates
+)
+{
+    DynamicList<label> poor;
+
+    for (const label facei : candidates)
+    {
+        if (isPoor(layers, facei, smallestShare*bestJacobians[facei]))
+        {
+            poor.append(facei);
+        }
+    }
+
+    return labelList(std::move(poor));
+}
+
+
+// ************************************************************************* //
