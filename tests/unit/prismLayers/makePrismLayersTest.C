@@ -287,11 +287,27 @@ TEST(makePrismLayers, columnsThatLeanTooFarTurnBeforeTheyRetreat)
             columns.offsets[p*nLayers + i] = n + 20*across;
         }
     }
+    ASSERT_FALSE(certify(asProposed(wall, columns)).valid());
+
     const prismLayers layers(remade(wall, m, columns));
 
     // Their neighbours stand upright, so that no height need be lost
     EXPECT_TRUE(certify(layers).valid());
     EXPECT_EQ(count(columns, squeezeCause::none), wall.points.size());
+}
+
+
+TEST(makePrismLayers, columnsBeyondTheMiddleRetreat)
+{
+    const wallSurface wall(testSurfaces::reversed(testSurfaces::sphere(6)));
+    const prismLayerMesh m(layeredMesh(wall, nLayers, 3));
+    layerColumns columns(m.columns);
+    columns.room = m.spacing.thickness;
+    columns.causes = squeezeCause::none;
+
+    EXPECT_TRUE(certify(remade(wall, m, columns)).valid());
+    EXPECT_GT(count(columns, squeezeCause::validity), 0);
+    EXPECT_LT(max(columns.room), 1);
 }
 
 
