@@ -9,6 +9,7 @@ License
 
 #include "makePrismLayers.H"
 #include "poorStacks.H"
+#include "tallColumns.H"
 #include "prismQuality.H"
 #include "wallClearance.H"
 #include "wallGraph.H"
@@ -20,6 +21,9 @@ namespace Foam
 
 //- How often a column turns to its neighbours before it retreats
 static const label maxTurns = 10;
+
+//- Share of the tallest room beside which a column retreats too
+static const scalar tallShare = 0.8;
 
 //- What a round leaves of the height of a column that retreats
 static const scalar retreatFactor = 0.8;
@@ -202,19 +206,30 @@ class retreat
     }
 
 
-    //- Columns of the front faces, each once
-    labelList columnsOf(const labelUList& faces) const
+    labelList tall(const UList<labelPair>& pairs, const scalar share) const
     {
-        boolList used(wall_.points.size(), false);
-        for (const label facei : faces)
+        return tallColumns(wall_.faces, pairs, columns_.room, share);
+    }
+
+
+    //- Those of the faces whose outer sides intersect
+    List<labelPair> intersectingFaces() const
+    {
+        const label nFaces = wall_.faces.size();
+        List<labelPair> pairs(findIntersections(layers_));
+
+        for (labelPair& pair : pairs)
         {
-            for (const label p : wall_.faces[facei])
+            // A face of the wall cannot move; the other one does
+            const label outer = max(pair.first(), pair.second());
+
+            for (label& f : pair)
             {
-                used[p] = true;
+                f = (f < nFaces ? outer : f) - nFaces;
             }
         }
 
-        return findIndices(used, true);
+        return pairs;
     }
 
 
@@ -280,20 +295,26 @@ public:
 
         while (true)
         {
-            const labelList faces
+            const labelList poor
             (
                 findPoorStacks(layers_, bestJacobians_, candidates_)
             );
 
-            if (faces.empty())
+            if (poor.empty())
             {
                 return;
             }
 
-            const labelList points(columnsOf(faces));
-
-            if (!turn(points))
+            List<labelPair> pairs(poor.size());
+            forAll(poor, i)
             {
+                pairs[i] = labelPair(poor[i], poor[i]);
+            }
+
+            if (!turn(tall(pairs, 0)))
+            {
+                const labelList points(tall(pairs, tallShare));
+
                 if (nSteps++ == maxSteps)
                 {
                     giveUp(points, "have cells that are not positive");
@@ -312,26 +333,14 @@ public:
         {
             makePositive();
 
-            const List<labelPair> pairs(findIntersections(layers_));
+            const List<labelPair> pairs(intersectingFaces());
 
             if (pairs.empty())
             {
                 return;
             }
 
-            DynamicList<label> faces(2*pairs.size());
-            for (const labelPair& pair : pairs)
-            {
-                for (const label f : pair)
-                {
-                    if (f >= wall_.faces.size())
-                    {
-                        faces.append(f - wall_.faces.size());
-                    }
-                }
-            }
-
-            const labelList points(columnsOf(faces));
+            const labelList points(tall(pairs, tallShare));
 
             if (nSteps == maxSteps)
             {
