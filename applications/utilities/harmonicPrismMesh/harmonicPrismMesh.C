@@ -116,6 +116,7 @@ static wallSurface readWall
     Info<< "    " << file << nl
         << "    merged points " << reading.mergedPoints
         << ", collapsed faces " << reading.collapsedFaces
+        << ", faces cut into triangles " << reading.cutFaces
         << ", faces turned to the fluid " << reading.flippedFaces << endl;
 
     return wall;

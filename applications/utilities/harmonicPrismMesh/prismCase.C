@@ -189,6 +189,7 @@ void Foam::prismCase::write
     );
 
     report.stages = log.costs();
+    report.noField = m.noField;
 
     IOstream::defaultPrecision(6);
     OFstream os(reportFolder()/"report");

@@ -260,4 +260,28 @@ Foam::gradientLines Foam::makeGradientLines
 }
 
 
+Foam::gradientLines Foam::makeStraightLines
+(
+    const pointField& wallPoints,
+    const vectorField& wallDirections,
+    const scalarField& arcLengths
+)
+{
+    gradientLines lines;
+    lines.nSamples = arcLengths.size()/wallPoints.size();
+    lines.points.setSize(arcLengths.size());
+    lines.energies.setSize(arcLengths.size(), 0);
+    lines.lengths.setSize(wallPoints.size());
+
+    forAll(arcLengths, i)
+    {
+        const label p = i/lines.nSamples;
+        lines.points[i] = wallPoints[p] + arcLengths[i]*wallDirections[p];
+        lines.lengths[p] = arcLengths[i];
+    }
+
+    return lines;
+}
+
+
 // ************************************************************************* //

@@ -218,6 +218,7 @@ Foam::dictionary Foam::toDictionary(const layerReport& report)
     dict.add("certificate", certificate);
     dict.add("allPatches", toDictionary(report.wall));
     dict.add("patches", patches);
+    dict.add("field", report.noField.empty() ? "followed" : report.noField);
     dict.add("columns", columnsDictionary(report));
     dict.add("stages", stagesDictionary(report.stages));
 
@@ -227,6 +228,12 @@ Foam::dictionary Foam::toDictionary(const layerReport& report)
 
 void Foam::write(Ostream& os, const layerReport& report)
 {
+    if (report.noField.size())
+    {
+        os  << "Columns do not follow a field: " << report.noField.c_str()
+            << nl;
+    }
+
     size_t nameWidth = report.wall.name.size();
     for (const patchReport& patch : report.patches)
     {

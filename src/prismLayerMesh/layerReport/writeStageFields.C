@@ -176,8 +176,13 @@ void Foam::writeStageFields
 )
 {
     mkDir(folder);
-    writeVtk(folder/"envelope.vtk", envelopeGrid(mesh));
-    writeVtk(folder/"backgroundMesh.vtk", backgroundGrid(mesh));
+
+    if (mesh.noField.empty())
+    {
+        writeVtk(folder/"envelope.vtk", envelopeGrid(mesh));
+        writeVtk(folder/"backgroundMesh.vtk", backgroundGrid(mesh));
+    }
+
     writeVtk(folder/"columns.vtk", columnGrid(mesh));
     writeVtk(folder/"layers.vtk", layerGrid(mesh));
     writeVtk(folder/"wall.vtk", wallGrid(wall, mesh));

@@ -108,6 +108,35 @@ static void makeRoom
 }
 
 
+//- Sets noField where there is no background mesh, or not one to use
+static void fillEnvelope
+(
+    const wallSurface& wall,
+    const wallSearch& search,
+    prismLayerMesh& m
+)
+{
+    const bool throwing = FatalError.throwExceptions(true);
+
+    try
+    {
+        m.background = makeBackgroundMesh
+        (
+            wall, m.addressing, search, m.visibility, m.envelope
+        );
+        m.topology = wallLevelSetTopology(m.background);
+        requireHomeomorphic(m.topology, wallTopology(wall, m.addressing));
+    }
+    catch (const Foam::error& e)
+    {
+        m.noField = e.message();
+        m.background = backgroundMesh();
+    }
+
+    FatalError.throwExceptions(throwing);
+}
+
+
 //- From the room to the field that fills it
 static void makeField
 (
@@ -132,18 +161,20 @@ static void makeField
     );
 
     observer.begin("backgroundMesh");
-    m.background = makeBackgroundMesh
-    (
-        wall, m.addressing, search, m.visibility, m.envelope
-    );
-    m.topology = wallLevelSetTopology(m.background);
-    requireHomeomorphic(m.topology, wallTopology(wall, m.addressing));
+    fillEnvelope(wall, search, m);
     observer.end
     (
-        text(m.background.tets.size(), " tetrahedra; components ",
+        m.noField.size()
+      ? m.noField
+      : text(m.background.tets.size(), " tetrahedra; components ",
             m.topology.nComponents, ", Euler characteristic ",
             m.topology.eulerCharacteristic, " as the wall's")
     );
+
+    if (m.noField.size())
+    {
+        return;
+    }
 
     observer.begin("isotropicField");
     m.isotropic = makeHarmonicField
@@ -181,11 +212,13 @@ static void makeLayers
 )
 {
     observer.begin("layerColumns");
-    m.lines = makeGradientLines
-    (
-        m.background, m.field, m.visibility.axes(),
-        requestedHeights(m.spacing)
-    );
+    const scalarField heights(requestedHeights(m.spacing));
+    m.lines = m.noField.size()
+      ? makeStraightLines(wall.points, m.visibility.axes(), heights)
+      : makeGradientLines
+        (
+            m.background, m.field, m.visibility.axes(), heights
+        );
     m.columns = makeLayerColumns
     (
         wall, m.addressing, m.visibility, m.clearance, m.spacing, m.lines,
@@ -208,6 +241,12 @@ static void makeLayers
         text(m.certificate.nInvalidCells, " invalid cells, ",
             m.certificate.nIntersectingPairs, " intersecting pairs")
     );
+
+    if (!m.certificate.valid())
+    {
+        FatalErrorInFunction
+            << "The layers could not be certified" << exit(FatalError);
+    }
 }
 
 } // End namespace Foam

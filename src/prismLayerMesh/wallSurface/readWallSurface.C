@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "readWallSurface.H"
+#include "cutReflexFaces.H"
 #include "surfaceFile.H"
 #include "wallPredicates.H"
 #include "wallTopologyDefects.H"
@@ -306,6 +307,7 @@ Foam::wallSurface Foam::readWallSurface
 
     removeUnusedPoints(wall);
     cleanPatches(wall, file);
+    reading.cutFaces = cutReflexFaces(wall);
     reading.flippedFaces = orientWallSurface(wall, controls.fluidOutside);
 
     return wall;

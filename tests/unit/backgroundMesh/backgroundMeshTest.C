@@ -22,7 +22,7 @@ using namespace Foam;
 using testSurfaces::stages;
 
 //- A wall and what is around it
-struct shape
+struct filledShape
 {
     const char* name;
     wallSurface wall;
@@ -30,17 +30,17 @@ struct shape
 };
 
 
-static shape makeShape(const char* name, const wallSurface& wall)
+static filledShape makeShape(const char* name, const wallSurface& wall)
 {
-    return shape{name, wall, stages(wall, 5, 0.15).background()};
+    return filledShape{name, wall, stages(wall, 5, 0.15).background()};
 }
 
 
 //- Made once: all tests look at the same meshes
-static const List<shape>& shapes()
+static const List<filledShape>& shapes()
 {
     static const wallSurface box(testSurfaces::cube(4));
-    static const List<shape> list
+    static const List<filledShape> list
     ({
         makeShape("cube", box),
         makeShape("quadCube", testSurfaces::quadCube(4)),
@@ -86,7 +86,7 @@ static faceList trianglesOf(const wallSurface& wall)
 
 TEST(backgroundMesh, beginsWithTheWall)
 {
-    for (const shape& s : shapes())
+    for (const filledShape& s : shapes())
     {
         SCOPED_TRACE(s.name);
         EXPECT_EQ(s.mesh.nWallPoints, s.wall.points.size());
@@ -101,7 +101,7 @@ TEST(backgroundMesh, beginsWithTheWall)
 
 TEST(backgroundMesh, volumesArePositive)
 {
-    for (const shape& s : shapes())
+    for (const filledShape& s : shapes())
     {
         SCOPED_TRACE(s.name);
         ASSERT_FALSE(s.mesh.tets.empty());
@@ -115,7 +115,7 @@ TEST(backgroundMesh, volumesArePositive)
 
 TEST(backgroundMesh, everyTetHasAPointOfTheField)
 {
-    for (const shape& s : shapes())
+    for (const filledShape& s : shapes())
     {
         SCOPED_TRACE(s.name);
         for (const tetCell& tet : s.mesh.tets)
@@ -133,7 +133,7 @@ TEST(backgroundMesh, everyTetHasAPointOfTheField)
 
 TEST(backgroundMesh, wallTrianglesAreFacesOfOneTet)
 {
-    for (const shape& s : shapes())
+    for (const filledShape& s : shapes())
     {
         SCOPED_TRACE(s.name);
         std::multiset<std::vector<label>> faces;
@@ -155,7 +155,7 @@ TEST(backgroundMesh, wallTrianglesAreFacesOfOneTet)
 
 TEST(backgroundMesh, wallTrianglesFaceTheirTets)
 {
-    for (const shape& s : shapes())
+    for (const filledShape& s : shapes())
     {
         SCOPED_TRACE(s.name);
         List<DynamicList<label>> pointTets(s.mesh.nWallPoints);
@@ -193,7 +193,7 @@ TEST(backgroundMesh, wallTrianglesFaceTheirTets)
 
 TEST(backgroundMesh, neighboursShareTheFace)
 {
-    for (const shape& s : shapes())
+    for (const filledShape& s : shapes())
     {
         SCOPED_TRACE(s.name);
         const backgroundMesh& mesh = s.mesh;
@@ -221,7 +221,7 @@ TEST(backgroundMesh, neighboursShareTheFace)
 
 TEST(backgroundMesh, facesWithoutNeighbourAreOnOneTet)
 {
-    for (const shape& s : shapes())
+    for (const filledShape& s : shapes())
     {
         SCOPED_TRACE(s.name);
         std::multiset<std::vector<label>> faces;
@@ -256,7 +256,7 @@ TEST(backgroundMesh, facesWithoutNeighbourAreOnOneTet)
 
 TEST(backgroundMesh, edgesAreUnique)
 {
-    for (const shape& s : shapes())
+    for (const filledShape& s : shapes())
     {
         SCOPED_TRACE(s.name);
         std::set<std::vector<label>> edges;
@@ -275,7 +275,7 @@ TEST(backgroundMesh, tetEdgesAreInOrder)
     static const label ends[6][2] =
         {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
 
-    for (const shape& s : shapes())
+    for (const filledShape& s : shapes())
     {
         SCOPED_TRACE(s.name);
         forAll(s.mesh.tets, t)
@@ -297,7 +297,7 @@ TEST(backgroundMesh, tetEdgesAreInOrder)
 
 TEST(backgroundMesh, wallIsAFullSubcomplex)
 {
-    for (const shape& s : shapes())
+    for (const filledShape& s : shapes())
     {
         SCOPED_TRACE(s.name);
         std::set<std::vector<label>> wallEdges;
@@ -321,7 +321,7 @@ TEST(backgroundMesh, wallIsAFullSubcomplex)
 
 TEST(backgroundMesh, gapsArePositive)
 {
-    for (const shape& s : shapes())
+    for (const filledShape& s : shapes())
     {
         SCOPED_TRACE(s.name);
         for (const tetCell& tet : s.mesh.tets)

@@ -21,7 +21,7 @@ using testSurfaces::layeredMesh;
 static const label nLayers = 8;
 
 //- A wall and its layers
-struct shape
+struct layeredShape
 {
     const char* name;
     wallSurface wall;
@@ -29,17 +29,17 @@ struct shape
 };
 
 
-static shape makeShape(const char* name, const wallSurface& wall)
+static layeredShape makeShape(const char* name, const wallSurface& wall)
 {
-    return shape{name, wall, layeredMesh(wall, nLayers, 0.1)};
+    return layeredShape{name, wall, layeredMesh(wall, nLayers, 0.1)};
 }
 
 
 //- Made once: all tests look at the same layers
-static const List<shape>& shapes()
+static const List<layeredShape>& shapes()
 {
     static const wallSurface box(testSurfaces::cube(6));
-    static const List<shape> list
+    static const List<layeredShape> list
     ({
         makeShape("cube", box),
         makeShape("quadCube", testSurfaces::quadCube(6)),
@@ -78,7 +78,7 @@ static label count(const layerColumns& columns, const squeezeCause cause)
 
 
 //- Whether nothing hinders the layers
-static bool isFree(const shape& s)
+static bool isFree(const layeredShape& s)
 {
     const string name(s.name);
 
@@ -138,7 +138,7 @@ static prismLayers remade
 
 TEST(makePrismLayers, areCertified)
 {
-    for (const shape& s : shapes())
+    for (const layeredShape& s : shapes())
     {
         SCOPED_TRACE(s.name);
         const layerCertificate certificate(certify(s.mesh.layers));
@@ -151,7 +151,7 @@ TEST(makePrismLayers, areCertified)
 
 TEST(makePrismLayers, areOnAllFacesOfTheWall)
 {
-    for (const shape& s : shapes())
+    for (const layeredShape& s : shapes())
     {
         SCOPED_TRACE(s.name);
         const prismLayers& layers = s.mesh.layers;
@@ -171,7 +171,7 @@ TEST(makePrismLayers, areOnAllFacesOfTheWall)
 
 TEST(makePrismLayers, haveAllTheirThicknessWhereNothingHinders)
 {
-    for (const shape& s : shapes())
+    for (const layeredShape& s : shapes())
     {
         if (isFree(s))
         {
@@ -189,7 +189,7 @@ TEST(makePrismLayers, haveAllTheirThicknessWhereNothingHinders)
 
 TEST(makePrismLayers, endAtTheirRoom)
 {
-    for (const shape& s : shapes())
+    for (const layeredShape& s : shapes())
     {
         SCOPED_TRACE(s.name);
         forAll(s.wall.points, p)
@@ -210,7 +210,7 @@ TEST(makePrismLayers, endAtTheirRoom)
 
 TEST(makePrismLayers, firstHeightIsExactOnFlatFaces)
 {
-    const shape& s = shapes()[0];
+    const layeredShape& s = shapes()[0];
     const scalar h1 = s.mesh.spacing.firstThickness[0];
     label nFlat = 0;
 
@@ -234,7 +234,7 @@ TEST(makePrismLayers, firstHeightIsExactOnFlatFaces)
 
 TEST(makePrismLayers, heightsAscend)
 {
-    for (const shape& s : shapes())
+    for (const layeredShape& s : shapes())
     {
         SCOPED_TRACE(s.name);
         forAll(s.wall.points, p)
@@ -255,7 +255,7 @@ TEST(makePrismLayers, heightsAscend)
 
 TEST(makePrismLayers, causeIsNoneExactlyWhereTheRoomIsAll)
 {
-    for (const shape& s : shapes())
+    for (const layeredShape& s : shapes())
     {
         SCOPED_TRACE(s.name);
         forAll(s.wall.points, p)
@@ -335,7 +335,7 @@ TEST(makePrismLayers, columnsThroughTheOppositeWallRetreat)
 
 TEST(makePrismLayers, columnsWithTooMuchRoomInASlitRetreat)
 {
-    const shape& s = shapes()[7];
+    const layeredShape& s = shapes()[7];
     layerColumns columns(s.mesh.columns);
     columns.room = s.mesh.spacing.thickness;
     columns.causes = squeezeCause::none;

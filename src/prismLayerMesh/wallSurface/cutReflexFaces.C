@@ -1,0 +1,84 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "cutReflexFaces.H"
+#include "DynamicList.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static bool hasReflexCorner(const face& f, const pointField& points)
+{
+    const vector normal = f.areaNormal(points);
+
+    forAll(f, i)
+    {
+        const vector next = points[f.nextLabel(i)] - points[f[i]];
+        const vector prev = points[f.prevLabel(i)] - points[f[i]];
+
+        if (((next ^ prev) & normal) <= 0)
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::label Foam::cutReflexFaces(wallSurface& wall)
+{
+    DynamicList<face> kept(wall.faces.size()), triangles;
+    DynamicList<label> keptIDs(wall.faces.size()), triangleIDs;
+
+    forAll(wall.faces, facei)
+    {
+        const face& f = wall.faces[facei];
+
+        // One without area is left for findWallDefects
+        if
+        (
+            f.size() == 3
+         || f.mag(wall.points) < VSMALL
+         || !hasReflexCorner(f, wall.points)
+        )
+        {
+            kept.append(f);
+            keptIDs.append(wall.patchIDs[facei]);
+            continue;
+        }
+
+        faceList parts(f.nTriangles());
+        label n = 0;
+        f.triangles(wall.points, n, parts);
+
+        for (const face& part : parts)
+        {
+            triangles.append(part);
+            triangleIDs.append(wall.patchIDs[facei]);
+        }
+    }
+
+    const label nCut = wall.faces.size() - kept.size();
+    kept.append(triangles);
+    keptIDs.append(triangleIDs);
+    wall.faces.transfer(kept);
+    wall.patchIDs.transfer(keptIDs);
+
+    return nCut;
+}
+
+
+// ************************************************************************* //

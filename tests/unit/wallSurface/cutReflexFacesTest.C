@@ -1,0 +1,74 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "cutReflexFaces.H"
+
+#include <gtest/gtest.h>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+using namespace Foam;
+
+//- A flat quadrilateral whose third point is where it is told
+static wallSurface quadWith(const point& third)
+{
+    wallSurface wall;
+    wall.points = pointField({Zero, point(2, 0, 0), third, point(0, 2, 0)});
+    wall.faces = faceList({face({0, 1, 2, 3})});
+    wall.patchIDs = labelList({1});
+    wall.patchNames = wordList({"a", "b"});
+
+    return wall;
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(cutReflexFaces, convexQuadrilateralStays)
+{
+    wallSurface wall(quadWith(point(1.5, 1.5, 0)));
+
+    EXPECT_EQ(cutReflexFaces(wall), 0);
+    EXPECT_EQ(wall.faces.size(), 1);
+}
+
+
+TEST(cutReflexFaces, reflexOneIsCutThroughItsReflexCorner)
+{
+    wallSurface wall(quadWith(point(0.5, 0.5, 0)));
+    const vector area(wall.faces[0].areaNormal(wall.points));
+
+    EXPECT_EQ(cutReflexFaces(wall), 1);
+    ASSERT_EQ(wall.faces.size(), 2);
+    EXPECT_EQ(wall.patchIDs, labelList({1, 1}));
+
+    vector sum(Zero);
+    for (const face& f : wall.faces)
+    {
+        EXPECT_TRUE(f.found(2));
+        EXPECT_GT(f.areaNormal(wall.points) & area, 0);
+        sum += f.areaNormal(wall.points);
+    }
+    EXPECT_NEAR(mag(sum - area), 0, 1e-15);
+}
+
+
+TEST(cutReflexFaces, straightCornerIsCut)
+{
+    wallSurface wall(quadWith(point(1, 1, 0)));
+
+    EXPECT_EQ(cutReflexFaces(wall), 1);
+    for (const face& f : wall.faces)
+    {
+        EXPECT_NEAR(f.mag(wall.points), 1, 1e-15);
+    }
+}
+
+
+// ************************************************************************* //
