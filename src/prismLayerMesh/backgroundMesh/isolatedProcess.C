@@ -25,6 +25,7 @@ namespace Foam
 [[noreturn]] static void runChild
 (
     const std::function<void(std::FILE*)>& work,
+    const unsigned cpuSeconds,
     const int writeEnd
 )
 {
@@ -36,6 +37,9 @@ namespace Foam
 
     const rlimit none{0, 0};
     ::setrlimit(RLIMIT_CORE, &none);
+
+    const rlimit cpu{cpuSeconds, cpuSeconds};
+    ::setrlimit(RLIMIT_CPU, &cpu);
 
     const int null = ::open("/dev/null", O_WRONLY);
     ::dup2(null, STDOUT_FILENO);
@@ -64,7 +68,8 @@ namespace Foam
 bool Foam::isolatedProcess
 (
     const std::function<void(std::FILE*)>& work,
-    const std::function<bool(std::FILE*)>& read
+    const std::function<bool(std::FILE*)>& read,
+    const unsigned cpuSeconds
 )
 {
     int ends[2];
@@ -80,7 +85,7 @@ bool Foam::isolatedProcess
     if (child == 0)
     {
         ::close(ends[0]);
-        runChild(work, ends[1]);
+        runChild(work, cpuSeconds, ends[1]);
     }
 
     ::close(ends[1]);

@@ -126,13 +126,15 @@ Foam::tetMesh Foam::tetrahedralize(const tetDomain& domain)
     const bool complete = isolatedProcess
     (
         [&](std::FILE* result) { run(domain, result); },
-        [&](std::FILE* result) { return read(result, mesh); }
+        [&](std::FILE* result) { return read(result, mesh); },
+        20 + domain.facets.size()/2000
     );
 
     if (!complete)
     {
         FatalErrorInFunction
-            << "TetGen failed on " << domain.facets.size() << " facets and "
+            << "TetGen failed, or took too long, on "
+            << domain.facets.size() << " facets and "
             << domain.points.size() << " points" << exit(FatalError);
     }
 

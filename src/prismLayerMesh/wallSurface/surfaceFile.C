@@ -168,7 +168,7 @@ static void tryReader(const fileName& file, const word& extension)
         {}
     };
 
-    if (!isolatedProcess(read, [](std::FILE*) { return true; }))
+    if (!isolatedProcess(read, [](std::FILE*) { return true; }, 600))
     {
         FatalErrorInFunction
             << "the reader crashes; is it broken?" << exit(FatalError);

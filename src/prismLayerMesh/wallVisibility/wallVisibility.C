@@ -148,6 +148,31 @@ static bool holdsOrigin(const supportSet& set)
     return true;
 }
 
+//- Normals of the triangles that polygons are cut into, at their points
+static List<vectorField> makeFanNormals(const wallSurface& wall)
+{
+    List<vectorField> normals(wall.points.size());
+
+    for (const face& f : wall.faces)
+    {
+        for (label k = 2; f.size() > 3 && k < f.size(); ++k)
+        {
+            const point& a = wall.points[f[0]];
+            const vector n = normalised
+            (
+                (wall.points[f[k - 1]] - a) ^ (wall.points[f[k]] - a)
+            );
+
+            for (const label p : {f[0], f[k - 1], f[k]})
+            {
+                normals[p].append(n);
+            }
+        }
+    }
+
+    return normals;
+}
+
 } // End namespace Foam
 
 
@@ -247,13 +272,16 @@ Foam::vector Foam::wallVisibility::limited
     // d + s*(axis - d) is no longer than 1, so what holds for it holds for
     // its unit vector
     scalar s = 0;
-    for (const vector& n : cornerNormals[p])
+    for (const vectorField* normals : {&cornerNormals[p], &fanNormals[p]})
     {
-        const scalar dn = d & n;
-
-        if (dn < smallest)
+        for (const vector& n : *normals)
         {
-            s = max(s, (smallest - dn)/max((cone.axis & n) - dn, VSMALL));
+            const scalar dn = d & n;
+
+            if (dn < smallest)
+            {
+                s = max(s, (smallest - dn)/max((cone.axis & n) - dn, VSMALL));
+            }
         }
     }
 
@@ -273,6 +301,7 @@ Foam::wallVisibility Foam::makeWallVisibility
     wallVisibility visibility;
     visibility.cornerNormals.setSize(nPoints);
     visibility.cornerAngles.setSize(nPoints);
+    visibility.fanNormals = makeFanNormals(wall);
     visibility.cones.setSize(nPoints);
 
     DynamicList<label> empty;
@@ -307,7 +336,9 @@ Foam::wallVisibility Foam::makeWallVisibility
             }
         }
 
-        visibility.cones[p] = makeVisibilityCone(normals);
+        vectorField all(normals);
+        all.append(visibility.fanNormals[p]);
+        visibility.cones[p] = makeVisibilityCone(all);
 
         if (visibility.cones[p].empty())
         {

@@ -32,7 +32,8 @@ static bool completes(const std::function<void(std::FILE*)>& work)
         {
             int i = 0;
             return std::fread(&i, sizeof(i), 1, in) == 1 && i == 42;
-        }
+        },
+        1
     );
 }
 
@@ -71,10 +72,20 @@ TEST(isolatedProcess, moreThanAPipeHolds)
                 (
                     received.data(), sizeof(int), received.size(), in
                 );
-            }
+            },
+            60
         )
     );
     EXPECT_EQ(received, sent);
+}
+
+
+TEST(isolatedProcess, workWithoutEndFails)
+{
+    EXPECT_FALSE
+    (
+        completes([](std::FILE*) { for (volatile int i = 0; ; i = !i) {} })
+    );
 }
 
 
@@ -155,7 +166,8 @@ TEST(isolatedProcess, readerThatRefusesIsAFailure)
                     write42(out);
                 }
             },
-            [](std::FILE*) { return false; }
+            [](std::FILE*) { return false; },
+            60
         )
     );
 }
