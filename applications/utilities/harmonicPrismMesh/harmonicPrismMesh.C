@@ -174,7 +174,7 @@ int main(int argc, char *argv[])
             << exit(FatalError);
     }
 
-    files.checkOverwrite();
+    files.checkOverwrite(controls.surface.file);
 
     prismLayerMesh result(makePrismLayerMesh(wall, controls, log.observer()));
 

@@ -111,8 +111,16 @@ Foam::fileName Foam::prismCase::surfaceFile(const fileName& name) const
 }
 
 
-void Foam::prismCase::checkOverwrite() const
+void Foam::prismCase::checkOverwrite(const fileName& surface) const
 {
+    if (surfaceFile(surface) == outerFile())
+    {
+        FatalErrorInFunction
+            << "The surface " << surface << " would be overwritten by the outer"
+            << " surface of the layers; give it another name"
+            << exit(FatalError);
+    }
+
     const fileName folder(polyMeshFolder());
 
     if (!args_.found("overwrite") && isDir(folder))
@@ -135,6 +143,50 @@ void Foam::prismCase::writeFields
 }
 
 
+Foam::fileName Foam::prismCase::outerFile() const
+{
+    const word stem
+    (
+        region_ == polyMesh::defaultRegion
+      ? layerOuterName : word(layerOuterName + '_' + region_)
+    );
+
+    return time_.path()/time_.constant()/"triSurface"/(stem + ".obj");
+}
+
+
+void Foam::prismCase::writeOuter(const prismLayers& layers) const
+{
+    mkDir(outerFile().path());
+    outerSurface(layers).write(outerFile());
+
+    // The surface's own writer does not look whether its last bytes arrived
+    if (!isFile(outerFile(), false) || !fileSize(outerFile(), false))
+    {
+        FatalErrorInFunction
+            << "Cannot write " << outerFile() << exit(FatalError);
+    }
+}
+
+
+void Foam::prismCase::writeReport(const layerReport& report) const
+{
+    IOstream::defaultPrecision(6);
+    mkDir(reportFolder());
+    OFstream os(reportFolder()/"report");
+    IOobject::writeBanner(os);
+    toDictionary(report).write(os, false);
+    IOobject::writeEndDivider(os);
+    os.flush();
+
+    if (!os.good())
+    {
+        FatalErrorInFunction
+            << "Cannot write " << os.name() << exit(FatalError);
+    }
+}
+
+
 void Foam::prismCase::write
 (
     const wallSurface& wall,
@@ -147,7 +199,7 @@ void Foam::prismCase::write
     // What was certified is what is written: no digit may be lost
     IOstream::defaultPrecision(17);
 
-    const MeshedSurface<face> outer(outerSurface(m.layers));
+    writeOuter(m.layers);
     layerReport report
     (
         makeLayerReport
@@ -156,6 +208,17 @@ void Foam::prismCase::write
             UList<stageCost>()
         )
     );
+    report.noField = m.noField;
+
+    // The old mesh is there until the new one is; nothing of it may stay, and
+    // polyMesh would read its tetBasePtIs
+    const fileName folder(polyMeshFolder());
+    const fileName aside(folder + ".old");
+    if (isDir(aside))
+    {
+        rmDir(aside);
+    }
+    const bool replaces = isDir(folder) && mv(folder, aside);
 
     autoPtr<polyMesh> mesh
     (
@@ -170,44 +233,34 @@ void Foam::prismCase::write
         )
     );
 
-    mesh->removeFiles();
-
-    const fileName surfaces(time_.path()/time_.constant()/"triSurface");
-    mkDir(surfaces);
-    mkDir(reportFolder());
-    outer.write(surfaces/(layerOuterName + ".obj"));
-
     if (!mesh->write())
     {
-        FatalErrorInFunction
-            << "Cannot write " << polyMeshFolder() << exit(FatalError);
+        rmDir(folder);
+        if (replaces)
+        {
+            mv(aside, folder);
+        }
+
+        FatalErrorInFunction << "Cannot write " << folder << exit(FatalError);
+    }
+
+    if (replaces)
+    {
+        rmDir(aside);
     }
 
     log.end
     (
         name(mesh->nCells()) + " cells, " + name(mesh->nFaces()) + " faces"
     );
-
     report.stages = log.costs();
-    report.noField = m.noField;
 
-    IOstream::defaultPrecision(6);
-    OFstream os(reportFolder()/"report");
-    IOobject::writeBanner(os);
-    toDictionary(report).write(os, false);
-    IOobject::writeEndDivider(os);
-
-    if (!os.good())
-    {
-        FatalErrorInFunction
-            << "Cannot write " << os.name() << exit(FatalError);
-    }
-
+    writeReport(report);
     Foam::write(Info, report);
 
-    Info<< nl << "Mesh:   " << polyMeshFolder() << nl
-        << "Outer:  " << surfaces/(layerOuterName + ".obj") << nl
-        << "Report: " << os.name() << nl << endl;
+    Info<< nl << "Mesh:   " << folder << nl
+        << "Outer:  " << outerFile() << nl
+        << "Report: " << reportFolder()/"report" << nl << endl;
 }
 
 

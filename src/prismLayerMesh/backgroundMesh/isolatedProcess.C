@@ -11,6 +11,7 @@ License
 #include "error.H"
 
 #include <cerrno>
+#include <cfenv>
 #include <csignal>
 #include <fcntl.h>
 #include <sys/resource.h>
@@ -44,6 +45,9 @@ namespace Foam
     const int null = ::open("/dev/null", O_WRONLY);
     ::dup2(null, STDOUT_FILENO);
     ::dup2(null, STDERR_FILENO);
+
+    std::fenv_t environment;
+    std::feholdexcept(&environment);
 
     int status = 1;
 

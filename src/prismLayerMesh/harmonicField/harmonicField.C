@@ -26,7 +26,9 @@ static FixedList<vector, 4> barycentricGradients(const tetPointRef& tet)
     const vector ab = tet.b() - tet.a();
     const vector ac = tet.c() - tet.a();
     const vector ad = tet.d() - tet.a();
-    const scalar sixV = (ab ^ ac) & ad;
+
+    // The volume of a sliver may be zero in floating point
+    const scalar sixV = max((ab ^ ac) & ad, 1e-14*mag(ab)*mag(ac)*mag(ad));
 
     FixedList<vector, 4> gradients;
     gradients[1] = (ac ^ ad)/sixV;

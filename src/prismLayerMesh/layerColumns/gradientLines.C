@@ -17,6 +17,9 @@ namespace Foam
 
 typedef FixedList<scalar, 4> barycentrics;
 
+//- Floor on the volume of a sliver relative to its edges
+static const scalar smallestShape = 1e-14;
+
 //- A step is no longer than this share of the local gap
 static const scalar stepShare = 0.125;
 
@@ -27,7 +30,8 @@ static barycentrics coordinates(const tetPointRef& tet, const point& x)
     const vector ac = tet.c() - tet.a();
     const vector ad = tet.d() - tet.a();
     const vector ax = x - tet.a();
-    const scalar sixV = (ab ^ ac) & ad;
+    const scalar sixV =
+        max((ab ^ ac) & ad, smallestShape*mag(ab)*mag(ac)*mag(ad));
 
     barycentrics l;
     l[1] = ((ac ^ ad) & ax)/sixV;
@@ -191,6 +195,10 @@ static void trace
     w.tet = startTet(mesh, tets, x, 1e-3*mesh.gaps[p]*d);
     bool inside = w.tet >= 0;
 
+    // Where the gap is far less than the length, the line ends soon
+    const scalar step =
+        max(stepShare*mesh.gaps[p], 1e-3*arcLengths[p*n + n - 1]);
+
     scalar s = 0;
     lines.lengths[p] = arcLengths[p*n + n - 1];
 
@@ -200,7 +208,7 @@ static void trace
 
         while (inside && s < target)
         {
-            const scalar ds = min(stepShare*mesh.gaps[p], target - s);
+            const scalar ds = min(step, target - s);
             x += ds*d;
             s += ds;
 

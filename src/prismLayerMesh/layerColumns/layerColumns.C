@@ -60,8 +60,10 @@ static void setRoom
 (
     const wallSurface& wall,
     const wallAddressing& addressing,
+    const wallVisibility& visibility,
     const scalarField& clearance,
     const layerSpacing& spacing,
+    const scalar maxStretch,
     layerColumns& columns
 )
 {
@@ -75,6 +77,14 @@ static void setRoom
         if (columns.room[p] < asked[p])
         {
             columns.causes[p] = squeezeCause::gap;
+        }
+        else if
+        (
+            visibility.heightCosine(p, visibility.cones[p].axis)*maxStretch
+          < 1 - SMALL
+        )
+        {
+            columns.causes[p] = squeezeCause::stretch;
         }
     }
 
@@ -190,7 +200,10 @@ Foam::layerColumns Foam::makeLayerColumns
     columns.nLayers = n;
     columns.heights = requestedHeights(spacing);
     columns.offsets.setSize(nPoints*n);
-    setRoom(wall, addressing, clearance, spacing, columns);
+    setRoom
+    (
+        wall, addressing, visibility, clearance, spacing, maxStretch, columns
+    );
 
     // From layer to layer the smoothed directions take up what the lines turn,
     // and are spread by what the square of the height grows

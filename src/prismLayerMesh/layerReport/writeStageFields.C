@@ -148,7 +148,10 @@ static vtkGrid wallGrid(const wallSurface& wall, const prismLayerMesh& mesh)
         first[p] = mag(step)
            *mesh.visibility.heightCosine(p, normalised(step))
            /spacing.firstThickness[p];
-        total[p] = mesh.columns.room[p]/spacing.thickness[p];
+        const vector column = layers(p, layers.nLayers) - layers(p, 0);
+        total[p] = mag(column)
+           *mesh.visibility.heightCosine(p, normalised(column))
+           /spacing.thickness[p];
         causes[p] = scalar(int(mesh.columns.causes[p]));
         angles[p] = radToDeg(::acos(min(mesh.visibility.cones[p].cosine, 1.0)));
     }

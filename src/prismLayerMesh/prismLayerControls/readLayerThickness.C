@@ -221,6 +221,14 @@ static layerThickness solve
         return fitOneLayer(dict, given, ratio);
     }
 
+    // Beyond this heights are not numbers
+    if (n*mag(::log(ratio)) > 600)
+    {
+        entryError(dict, "expansionRatio")
+            << "Heights of " << n << " layers of expansionRatio " << ratio
+            << " are out of all bounds" << exit(FatalIOError);
+    }
+
     layerThickness result;
     scalar& h1 = result.firstLayerThickness;
     scalar& alpha = result.expansionRatio;

@@ -108,32 +108,41 @@ static void makeRoom
 }
 
 
-//- Sets noField where there is no background mesh, or not one to use
-static void fillEnvelope
+//- Sets noField where a stage of the field fails. Its line in the log ends with
+//  sizes, or with why it failed.
+template<class Stage, class Sizes>
+static void attempt
 (
-    const wallSurface& wall,
-    const wallSearch& search,
-    prismLayerMesh& m
+    const char* name,
+    const stageObserver& observer,
+    prismLayerMesh& m,
+    const Stage& stage,
+    const Sizes& sizes
 )
 {
+    if (m.noField.size())
+    {
+        return;
+    }
+
+    observer.begin(name);
     const bool throwing = FatalError.throwExceptions(true);
 
     try
     {
-        m.background = makeBackgroundMesh
-        (
-            wall, m.addressing, search, m.visibility, m.envelope
-        );
-        m.topology = wallLevelSetTopology(m.background);
-        requireHomeomorphic(m.topology, wallTopology(wall, m.addressing));
+        stage();
     }
     catch (const Foam::error& e)
     {
         m.noField = e.message();
         m.background = backgroundMesh();
+        m.isotropic.clear();
+        m.tensors.clear();
+        m.field.clear();
     }
 
     FatalError.throwExceptions(throwing);
+    observer.end(m.noField.size() ? m.noField : sizes());
 }
 
 
@@ -160,45 +169,53 @@ static void makeField
             " on sheets between")
     );
 
-    observer.begin("backgroundMesh");
-    fillEnvelope(wall, search, m);
-    observer.end
-    (
-        m.noField.size()
-      ? m.noField
-      : text(m.background.tets.size(), " tetrahedra; components ",
-            m.topology.nComponents, ", Euler characteristic ",
-            m.topology.eulerCharacteristic, " as the wall's")
-    );
-
-    if (m.noField.size())
+    attempt("backgroundMesh", observer, m, [&]()
     {
-        return;
-    }
+        m.background = makeBackgroundMesh
+        (
+            wall, m.addressing, search, m.visibility, m.envelope
+        );
+        m.topology = wallLevelSetTopology(m.background);
+        requireHomeomorphic(m.topology, wallTopology(wall, m.addressing));
+    },
+    [&]()
+    {
+        return text(m.background.tets.size(), " tetrahedra; components ",
+            m.topology.nComponents, ", Euler characteristic ",
+            m.topology.eulerCharacteristic, " as the wall's");
+    });
 
-    observer.begin("isotropicField");
-    m.isotropic = makeHarmonicField
-    (
-        m.background, cotangentWeights(m.background), controls.field
-    );
-    observer.end
-    (
-        text(findIndices(m.background.free, true).size(), " unknowns")
-    );
+    attempt("isotropicField", observer, m, [&]()
+    {
+        m.isotropic = makeHarmonicField
+        (
+            m.background, cotangentWeights(m.background), controls.field
+        );
+    },
+    [&]()
+    {
+        return text(findIndices(m.background.free, true).size(), " unknowns");
+    });
 
-    observer.begin("anisotropicField");
     const autoPtr<diffusionTensor> tensor
     (
         diffusionTensor::New(controls.field.tensor, controls.field.tensorCoeffs)
     );
-    m.tensors = tensor->tensors(m.background, m.isotropic);
-    m.field = makeHarmonicField
-    (
-        m.background,
-        tensor->edgeWeights(m.background, m.tensors),
-        controls.field
-    );
-    observer.end(text("tensor model ", controls.field.tensor));
+
+    attempt("anisotropicField", observer, m, [&]()
+    {
+        m.tensors = tensor->tensors(m.background, m.isotropic);
+        m.field = makeHarmonicField
+        (
+            m.background,
+            tensor->edgeWeights(m.background, m.tensors),
+            controls.field
+        );
+    },
+    [&]()
+    {
+        return text("tensor model ", controls.field.tensor);
+    });
 }
 
 

@@ -34,8 +34,8 @@ static const scalar straightenShare = 0.25;
 //- Bound on the gradient of the heights along the wall
 static const scalar heightSlope = 1;
 
-//- Heights then are below 1e-9 of what they were
-static const label maxSteps = 100;
+//- What is left of the height of a column when there is no hope for it
+static const scalar hopeless = 1e-9;
 
 
 class retreat
@@ -233,21 +233,35 @@ class retreat
     }
 
 
-    [[noreturn]] void giveUp(const labelUList& points, const char* what) const
+    //- FatalError where columns that retreat have no height left
+    void giveUpHopeless(const labelUList& points, const char* what) const
     {
+        DynamicList<label> lost;
+        for (const label p : points)
+        {
+            if (columns_.room[p] < hopeless*spacing_.thickness[p])
+            {
+                lost.append(p);
+            }
+        }
+
+        if (lost.empty())
+        {
+            return;
+        }
+
         FatalErrorInFunction
-            << "Columns at " << points.size() << " points of the wall " << what
+            << "Columns at " << lost.size() << " points of the wall " << what
             << " at any thickness. The first of them:" << nl;
 
-        for (label i = 0; i < min(points.size(), 10); ++i)
+        for (label i = 0; i < min(lost.size(), 10); ++i)
         {
             FatalError
-                << "    point " << points[i] << " at "
-                << wall_.points[points[i]] << nl;
+                << "    point " << lost[i] << " at " << wall_.points[lost[i]]
+                << nl;
         }
 
         FatalError << exit(FatalError);
-        ::abort();
     }
 
 
@@ -291,8 +305,6 @@ public:
     //- Until all cells are positive and good enough
     void makePositive()
     {
-        label nSteps = 0;
-
         while (true)
         {
             const labelList poor
@@ -315,11 +327,7 @@ public:
             {
                 const labelList points(tall(pairs, tallShare));
 
-                if (nSteps++ == maxSteps)
-                {
-                    giveUp(points, "have cells that are not positive");
-                }
-
+                giveUpHopeless(points, "have cells that are not positive");
                 step(points, squeezeCause::validity);
             }
         }
@@ -329,7 +337,7 @@ public:
     //- Until wall and outer surface are embedded too
     void makeEmbedded()
     {
-        for (label nSteps = 0; ; ++nSteps)
+        while (true)
         {
             makePositive();
 
@@ -342,11 +350,7 @@ public:
 
             const labelList points(tall(pairs, tallShare));
 
-            if (nSteps == maxSteps)
-            {
-                giveUp(points, "intersect");
-            }
-
+            giveUpHopeless(points, "intersect");
             step(points, squeezeCause::intersection);
         }
     }

@@ -163,9 +163,13 @@ static List<vectorField> makeFanNormals(const wallSurface& wall)
                 (wall.points[f[k - 1]] - a) ^ (wall.points[f[k]] - a)
             );
 
+            // Three points in a line have none
             for (const label p : {f[0], f[k - 1], f[k]})
             {
-                normals[p].append(n);
+                if (mag(n) > 0)
+                {
+                    normals[p].append(n);
+                }
             }
         }
     }

@@ -168,13 +168,23 @@ TEST(readLayerThickness, determinedThicknessIsBounded)
 {
     expectWords
     (
-        errorOf("firstLayerThickness 1; expansionRatio 3;", 1000),
+        errorOf("firstLayerThickness 1; expansionRatio 3;", 500),
         {"thickness", "determined by", "1e+06"}
     );
     expectWords
     (
-        errorOf("finalLayerThickness 1; expansionRatio 3;", 1000),
+        errorOf("finalLayerThickness 1; expansionRatio 3;", 500),
         {"firstLayerThickness", "determined by", "1e-12"}
+    );
+}
+
+
+TEST(readLayerThickness, heightsBeyondNumbersAreRefused)
+{
+    expectWords
+    (
+        errorOf("firstLayerThickness 1; expansionRatio 3;", 1000),
+        {"1000 layers", "expansionRatio 3", "out of all bounds"}
     );
 }
 
