@@ -175,7 +175,7 @@ static label startTet
 }
 
 
-//- Trace one line
+//- Trace one line, from point p of the wall along start
 static void trace
 (
     const backgroundMesh& mesh,
@@ -183,13 +183,15 @@ static void trace
     const vectorField& directions,
     const labelList& tets,
     const label p,
+    const vector& start,
+    const label line,
     const scalarField& arcLengths,
     gradientLines& lines
 )
 {
     const label n = lines.nSamples;
     point x = mesh.points[p];
-    vector d = directions[p];
+    vector d = start;
 
     walker w{mesh, -1, {}};
     w.tet = startTet(mesh, tets, x, 1e-3*mesh.gaps[p]*d);
@@ -197,14 +199,14 @@ static void trace
 
     // Where the gap is far less than the length, the line ends soon
     const scalar step =
-        max(stepShare*mesh.gaps[p], 1e-3*arcLengths[p*n + n - 1]);
+        max(stepShare*mesh.gaps[p], 1e-3*arcLengths[line*n + n - 1]);
 
     scalar s = 0;
-    lines.lengths[p] = arcLengths[p*n + n - 1];
+    lines.lengths[line] = arcLengths[line*n + n - 1];
 
     for (label i = 0; i < n; ++i)
     {
-        const scalar target = arcLengths[p*n + i];
+        const scalar target = arcLengths[line*n + i];
 
         while (inside && s < target)
         {
@@ -221,12 +223,12 @@ static void trace
             }
             else
             {
-                lines.lengths[p] = s;
+                lines.lengths[line] = s;
             }
         }
 
-        lines.points[p*n + i] = x + (target - s)*d;
-        lines.energies[p*n + i] = inside ? w.interpolate(field) : 0;
+        lines.points[line*n + i] = x + (target - s)*d;
+        lines.energies[line*n + i] = inside ? w.interpolate(field) : 0;
     }
 }
 
@@ -239,29 +241,43 @@ Foam::gradientLines Foam::makeGradientLines
 (
     const backgroundMesh& mesh,
     const scalarField& field,
+    const labelList& wallPoints,
     const vectorField& wallDirections,
     const scalarField& arcLengths
 )
 {
-    vectorField directions(pointGradients(mesh, field));
-    forAll(directions, p)
+    // On the wall the mean of the lines that begin there
+    vectorField directions(-pointGradients(mesh, field));
+    for (label p = 0; p < mesh.nWallPoints; ++p)
     {
-        directions[p] = mesh.onWall(p)
-          ? wallDirections[p]
-          : -normalised(directions[p]);
+        directions[p] = Zero;
+    }
+    forAll(wallPoints, line)
+    {
+        directions[wallPoints[line]] += wallDirections[line];
+    }
+    for (vector& d : directions)
+    {
+        d = normalised(d);
     }
 
     gradientLines lines;
-    lines.nSamples = arcLengths.size()/mesh.nWallPoints;
+    lines.nSamples = arcLengths.size()/wallPoints.size();
     lines.points.setSize(arcLengths.size());
     lines.energies.setSize(arcLengths.size());
-    lines.lengths.setSize(mesh.nWallPoints);
+    lines.lengths.setSize(wallPoints.size());
 
     const labelListList pointTets(wallPointTets(mesh));
 
-    for (label p = 0; p < mesh.nWallPoints; ++p)
+    forAll(wallPoints, line)
     {
-        trace(mesh, field, directions, pointTets[p], p, arcLengths, lines);
+        const label p = wallPoints[line];
+
+        trace
+        (
+            mesh, field, directions, pointTets[p], p, wallDirections[line],
+            line, arcLengths, lines
+        );
     }
 
     return lines;
@@ -270,22 +286,22 @@ Foam::gradientLines Foam::makeGradientLines
 
 Foam::gradientLines Foam::makeStraightLines
 (
-    const pointField& wallPoints,
-    const vectorField& wallDirections,
+    const pointField& starts,
+    const vectorField& directions,
     const scalarField& arcLengths
 )
 {
     gradientLines lines;
-    lines.nSamples = arcLengths.size()/wallPoints.size();
+    lines.nSamples = arcLengths.size()/starts.size();
     lines.points.setSize(arcLengths.size());
     lines.energies.setSize(arcLengths.size(), 0);
-    lines.lengths.setSize(wallPoints.size());
+    lines.lengths.setSize(starts.size());
 
     forAll(arcLengths, i)
     {
-        const label p = i/lines.nSamples;
-        lines.points[i] = wallPoints[p] + arcLengths[i]*wallDirections[p];
-        lines.lengths[p] = arcLengths[i];
+        const label line = i/lines.nSamples;
+        lines.points[i] = starts[line] + arcLengths[i]*directions[line];
+        lines.lengths[line] = arcLengths[i];
     }
 
     return lines;

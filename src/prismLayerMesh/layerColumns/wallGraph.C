@@ -28,15 +28,18 @@ Foam::wallGraph Foam::makeWallGraph
     {
         const labelList& neighbours = addressing.pointPoints[p];
         scalarField weights(neighbours.size());
+        label nOthers = 0;
 
         forAll(neighbours, i)
         {
-            weights[i] =
-                1/magSqr(wall.points[neighbours[i]] - wall.points[p]);
+            const scalar lengthSqr =
+                magSqr(wall.points[neighbours[i]] - wall.points[p]);
+            weights[i] = lengthSqr > 0 ? 1/lengthSqr : 0;
+            nOthers += lengthSqr > 0;
         }
 
         graph.weights[p] = weights/sum(weights);
-        graph.spread[p] = 0.5*weights.size()/sum(weights);
+        graph.spread[p] = 0.5*nOthers/sum(weights);
     }
 
     return graph;

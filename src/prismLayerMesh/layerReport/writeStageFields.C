@@ -83,13 +83,13 @@ static vtkGrid columnGrid(const prismLayerMesh& mesh)
     {
         grid.addCell
         (
-            vtkCell::polyLine, identity(n + 1, layers.pointLabel(c, 0))
+            vtkCell::polyLine, identity(n + 1, layers.index(c, 0))
         );
 
-        energies[layers.pointLabel(c, 0)] = 1;
+        energies[layers.index(c, 0)] = 1;
         for (label i = 1; i <= n; ++i)
         {
-            energies[layers.pointLabel(c, i)] =
+            energies[layers.index(c, i)] =
                 mesh.lines.energies[c*n + i - 1];
         }
     }
@@ -114,7 +114,7 @@ static vtkGrid layerGrid(const prismLayerMesh& mesh)
             face level(f);
             for (label& p : level)
             {
-                p = layers.pointLabel(p, i);
+                p = layers.index(p, i);
             }
             grid.addCell(cellType(f), level);
             numbers.append(i);
@@ -160,8 +160,18 @@ static vtkGrid wallGrid(const wallSurface& wall, const prismLayerMesh& mesh)
     grid.pointFields.add("thicknessOverRequest", total);
     grid.pointFields.add("squeezeCause", causes);
     grid.pointFields.add("visibilityAngle", angles);
-    grid.pointFields.add("clearance", mesh.clearance);
-    grid.cellFields.add("worstJacobian", mesh.certificate.worstJacobian);
+    grid.pointFields.add
+    (
+        "clearance", scalarField(SubList<scalar>(mesh.clearance, nPoints))
+    );
+    grid.cellFields.add
+    (
+        "worstJacobian",
+        scalarField
+        (
+            SubList<scalar>(mesh.certificate.worstJacobian, wall.faces.size())
+        )
+    );
 
     return grid;
 }

@@ -112,7 +112,13 @@ static patchLayers readPatch
 static layerControls readLayers(const dictionary& dict)
 {
     wordList keys(layerThicknessKeys);
-    keys.append(wordList({"nSurfaceLayers", "maxStretch", "patches"}));
+    keys.append
+    (
+        wordList
+        ({
+            "nSurfaceLayers", "maxStretch", "multipleNormalsAngle", "patches"
+        })
+    );
     checkKeys(dict, keys);
 
     layerControls controls;
@@ -129,6 +135,11 @@ static layerControls readLayers(const dictionary& dict)
     readBounded
     (
         dict, "maxStretch", scalar(1), scalar(10), controls.maxStretch
+    );
+    readBounded
+    (
+        dict, "multipleNormalsAngle", scalar(0), scalar(90),
+        controls.multipleNormalsAngle
     );
 
     DynamicList<patchLayers> patches;

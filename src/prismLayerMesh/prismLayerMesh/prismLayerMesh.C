@@ -13,6 +13,7 @@ License
 #include "makePrismLayers.H"
 #include "wallClearance.H"
 #include "OStringStream.H"
+#include "unitConversion.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -30,33 +31,40 @@ static string text(const Items&... items)
 }
 
 
-static void refuseEmptyCones
+//- Smallest of the values of the columns on each point of the wall
+static scalarField ofWallPoints
 (
-    const wallSurface& wall,
-    const wallVisibility& visibility
+    const layerFront& front,
+    const scalarField& values
 )
 {
-    const labelList& points = visibility.emptyCones;
+    const label nPoints = values.size() - front.furtherRoots().size();
+    scalarField smallest(SubList<scalar>(values, nPoints));
 
-    if (points.empty())
+    for (label c = nPoints; c < values.size(); ++c)
     {
-        return;
+        scalar& s = smallest[front.wallPoints[c]];
+        s = min(s, values[c]);
     }
 
-    FatalErrorInFunction
-        << points.size() << " points of the wall see no direction that is in"
-        << " front of all their faces; no column can stand there."
-        << " The first of them:" << nl;
+    return smallest;
+}
 
-    for (label i = 0; i < min(points.size(), 10); ++i)
+
+//- Spacing of the points of the wall, for each column
+static layerSpacing ofColumns
+(
+    const layerFront& front,
+    const layerSpacing& spacing
+)
+{
+    return layerSpacing
     {
-        FatalError
-            << "    point " << points[i] << " at " << wall.points[points[i]]
-            << nl;
-    }
-
-    FatalError
-        << "Round off these corners in the surface." << exit(FatalError);
+        spacing.nLayers,
+        front.ofColumns(spacing.firstThickness),
+        front.ofColumns(spacing.ratio),
+        front.ofColumns(spacing.thickness)
+    };
 }
 
 
@@ -98,12 +106,30 @@ static void makeRoom
 
     observer.begin("wallVisibility");
     m.visibility = makeWallVisibility(wall, m.addressing);
-    refuseEmptyCones(wall, m.visibility);
-    observer.end(text(wall.points.size(), " cones"));
+    observer.end
+    (
+        text(wall.points.size(), " cones, ", m.visibility.emptyCones().size(),
+            " of them empty")
+    );
+
+    observer.begin("layerFront");
+    m.front = makeLayerFront
+    (
+        wall, m.addressing, m.visibility,
+        degToRad(controls.layers.multipleNormalsAngle)
+    );
+    observer.end
+    (
+        text(m.front.wallPoints.size(), " columns, ",
+            m.front.furtherRoots().size(), " by multiple normals")
+    );
 
     observer.begin("wallClearance");
-    const scalarField reach(2*controls.envelope.scale*m.spacing.thickness);
-    m.clearance = makeWallClearance(wall, search, m.visibility, reach);
+    m.clearance = makeWallClearance
+    (
+        m.front.surface, search, m.front.visibility,
+        2*controls.envelope.scale*m.front.ofColumns(m.spacing.thickness)
+    );
     observer.end(text("room from ", min(m.clearance), " m"));
 }
 
@@ -159,8 +185,9 @@ static void makeField
     observer.begin("offsetEnvelope");
     m.envelope = makeOffsetEnvelope
     (
-        wall, m.addressing, search, m.visibility, m.clearance, m.spacing,
-        controls.envelope, controls.backgroundMesh.radiusEdgeRatio
+        wall, m.addressing, search, m.visibility,
+        ofWallPoints(m.front, m.clearance), m.spacing, controls.envelope,
+        controls.backgroundMesh.radiusEdgeRatio
     );
     observer.end
     (
@@ -222,32 +249,34 @@ static void makeField
 //- From the field to certified layers
 static void makeLayers
 (
-    const wallSurface& wall,
     const prismLayerControls& controls,
     const stageObserver& observer,
     prismLayerMesh& m
 )
 {
+    const layerFront& front = m.front;
+    const layerSpacing spacing(ofColumns(front, m.spacing));
+
     observer.begin("layerColumns");
-    const scalarField heights(requestedHeights(m.spacing));
+    const scalarField heights(requestedHeights(spacing));
+    const vectorField axes(front.visibility.axes());
     m.lines = m.noField.size()
-      ? makeStraightLines(wall.points, m.visibility.axes(), heights)
+      ? makeStraightLines(front.surface.points, axes, heights)
       : makeGradientLines
         (
-            m.background, m.field, m.visibility.axes(), heights
+            m.background, m.field, front.wallPoints, axes, heights
         );
     m.columns = makeLayerColumns
     (
-        wall, m.addressing, m.visibility, m.clearance, m.spacing, m.lines,
-        controls.layers.maxStretch
+        front.surface, front.addressing, front.visibility, m.clearance, spacing,
+        m.lines, controls.layers.maxStretch
     );
     observer.end(text(m.columns.room.size(), " columns"));
 
     observer.begin("prismLayers");
     m.layers = makePrismLayers
     (
-        wall, m.addressing, m.visibility, m.spacing,
-        controls.layers.maxStretch, m.columns
+        front, spacing, controls.layers.maxStretch, m.columns
     );
     observer.end(text(m.layers.faces.size()*m.layers.nLayers, " cells"));
 
@@ -283,7 +312,7 @@ Foam::prismLayerMesh Foam::makePrismLayerMesh
     prismLayerMesh m;
     makeRoom(wall, search, controls, observer, m);
     makeField(wall, search, controls, observer, m);
-    makeLayers(wall, controls, observer, m);
+    makeLayers(controls, observer, m);
 
     return m;
 }

@@ -89,7 +89,7 @@ class retreat
 
         for (label i = 0; i <= n; ++i)
         {
-            layers_.points[layers_.pointLabel(p, i)] = wall_.points[p]
+            layers_.points[layers_.index(p, i)] = wall_.points[p]
               + heights[i]
                *((1 - s)*columns_.offset(p, heights[i]) + s*axis);
         }
@@ -269,33 +269,33 @@ public:
 
     retreat
     (
-        const wallSurface& wall,
-        const wallAddressing& addressing,
-        const wallVisibility& visibility,
+        const layerFront& front,
         const layerSpacing& spacing,
         const scalar maxStretch,
         layerColumns& columns
     )
     :
-        wall_(wall),
-        addressing_(addressing),
-        visibility_(visibility),
+        wall_(front.surface),
+        addressing_(front.addressing),
+        visibility_(front.visibility),
         spacing_(spacing),
         maxStretch_(maxStretch),
         columns_(columns),
-        graph_(makeWallGraph(wall, addressing)),
-        turns_(wall.points.size(), 0),
-        straightened_(wall.points.size(), 0),
-        bestJacobians_(bestJacobians(wall, visibility)),
-        candidates_(identity(wall.faces.size()))
+        graph_(makeWallGraph(wall_, addressing_)),
+        turns_(wall_.points.size(), 0),
+        straightened_(wall_.points.size(), 0),
+        bestJacobians_(bestJacobians(wall_, visibility_)),
+        candidates_(identity(wall_.faces.size()))
     {
         layers_.nLayers = spacing.nLayers;
-        layers_.faces = wall.faces;
-        layers_.patchIDs = wall.patchIDs;
-        layers_.patchNames = wall.patchNames;
-        layers_.points.setSize(wall.points.size()*(spacing.nLayers + 1));
+        layers_.faces = wall_.faces;
+        layers_.patchIDs =
+            SubList<label>(wall_.patchIDs, front.nWallFaces);
+        layers_.patchNames = wall_.patchNames;
+        layers_.furtherRoots = front.furtherRoots();
+        layers_.points.setSize(wall_.points.size()*(spacing.nLayers + 1));
 
-        forAll(wall.points, p)
+        forAll(wall_.points, p)
         {
             build(p);
         }
@@ -369,18 +369,13 @@ public:
 
 Foam::prismLayers Foam::makePrismLayers
 (
-    const wallSurface& wall,
-    const wallAddressing& addressing,
-    const wallVisibility& visibility,
+    const layerFront& front,
     const layerSpacing& spacing,
     const scalar maxStretch,
     layerColumns& columns
 )
 {
-    retreat layers
-    (
-        wall, addressing, visibility, spacing, maxStretch, columns
-    );
+    retreat layers(front, spacing, maxStretch, columns);
     layers.makeEmbedded();
 
     return layers.result();

@@ -61,7 +61,11 @@ Foam::autoPtr<Foam::polyMesh> Foam::makePrismPolyMesh
         }
     }
 
-    pointField points(std::move(layers.points));
+    pointField points
+    (
+        layers.furtherRoots.size()
+      ? layers.meshPoints() : pointField(std::move(layers.points))
+    );
     layers = prismLayers();
 
     autoPtr<polyMesh> mesh

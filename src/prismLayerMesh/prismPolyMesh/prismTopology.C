@@ -198,12 +198,16 @@ public:
         const label c = columns[k];
         const label d = columns.nextLabel(k);
 
+        const label start = layers_.pointLabel(c, i - 1);
+        const label end = layers_.pointLabel(d, i - 1);
+
+        // Columns on one point of the wall have a triangle between them
         face& f = mesh_.faces[nFaces_];
-        f.setSize(4);
-        f[0] = layers_.pointLabel(c, i - 1);
-        f[1] = layers_.pointLabel(d, i - 1);
-        f[2] = layers_.pointLabel(d, i);
-        f[3] = layers_.pointLabel(c, i);
+        f.setSize(start == end ? 3 : 4);
+        f[0] = start;
+        f[1] = end;
+        f[f.size() - 2] = layers_.pointLabel(d, i);
+        f[f.size() - 1] = layers_.pointLabel(c, i);
 
         if (beyond >= 0)
         {
@@ -345,7 +349,8 @@ Foam::polyMeshTopology Foam::makePrismTopology(const prismLayers& layers)
     const label n = layers.nLayers;
     const label nFront = layers.faces.size();
     const label nInternal = nFront*(n - 1) + front.nInternal()*n;
-    const label nFaces = nInternal + 2*nFront + front.nOpen*n;
+    const label nFaces =
+        nInternal + nFront + layers.nWallFaces() + front.nOpen*n;
 
     polyMeshTopology mesh;
     mesh.faces.setSize(nFaces);

@@ -289,7 +289,7 @@ static std::vector<frontTriangle> trianglesOf
             for (int j = 0; j < 3; ++j)
             {
                 t.labels[j] = layers.pointLabel(columns[j], level);
-                t.points[j] = layers.points[t.labels[j]];
+                t.points[j] = layers(columns[j], level);
             }
 
             if (!t.degenerate())

@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "wallVisibility.H"
+#include "DynamicField.H"
 #include "FixedList.H"
 #include "mathematicalConstants.H"
 
@@ -148,35 +149,6 @@ static bool holdsOrigin(const supportSet& set)
     return true;
 }
 
-//- Normals of the triangles that polygons are cut into, at their points
-static List<vectorField> makeFanNormals(const wallSurface& wall)
-{
-    List<vectorField> normals(wall.points.size());
-
-    for (const face& f : wall.faces)
-    {
-        for (label k = 2; f.size() > 3 && k < f.size(); ++k)
-        {
-            const point& a = wall.points[f[0]];
-            const vector n = normalised
-            (
-                (wall.points[f[k - 1]] - a) ^ (wall.points[f[k]] - a)
-            );
-
-            // Three points in a line have none
-            for (const label p : {f[0], f[k - 1], f[k]})
-            {
-                if (mag(n) > 0)
-                {
-                    normals[p].append(n);
-                }
-            }
-        }
-    }
-
-    return normals;
-}
-
 } // End namespace Foam
 
 
@@ -231,6 +203,47 @@ Foam::visibilityCone Foam::makeVisibilityCone(const UList<vector>& normals)
 }
 
 
+Foam::vectorField Foam::fanNormals
+(
+    const wallSurface& wall,
+    const label facei,
+    const label p
+)
+{
+    const face& f = wall.faces[facei];
+    const point& a = wall.points[f[0]];
+    DynamicField<vector> normals;
+
+    for (label k = 2; f.size() > 3 && k < f.size(); ++k)
+    {
+        if (p != f[0] && p != f[k - 1] && p != f[k])
+        {
+            continue;
+        }
+
+        // Three points in a line have none
+        const vector n = normalised
+        (
+            (wall.points[f[k - 1]] - a) ^ (wall.points[f[k]] - a)
+        );
+        if (mag(n) > 0)
+        {
+            normals.append(n);
+        }
+    }
+
+    return vectorField(std::move(normals));
+}
+
+
+void Foam::wallVisibility::setCone(const label p)
+{
+    vectorField all(cornerNormals[p]);
+    all.append(fanNormals[p]);
+    cones[p] = makeVisibilityCone(all);
+}
+
+
 Foam::vectorField Foam::wallVisibility::axes() const
 {
     vectorField axes(cones.size());
@@ -241,6 +254,21 @@ Foam::vectorField Foam::wallVisibility::axes() const
     }
 
     return axes;
+}
+
+
+Foam::labelList Foam::wallVisibility::emptyCones() const
+{
+    DynamicList<label> empty;
+    forAll(cones, p)
+    {
+        if (cones[p].empty())
+        {
+            empty.append(p);
+        }
+    }
+
+    return labelList(std::move(empty));
 }
 
 
@@ -305,22 +333,26 @@ Foam::wallVisibility Foam::makeWallVisibility
     wallVisibility visibility;
     visibility.cornerNormals.setSize(nPoints);
     visibility.cornerAngles.setSize(nPoints);
-    visibility.fanNormals = makeFanNormals(wall);
+    visibility.fanNormals.setSize(nPoints);
     visibility.cones.setSize(nPoints);
 
-    DynamicList<label> empty;
+    DynamicField<vector> normals;
+    DynamicField<scalar> angles;
 
     for (label p = 0; p < nPoints; ++p)
     {
-        const labelList& pFaces = addressing.pointFaces[p];
-        vectorField& normals = visibility.cornerNormals[p];
-        scalarField& angles = visibility.cornerAngles[p];
-        normals.setSize(pFaces.size());
-        angles.setSize(pFaces.size());
+        normals.clear();
+        angles.clear();
 
-        forAll(pFaces, i)
+        for (const label facei : addressing.pointFaces[p])
         {
-            const face& f = wall.faces[pFaces[i]];
+            // Those between columns have no area
+            if (wall.patchIDs[facei] < 0)
+            {
+                continue;
+            }
+
+            const face& f = wall.faces[facei];
             const label corner = f.find(p);
             const vector next = wall.points[f.nextLabel(corner)]
               - wall.points[p];
@@ -328,29 +360,28 @@ Foam::wallVisibility Foam::makeWallVisibility
               - wall.points[p];
 
             const vector n = next ^ prev;
-            angles[i] = ::atan2(mag(n), next & prev);
+            const scalar angle = ::atan2(mag(n), next & prev);
 
             // At a reflex corner of a polygon the edges span the outside
-            const vector& faceNormal = faceNormals[pFaces[i]];
-            normals[i] = normalised((n & faceNormal) > 0 ? n : faceNormal);
+            const vector& faceNormal = faceNormals[facei];
+            const bool reflex = (n & faceNormal) < 0;
 
-            if ((n & faceNormal) < 0)
+            normals.append(normalised((n & faceNormal) > 0 ? n : faceNormal));
+            angles.append
+            (
+                reflex ? constant::mathematical::twoPi - angle : angle
+            );
+
+            if (f.size() > 3)
             {
-                angles[i] = constant::mathematical::twoPi - angles[i];
+                visibility.fanNormals[p].append(fanNormals(wall, facei, p));
             }
         }
 
-        vectorField all(normals);
-        all.append(visibility.fanNormals[p]);
-        visibility.cones[p] = makeVisibilityCone(all);
-
-        if (visibility.cones[p].empty())
-        {
-            empty.append(p);
-        }
+        visibility.cornerNormals[p] = normals;
+        visibility.cornerAngles[p] = angles;
+        visibility.setCone(p);
     }
-
-    visibility.emptyCones.transfer(empty);
 
     return visibility;
 }

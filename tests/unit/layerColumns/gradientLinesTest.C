@@ -51,6 +51,7 @@ static const shellLines& shell()
             (
                 made.mesh, cotangentWeights(made.mesh), fieldControls()
             ),
+            identity(made.mesh.nWallPoints),
             directions,
             arcLengths
         );
@@ -157,7 +158,7 @@ TEST(gradientLines, leaveTheWallAlongTheirDirections)
     const scalar s = 1e-3;
     const gradientLines lines
     (
-        makeGradientLines(mesh, 2 - mag(mesh.points), directions,
+        makeGradientLines(mesh, 2 - mag(mesh.points), identity(n), directions,
             scalarField(n, s))
     );
 

@@ -128,7 +128,7 @@ static prismLayers remade
 {
     return makePrismLayers
     (
-        wall, m.addressing, m.visibility, m.spacing,
+        makeLayerFront(wall, m.addressing, m.visibility, 0), m.spacing,
         layerControls().maxStretch, columns
     );
 }

@@ -110,7 +110,7 @@ TEST(wallVisibility, conesOfCube)
                 1e-15
             );
         }
-        EXPECT_TRUE(visibility.emptyCones.empty());
+        EXPECT_TRUE(visibility.emptyCones().empty());
     }
 }
 
@@ -184,7 +184,7 @@ TEST(wallVisibility, reflexCornerHasTheNormalOfItsFace)
     const wallVisibility visibility(visibilityOf(wall));
 
     ASSERT_GT(testSurfaces::enclosedVolume(wall), 0);
-    EXPECT_TRUE(visibility.emptyCones.empty());
+    EXPECT_TRUE(visibility.emptyCones().empty());
 
     // The top, and the two sides of the concave edge
     const scalar cosine = 1/std::sqrt(3.0);
