@@ -1,0 +1,383 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "fuzzCase.H"
+#include "boundBox.H"
+#include "cutReflexFaces.H"
+#include "isolatedProcess.H"
+#include "layerSpacing.H"
+#include "meshFaults.H"
+#include "prismLayerMesh.H"
+#include "wallDefects.H"
+
+#include <cfenv>
+#include <cstdint>
+#include <functional>
+#include <sstream>
+#include <sys/resource.h>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Told of a case: stage, skipped, failed or noField, and a text
+typedef std::function<void(const std::string&, const std::string&)> listener;
+
+
+//- A seed that has nothing to do with that of the next index: the finaliser
+//  of the splitmix64 generator
+static label mixed(const label seed, const label index)
+{
+    std::uint64_t x = (std::uint64_t(seed) << 32) + std::uint64_t(index);
+
+    x += 0x9e3779b97f4a7c15u;
+    x = (x ^ (x >> 30))*0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 27))*0x94d049bb133111ebu;
+    x ^= x >> 31;
+
+    return label(x & 0x7fffffff);
+}
+
+
+//- White space is one blank
+static std::string oneLine(const std::string& text)
+{
+    std::istringstream words(text);
+    std::string word, line;
+
+    while (words >> word)
+    {
+        line += (line.empty() ? "" : " ") + word;
+    }
+
+    return line;
+}
+
+
+static void mesh
+(
+    const wallSurface& wall,
+    const prismLayerControls& controls,
+    const listener& tell
+)
+{
+    const prismLayerMesh m
+    (
+        makePrismLayerMesh
+        (
+            wall,
+            controls,
+            stageObserver
+            {
+                [&](const word& stage) { tell("stage", stage); },
+                [](const string&) {}
+            }
+        )
+    );
+
+    tell("stage", "checks");
+
+    if (m.noField.size())
+    {
+        tell("noField", oneLine(m.noField));
+    }
+
+    const std::string fault(findMeshFault(wall, m.layers));
+
+    if (!m.certificate.valid())
+    {
+        tell("failed", "the certificate is not valid");
+    }
+    else if (m.layers.nLayers != controls.layers.nSurfaceLayers)
+    {
+        tell("failed", "the number of layers is not what was asked for");
+    }
+    else if (fault.size())
+    {
+        tell("failed", fault);
+    }
+}
+
+
+static void makeAndMesh(const fuzzCase& one, const listener& tell)
+{
+    FatalError.throwExceptions();
+    FatalIOError.throwExceptions();
+
+    wallSurface wall;
+    prismLayerControls controls;
+
+    try
+    {
+        tell("stage", "surface");
+        one.make(wall, controls);
+        const List<wallDefect> defects(findWallDefects(wall));
+
+        if (defects.size())
+        {
+            tell("skipped", oneLine(describe(defects)));
+            return;
+        }
+    }
+    catch (const Foam::error& e)
+    {
+        // Of the polygon of a prism
+        tell("skipped", oneLine(e.message()));
+        return;
+    }
+
+    try
+    {
+        mesh(wall, controls, tell);
+    }
+    catch (const Foam::error& e)
+    {
+        tell("failed", oneLine(e.message()));
+    }
+    catch (const std::exception& e)
+    {
+        tell("failed", "exception: " + oneLine(e.what()));
+    }
+}
+
+
+//- What is told, as lines to a process and from there
+static void send
+(
+    std::FILE* out,
+    const std::string& what,
+    const std::string& text
+)
+{
+    std::fputs((what + ' ' + text + '\n').c_str(), out);
+    std::fflush(out);
+}
+
+
+static void receive(std::FILE* in, const listener& tell)
+{
+    std::string line;
+
+    for (int c; (c = std::fgetc(in)) != EOF;)
+    {
+        if (c != '\n')
+        {
+            line += char(c);
+            continue;
+        }
+
+        const std::size_t blank = line.find(' ');
+        tell(line.substr(0, blank), line.substr(blank + 1));
+        line.clear();
+    }
+}
+
+
+//- The result that is told
+class verdictListener
+{
+    fuzzResult& result_;
+    std::string stage_;
+
+
+public:
+
+    explicit verdictListener(fuzzResult& result)
+    :
+        result_(result)
+    {
+        result_.what = fuzzResult::verdict::passed;
+    }
+
+    void tell(const std::string& what, const std::string& text)
+    {
+        if (what == "stage")
+        {
+            stage_ = text;
+        }
+        else if (what == "noField")
+        {
+            result_.noField = text;
+        }
+        else
+        {
+            result_.what =
+                what == "skipped"
+              ? fuzzResult::verdict::skipped
+              : fuzzResult::verdict::failed;
+            result_.cause = stage_ + ": " + text;
+        }
+    }
+};
+
+
+//- Of the processes that have ended
+static scalar childSeconds()
+{
+    rusage usage;
+    ::getrusage(RUSAGE_CHILDREN, &usage);
+
+    return usage.ru_utime.tv_sec + 1e-6*usage.ru_utime.tv_usec
+      + usage.ru_stime.tv_sec + 1e-6*usage.ru_stime.tv_usec;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fuzzCase::make
+(
+    wallSurface& wall,
+    prismLayerControls& controls
+) const
+{
+    Random random(mixed(seed, index));
+    wall = randomSurfaces::makeRandomSurface(kind(), random);
+    cutReflexFaces(wall);
+
+    const scalar size = cmptMax(boundBox(wall.points, false).span());
+    const scalar total = size*randomSurfaces::logUniform(random, 0.003, 0.1);
+    const scalar ratio = random.position<scalar>(1, 1.5);
+    layerControls& layers = controls.layers;
+
+    layers.nSurfaceLayers = random.position<label>(1, 20);
+    layers.thickness.expansionRatio = ratio;
+    layers.thickness.firstLayerThickness =
+        total/totalThickness(layers.nSurfaceLayers, 1, ratio);
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::fuzzResult Foam::runHere(const fuzzCase& one)
+{
+    fuzzResult result;
+    verdictListener verdict(result);
+
+    makeAndMesh
+    (
+        one,
+        [&](const std::string& what, const std::string& text)
+        {
+            Info<< what.c_str() << ' ' << text.c_str() << endl;
+            verdict.tell(what, text);
+        }
+    );
+
+    return result;
+}
+
+
+Foam::fuzzResult Foam::run(const fuzzCase& one, const unsigned cpuSeconds)
+{
+    fuzzResult result;
+    verdictListener verdict(result);
+    const scalar before = childSeconds();
+
+    const bool ended = isolatedProcess
+    (
+        [&](std::FILE* out)
+        {
+            ::feenableexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW);
+
+            makeAndMesh
+            (
+                one,
+                [&](const std::string& what, const std::string& text)
+                {
+                    send(out, what, text);
+                }
+            );
+        },
+        [&](std::FILE* in)
+        {
+            receive
+            (
+                in,
+                [&](const std::string& what, const std::string& text)
+                {
+                    verdict.tell(what, text);
+                }
+            );
+            return true;
+        },
+        cpuSeconds
+    );
+
+    if (!ended)
+    {
+        std::ostringstream why;
+        if (childSeconds() - before < 0.99*cpuSeconds)
+        {
+            why << "crashed";
+        }
+        else
+        {
+            why << "took more than " << cpuSeconds << " s";
+        }
+
+        verdict.tell("failed", why.str());
+    }
+
+    return result;
+}
+
+
+bool Foam::writeSurface(const fuzzCase& one, const fileName& file)
+{
+    return isolatedProcess
+    (
+        [&](std::FILE*)
+        {
+            wallSurface wall;
+            prismLayerControls controls;
+            one.make(wall, controls);
+
+            const layerControls& layers = controls.layers;
+            std::FILE* out = std::fopen(file.c_str(), "w");
+
+            std::fprintf
+            (
+                out,
+                "# nSurfaceLayers %d; firstLayerThickness %.17g;"
+                " expansionRatio %.17g;\n",
+                layers.nSurfaceLayers,
+                layers.thickness.firstLayerThickness,
+                layers.thickness.expansionRatio
+            );
+
+            for (const point& p : wall.points)
+            {
+                std::fprintf
+                (
+                    out, "v %.17g %.17g %.17g\n", p.x(), p.y(), p.z()
+                );
+            }
+
+            for (const face& f : wall.faces)
+            {
+                std::fprintf(out, "f");
+                for (const label p : f)
+                {
+                    std::fprintf(out, " %d", p + 1);
+                }
+                std::fprintf(out, "\n");
+            }
+
+            std::fclose(out);
+        },
+        [](std::FILE*) { return true; },
+        60
+    );
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,390 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "meshFaults.H"
+#include "boundBox.H"
+#include "ListOps.H"
+#include "prismPolyMesh.H"
+
+#include <sstream>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- More digits than those of the coordinates: of a thin cell little is left
+//  when the products are summed
+struct longVector
+{
+    long double x, y, z;
+
+    longVector(const point& p, const point& origin)
+    :
+        x(p.x()),
+        y(p.y()),
+        z(p.z())
+    {
+        x -= origin.x();
+        y -= origin.y();
+        z -= origin.z();
+    }
+};
+
+
+//- Six times the volume between the origin and the fan of a face
+static long double coneVolume
+(
+    const face& f,
+    const pointField& points,
+    const point& origin
+)
+{
+    long double sum = 0;
+
+    for (label i = 1; i < f.size() - 1; ++i)
+    {
+        const longVector a(points[f[0]], origin);
+        const longVector b(points[f[i]], origin);
+        const longVector c(points[f[i + 1]], origin);
+
+        sum +=
+            a.x*(b.y*c.z - b.z*c.y)
+          + a.y*(b.z*c.x - b.x*c.z)
+          + a.z*(b.x*c.y - b.y*c.x);
+    }
+
+    return sum;
+}
+
+
+static long double coneVolume
+(
+    const UList<face>& faces,
+    const pointField& points,
+    const point& origin
+)
+{
+    long double sum = 0;
+
+    for (const face& f : faces)
+    {
+        sum += coneVolume(f, points, origin);
+    }
+
+    return sum;
+}
+
+
+template<class... Items>
+static std::string text(const Items&... items)
+{
+    std::ostringstream os;
+    (os << ... << items);
+
+    return os.str();
+}
+
+
+class cellMesh
+{
+    const wallSurface& wall_;
+    const prismLayers& layers_;
+    const polyMeshTopology mesh_;
+    labelListList cells_;
+
+
+    bool pointsInto(const label facei, const label celli) const
+    {
+        return mesh_.owner[facei] != celli;
+    }
+
+    //- Sides of the faces are there once in each direction
+    bool isClosed(label celli) const;
+
+    //- Sum of the area vectors, over that of their magnitudes
+    scalar openness(label celli) const;
+
+    //- Times six
+    long double volume(label celli) const;
+
+    //- The face of a cell that has no point in common with another one; -1
+    //  unless there is exactly one
+    label opposite(label celli, label facei) const;
+
+    //- Layers on a face of the wall up to the outer surface; -1 where they do
+    //  not get there
+    label nLayers(label facei) const;
+
+    bool onOuter(const label facei) const
+    {
+        const label patchi = wall_.patchNames.size();
+        const label start = mesh_.patchStarts[patchi];
+
+        return facei >= start && facei < start + mesh_.patchSizes[patchi];
+    }
+
+
+public:
+
+    cellMesh(const wallSurface& wall, const prismLayers& layers);
+
+    std::string cellFault() const;
+
+    std::string stackFault() const;
+
+    std::string volumeFault() const;
+};
+
+
+cellMesh::cellMesh(const wallSurface& wall, const prismLayers& layers)
+:
+    wall_(wall),
+    layers_(layers),
+    mesh_(makePrismTopology(layers)),
+    cells_(invertOneToMany(max(mesh_.owner) + 1, mesh_.owner))
+{
+    forAll(mesh_.neighbour, facei)
+    {
+        cells_[mesh_.neighbour[facei]].append(facei);
+    }
+}
+
+
+bool cellMesh::isClosed(const label celli) const
+{
+    DynamicList<labelPair> sides, reversed;
+
+    for (const label facei : cells_[celli])
+    {
+        const face& f = mesh_.faces[facei];
+
+        forAll(f, i)
+        {
+            const bool flip = pointsInto(facei, celli);
+            const labelPair side(f[i], f.nextLabel(i));
+            (flip ? reversed : sides).append(side);
+            (flip ? sides : reversed).append(labelPair(side.second(), f[i]));
+        }
+    }
+
+    Foam::sort(sides);
+    Foam::sort(reversed);
+
+    for (label i = 1; i < sides.size(); ++i)
+    {
+        if (sides[i] == sides[i - 1])
+        {
+            return false;
+        }
+    }
+
+    return sides == reversed;
+}
+
+
+scalar cellMesh::openness(const label celli) const
+{
+    vector sum(Zero);
+    scalar magnitude = VSMALL;
+
+    for (const label facei : cells_[celli])
+    {
+        const vector area(mesh_.faces[facei].areaNormal(layers_.points));
+        sum += pointsInto(facei, celli) ? -area : area;
+        magnitude += mag(area);
+    }
+
+    return mag(sum)/magnitude;
+}
+
+
+long double cellMesh::volume(const label celli) const
+{
+    const labelList& faces = cells_[celli];
+    const point& origin = layers_.points[mesh_.faces[faces[0]][0]];
+    long double sum = 0;
+
+    for (const label facei : faces)
+    {
+        const long double cone =
+            coneVolume(mesh_.faces[facei], layers_.points, origin);
+        sum += pointsInto(facei, celli) ? -cone : cone;
+    }
+
+    return sum;
+}
+
+
+label cellMesh::opposite(const label celli, const label facei) const
+{
+    label found = -1;
+
+    for (const label other : cells_[celli])
+    {
+        bool apart = true;
+
+        for (const label p : mesh_.faces[other])
+        {
+            apart = apart && !mesh_.faces[facei].found(p);
+        }
+
+        if (apart && found >= 0)
+        {
+            return -1;
+        }
+        else if (apart)
+        {
+            found = other;
+        }
+    }
+
+    return found;
+}
+
+
+label cellMesh::nLayers(label facei) const
+{
+    label celli = mesh_.owner[facei];
+
+    for (label n = 1; n <= layers_.nLayers; ++n)
+    {
+        facei = opposite(celli, facei);
+
+        if (facei < 0 || onOuter(facei))
+        {
+            return facei < 0 ? -1 : n;
+        }
+        else if (facei >= mesh_.neighbour.size())
+        {
+            return -1;
+        }
+
+        celli =
+            mesh_.owner[facei] == celli
+          ? mesh_.neighbour[facei]
+          : mesh_.owner[facei];
+    }
+
+    return -1;
+}
+
+
+std::string cellMesh::cellFault() const
+{
+    // Of the area that rounding of the coordinates leaves
+    const scalar tolerance = 1e-9;
+
+    forAll(cells_, celli)
+    {
+        if (!isClosed(celli) || openness(celli) > tolerance)
+        {
+            return text("cell ", celli, " is not closed");
+        }
+
+        const long double sixfold = volume(celli);
+
+        if (!(sixfold > 0))
+        {
+            return text("cell ", celli, " has the volume ", sixfold/6);
+        }
+    }
+
+    return "";
+}
+
+
+std::string cellMesh::stackFault() const
+{
+    const label nWall = mesh_.patchStarts[wall_.patchNames.size()]
+      - mesh_.patchStarts[0];
+
+    if (nWall != wall_.faces.size())
+    {
+        return text(nWall, " faces on the wall, not ", wall_.faces.size());
+    }
+
+    for (label i = 0; i < nWall; ++i)
+    {
+        const label n = nLayers(mesh_.patchStarts[0] + i);
+
+        if (n != layers_.nLayers)
+        {
+            return text("face ", i, " of the wall has ", n, " layers");
+        }
+    }
+
+    return "";
+}
+
+
+std::string cellMesh::volumeFault() const
+{
+    const point& origin = wall_.points[0];
+    const label outer = wall_.patchNames.size();
+    const SubList<face> outerFaces
+    (
+        mesh_.faces, mesh_.patchSizes[outer], mesh_.patchStarts[outer]
+    );
+
+    const long double between =
+        coneVolume(outerFaces, layers_.points, origin)
+      - coneVolume(wall_.faces, wall_.points, origin);
+
+    long double filled = 0;
+    forAll(cells_, celli)
+    {
+        filled += volume(celli);
+    }
+
+    // Coordinates are exact: only sums and products round
+    const scalar tolerance = 1e-13*pow3(boundBox(layers_.points, false).mag());
+
+    if (!(std::abs(filled - between) < tolerance))
+    {
+        return text
+        (
+            "cells fill ", filled/6, ", between wall and outer surface is ",
+            between/6
+        );
+    }
+
+    return "";
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+std::string Foam::findMeshFault
+(
+    const wallSurface& wall,
+    const prismLayers& layers
+)
+{
+    const cellMesh mesh(wall, layers);
+
+    for
+    (
+        const std::string& fault
+      : {mesh.cellFault(), mesh.stackFault(), mesh.volumeFault()}
+    )
+    {
+        if (fault.size())
+        {
+            return fault;
+        }
+    }
+
+    return "";
+}
+
+
+// ************************************************************************* //

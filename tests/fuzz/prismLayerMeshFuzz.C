@@ -1,0 +1,208 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+Application
+    prismLayerMeshFuzz
+
+Description
+    Makes layers on random closed surfaces and checks the meshes, each in a
+    process of its own. Prints a line for each failure, and for each mesh that
+    had to do without a field; at the end one line with the cases of each kind,
+    as failed/run. Exits with 1 if any failed.
+
+Usage
+    \b prismLayerMeshFuzz [OPTION]
+
+      - \par -seed \<s\>
+        Another seed makes other surfaces; default 1
+
+      - \par -count \<n\>
+        Number of cases, default 150
+
+      - \par -seconds \<t\>
+        Run until the time is over instead
+
+      - \par -kind \<name\>
+        Cases of one kind only
+
+      - \par -index \<i\>
+        That case alone, in this process
+
+      - \par -folder \<path\>
+        Write the surfaces of failures there
+
+\*---------------------------------------------------------------------------*/
+
+#include "argList.H"
+#include "clockTime.H"
+#include "fuzzCase.H"
+#include "OSspecific.H"
+#include "Pstream.H"
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- CPU time [s] of a case; those of these sizes take a second or two
+static const unsigned cpuSeconds = 90;
+
+
+static void addOptions()
+{
+    argList::noBanner();
+    argList::noParallel();
+    argList::noJobInfo();
+    argList::noFunctionObjects();
+    argList::addNote("Make layers on random surfaces and check the meshes.");
+    argList::addOption("seed", "s", "Seed of all cases (default: 1)");
+    argList::addOption("count", "n", "Number of cases (default: 150)");
+    argList::addOption("seconds", "t", "Run until the time is over instead");
+    argList::addOption("kind", "name", "Cases of one kind of surface only");
+    argList::addOption("index", "i", "That case alone, in this process");
+    argList::addOption
+    (
+        "folder", "path", "Write the surfaces of failures there, as OBJ"
+    );
+}
+
+
+//- Numbers of cases, one for each kind and all of them
+struct tally
+{
+    labelList nRun = labelList(randomSurfaces::nKinds, Zero);
+    labelList nFailed = labelList(randomSurfaces::nKinds, Zero);
+    label nSkipped = 0;
+    label nNoField = 0;
+
+    void add(const fuzzCase& one, const fuzzResult& result)
+    {
+        typedef fuzzResult::verdict verdict;
+
+        nRun[int(one.kind())] += 1;
+        nFailed[int(one.kind())] += result.what == verdict::failed;
+        nSkipped += result.what == verdict::skipped;
+        nNoField += result.noField.size() > 0;
+    }
+};
+
+
+static void report
+(
+    const fuzzCase& one,
+    const fuzzResult& result,
+    const fileName& folder
+)
+{
+    const bool failed = result.what == fuzzResult::verdict::failed;
+
+    if (!failed && result.noField.empty())
+    {
+        return;
+    }
+
+    Info<< (failed ? "FAIL" : "no field") << " -seed " << one.seed
+        << " -index " << one.index << " ("
+        << randomSurfaces::name(one.kind()) << ") "
+        << (failed ? result.cause : result.noField).c_str() << endl;
+
+    if (failed && folder.size())
+    {
+        mkDir(folder);
+        writeSurface
+        (
+            one,
+            folder/(Foam::name(one.seed) + '-' + Foam::name(one.index) + ".obj")
+        );
+    }
+}
+
+
+static void report(const tally& counts, const scalar seconds)
+{
+    Info<< sum(counts.nRun) << " cases (";
+
+    for (label i = 0; i < randomSurfaces::nKinds; ++i)
+    {
+        Info<< (i ? ", " : "")
+            << randomSurfaces::name(randomSurfaces::kind(i)) << ' '
+            << counts.nFailed[i] << '/' << counts.nRun[i];
+    }
+
+    Info<< "), " << counts.nSkipped << " skipped, " << counts.nNoField
+        << " without field, " << sum(counts.nFailed) << " failed, "
+        << label(seconds + 0.5) << " s" << endl;
+}
+
+
+//- Returns whether all is well
+static bool runCases(const argList& args)
+{
+    const clockTime time;
+    const scalar seconds = args.lookupOrDefault<scalar>("seconds", 0);
+    const label count = args.lookupOrDefault<label>("count", 150);
+    const fileName folder(args.lookupOrDefault<fileName>("folder", ""));
+    const string kind(args.lookupOrDefault<string>("kind", ""));
+
+    fuzzCase one;
+    one.seed = args.lookupOrDefault<label>("seed", 1);
+
+    tally counts;
+    auto goesOn = [&]()
+    {
+        return
+            seconds > 0
+          ? time.elapsedTime() < seconds
+          : sum(counts.nRun) < count;
+    };
+
+    for (one.index = 0; goesOn(); ++one.index)
+    {
+        if (kind.size() && one.kind() != randomSurfaces::kindOf(kind))
+        {
+            continue;
+        }
+
+        const fuzzResult result(run(one, cpuSeconds));
+        counts.add(one, result);
+        report(one, result, folder);
+    }
+
+    report(counts, time.elapsedTime());
+
+    return !sum(counts.nFailed);
+}
+
+
+int main(int argc, char *argv[])
+{
+    addOptions();
+    const argList args(argc, argv);
+    bool ok = true;
+
+    if (args.found("index"))
+    {
+        fuzzCase one;
+        one.seed = args.lookupOrDefault<label>("seed", 1);
+        one.index = args.get<label>("index");
+        ok = runHere(one).what != fuzzResult::verdict::failed;
+    }
+    else
+    {
+        ok = runCases(args);
+    }
+
+    // What main returns is lost: the destructor of args exits with 0
+    if (!ok)
+    {
+        UPstream::exit(1);
+    }
+
+    return 0;
+}
+
+
+// ************************************************************************* //
