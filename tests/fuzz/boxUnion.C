@@ -169,7 +169,7 @@ static void makeManifold(filledCells& cells, Random& random)
 //- Positions of n + 1 planes: even, uneven or some of them very close
 static scalarList planes(const label n, Random& random)
 {
-    const scalar thinnest = logUniform(random, 0.03, 1);
+    const scalar thinnest = logUniform(random, 0.005, 1);
     scalarList x(n + 1, Zero);
 
     for (label i = 0; i < n; ++i)

@@ -8,16 +8,13 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "fuzzCase.H"
-#include "boundBox.H"
-#include "cutReflexFaces.H"
+#include "embeddingFault.H"
 #include "isolatedProcess.H"
-#include "layerSpacing.H"
 #include "meshFaults.H"
 #include "prismLayerMesh.H"
 #include "wallDefects.H"
 
 #include <cfenv>
-#include <cstdint>
 #include <functional>
 #include <sstream>
 #include <sys/resource.h>
@@ -29,21 +26,6 @@ namespace Foam
 
 //- Told of a case: stage, skipped, failed or noField, and a text
 typedef std::function<void(const std::string&, const std::string&)> listener;
-
-
-//- A seed that has nothing to do with that of the next index: the finaliser
-//  of the splitmix64 generator
-static label mixed(const label seed, const label index)
-{
-    std::uint64_t x = (std::uint64_t(seed) << 32) + std::uint64_t(index);
-
-    x += 0x9e3779b97f4a7c15u;
-    x = (x ^ (x >> 30))*0xbf58476d1ce4e5b9u;
-    x = (x ^ (x >> 27))*0x94d049bb133111ebu;
-    x ^= x >> 31;
-
-    return label(x & 0x7fffffff);
-}
 
 
 //- White space is one blank
@@ -90,6 +72,7 @@ static void mesh
     }
 
     const std::string fault(findMeshFault(wall, m.layers));
+    const std::string embedding(findEmbeddingFault(wall, m.layers));
 
     if (!m.certificate.valid())
     {
@@ -99,9 +82,9 @@ static void mesh
     {
         tell("failed", "the number of layers is not what was asked for");
     }
-    else if (fault.size())
+    else if (fault.size() || embedding.size())
     {
-        tell("failed", fault);
+        tell("failed", oneLine(fault + embedding));
     }
 }
 
@@ -229,30 +212,6 @@ static scalar childSeconds()
 }
 
 } // End namespace Foam
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::fuzzCase::make
-(
-    wallSurface& wall,
-    prismLayerControls& controls
-) const
-{
-    Random random(mixed(seed, index));
-    wall = randomSurfaces::makeRandomSurface(kind(), random);
-    cutReflexFaces(wall);
-
-    const scalar size = cmptMax(boundBox(wall.points, false).span());
-    const scalar total = size*randomSurfaces::logUniform(random, 0.003, 0.1);
-    const scalar ratio = random.position<scalar>(1, 1.5);
-    layerControls& layers = controls.layers;
-
-    layers.nSurfaceLayers = random.position<label>(1, 20);
-    layers.thickness.expansionRatio = ratio;
-    layers.thickness.firstLayerThickness =
-        total/totalThickness(layers.nSurfaceLayers, 1, ratio);
-}
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //

@@ -123,7 +123,7 @@ Foam::wallSurface Foam::randomSurfaces::perturbedSphere(Random& random)
 
     if (chance(random, 0.5))
     {
-        stretch(wall, 0.15, random);
+        stretch(wall, 0.03, random);
     }
 
     return wall;

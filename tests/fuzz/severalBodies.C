@@ -94,7 +94,7 @@ Foam::wallSurface Foam::randomSurfaces::severalBodies(Random& random)
     {
         const wallSurface body(oneBody(random));
         const vector direction(unitVector(random));
-        const scalar gap = logUniform(random, 0.001, 0.3);
+        const scalar gap = logUniform(random, 1e-4, 0.3);
         wall = joined(wall, body, direction, gap);
     }
 

@@ -57,7 +57,7 @@ static void capFacets(wallSurface& wall, const scalar share, Random& random)
         }
 
         const label apex = points.size();
-        const scalar factor = logUniform(random, 0.3, 1.8);
+        const scalar factor = logUniform(random, 0.25, 2.5);
         points.append(factor*f.centre(wall.points));
 
         forAll(f, i)
@@ -106,7 +106,7 @@ Foam::wallSurface Foam::randomSurfaces::spikyPolyhedron(Random& random)
 
     if (chance(random, 0.3))
     {
-        stretch(wall, 0.2, random);
+        stretch(wall, 0.05, random);
     }
 
     return wall;

@@ -19,7 +19,7 @@ Foam::wallSurface Foam::randomSurfaces::starPrism(Random& random)
 
     const label nPoints = 2*random.position<label>(2, 7);
     const scalar jitter = random.position<scalar>(0, 0.8);
-    const scalar inner = logUniform(random, 0.08, 0.9);
+    const scalar inner = logUniform(random, 0.02, 0.9);
     List<vector2D> polygon(nPoints);
 
     forAll(polygon, i)
@@ -32,7 +32,7 @@ Foam::wallSurface Foam::randomSurfaces::starPrism(Random& random)
         polygon[i] = r*vector2D(Foam::cos(phi), Foam::sin(phi));
     }
 
-    const scalar height = logUniform(random, 0.1, 2);
+    const scalar height = logUniform(random, 0.02, 2);
     const scalar edgeLength = logUniform(random, 0.1, 2);
 
     return testSurfaces::extruded(polygon, height, edgeLength);

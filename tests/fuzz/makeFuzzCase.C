@@ -1,0 +1,95 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "fuzzCase.H"
+#include "boundBox.H"
+#include "cutReflexFaces.H"
+#include "layerSpacing.H"
+
+#include <cstdint>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- A seed that has nothing to do with that of the next index: the finaliser
+//  of the splitmix64 generator
+static label mixed(const label seed, const label index)
+{
+    std::uint64_t x = (std::uint64_t(seed) << 32) + std::uint64_t(index);
+
+    x += 0x9e3779b97f4a7c15u;
+    x = (x ^ (x >> 30))*0xbf58476d1ce4e5b9u;
+    x = (x ^ (x >> 27))*0x94d049bb133111ebu;
+    x ^= x >> 31;
+
+    return label(x & 0x7fffffff);
+}
+
+
+//- Two patches on the sides of a plane, the second of another thickness
+static void splitPatches
+(
+    wallSurface& wall,
+    layerControls& controls,
+    Random& random
+)
+{
+    const vector normal(randomSurfaces::unitVector(random));
+    const point centre(boundBox(wall.points, false).centre());
+
+    wall.patchNames.append("other");
+    forAll(wall.faces, i)
+    {
+        const vector offset(wall.points[wall.faces[i][0]] - centre);
+        wall.patchIDs[i] = (normal & offset) > 0;
+    }
+
+    patchLayers other;
+    other.patches = word("other");
+    other.thickness = controls.thickness;
+    other.thickness.firstLayerThickness *=
+        randomSurfaces::logUniform(random, 0.2, 5);
+    controls.patches = List<patchLayers>(1, other);
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::fuzzCase::make
+(
+    wallSurface& wall,
+    prismLayerControls& controls
+) const
+{
+    Random random(mixed(seed, index));
+    wall = randomSurfaces::makeRandomSurface(kind(), random);
+    cutReflexFaces(wall);
+
+    const scalar size = cmptMax(boundBox(wall.points, false).span());
+    const scalar total = size*randomSurfaces::logUniform(random, 0.003, 0.1);
+    const scalar ratio = random.position<scalar>(1, 1.5);
+    layerControls& layers = controls.layers;
+
+    layers.nSurfaceLayers = random.position<label>(1, 20);
+    layers.thickness.expansionRatio = ratio;
+    layers.thickness.firstLayerThickness =
+        total/totalThickness(layers.nSurfaceLayers, 1, ratio);
+
+    if (randomSurfaces::chance(random, 0.2))
+    {
+        splitPatches(wall, layers, random);
+    }
+}
+
+
+// ************************************************************************* //
