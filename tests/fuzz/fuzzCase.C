@@ -313,6 +313,17 @@ bool Foam::writeSurface(const fuzzCase& one, const fileName& file)
                 layers.thickness.expansionRatio
             );
 
+            for (const patchLayers& other : layers.patches)
+            {
+                std::fprintf
+                (
+                    out,
+                    "# patches { %s { firstLayerThickness %.17g; } }\n",
+                    other.patches.c_str(),
+                    other.thickness.firstLayerThickness
+                );
+            }
+
             for (const point& p : wall.points)
             {
                 std::fprintf
@@ -321,10 +332,12 @@ bool Foam::writeSurface(const fuzzCase& one, const fileName& file)
                 );
             }
 
-            for (const face& f : wall.faces)
+            forAll(wall.faces, i)
             {
-                std::fprintf(out, "f");
-                for (const label p : f)
+                const word& patch = wall.patchNames[wall.patchIDs[i]];
+                std::fprintf(out, "g %s\nf", patch.c_str());
+
+                for (const label p : wall.faces[i])
                 {
                     std::fprintf(out, " %d", p + 1);
                 }
