@@ -10,6 +10,7 @@ License
 #include <tetgen.h>
 
 #include "tetrahedralize.H"
+#include "quaternion.H"
 #include "error.H"
 #include "isolatedProcess.H"
 
@@ -18,6 +19,20 @@ License
 namespace Foam
 {
 
+//- A rotation that lays nothing along the axes or their diagonals: on exactly
+//  coplanar and cospherical points TetGen fails now and then
+
+static const tensor& generalRotation()
+{
+    static const tensor rotation
+    (
+        quaternion(normalised(vector(0.37, 0.61, 0.29)), 1.13).R()
+    );
+
+    return rotation;
+}
+
+
 //- tetgenio frees with delete[] what is given to it
 static REAL* newCoordinates(const pointField& points)
 {
@@ -25,9 +40,11 @@ static REAL* newCoordinates(const pointField& points)
 
     forAll(points, i)
     {
+        const point x(generalRotation() & points[i]);
+
         for (direction d = 0; d < 3; ++d)
         {
-            xyz[3*i + d] = points[i][d];
+            xyz[3*i + d] = x[d];
         }
     }
 
@@ -111,6 +128,11 @@ static bool read(std::FILE* result, tetMesh& mesh)
     const size_t nTets =
         std::fread(mesh.tets.data(), sizeof(tetCell), sizes[1], result);
 
+    for (point& x : mesh.points)
+    {
+        x = x & generalRotation();
+    }
+
     return nPoints == size_t(sizes[0]) && nTets == size_t(sizes[1]);
 }
 
@@ -127,7 +149,7 @@ Foam::tetMesh Foam::tetrahedralize(const tetDomain& domain)
     (
         [&](std::FILE* result) { run(domain, result); },
         [&](std::FILE* result) { return read(result, mesh); },
-        20 + domain.facets.size()/2000
+        5 + domain.facets.size()/5000
     );
 
     if (!complete)

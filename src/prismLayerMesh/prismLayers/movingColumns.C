@@ -1,0 +1,272 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "movingColumns.H"
+#include "prismQuality.H"
+#include "wallClearance.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- How often a column turns to its neighbours before it retreats
+static const label maxTurns = 10;
+
+//- What a move leaves of the height of a column that retreats
+static const scalar retreatFactor = 0.8;
+
+//- What it takes of the way back to the axis of the visibility cone
+static const scalar straightenShare = 0.25;
+
+//- Bound on the gradient of the heights along the wall
+static const scalar heightSlope = 1;
+
+//- What is left of the height of a column when there is no hope for it
+static const scalar hopelessShare = 1e-9;
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void Foam::movingColumns::build(const label c)
+{
+    const label n = spacing_.nLayers;
+    const wallVisibility& visibility = front_.visibility;
+    scalarList heights(n + 1);
+    layerHeights
+    (
+        n,
+        spacing_.firstThickness[c],
+        spacing_.ratio[c],
+        columns_.room[c],
+        heights
+    );
+
+    const vector axis
+    (
+        columnOffset(visibility, c, visibility.cones[c].axis, maxStretch_)
+    );
+    const scalar s = straightened_[c];
+
+    for (label i = 0; i <= n; ++i)
+    {
+        layers_.points[layers_.index(c, i)] = front_.surface.points[c]
+          + heights[i]
+           *((1 - s)*columns_.offset(c, heights[i]) + s*axis);
+    }
+}
+
+
+void Foam::movingColumns::rebuild(const boolList& columns)
+{
+    boolList touched(front_.surface.faces.size(), false);
+    forAll(columns, c)
+    {
+        if (columns[c])
+        {
+            build(c);
+            for (const label facei : front_.addressing.pointFaces[c])
+            {
+                touched[facei] = true;
+                moved_[facei] = true;
+            }
+        }
+    }
+
+    candidates_ = findIndices(touched, true);
+}
+
+
+void Foam::movingColumns::takeBack(const label c)
+{
+    columns_.room[c] *= retreatFactor;
+    straightened_[c] += straightenShare*(1 - straightened_[c]);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::movingColumns::movingColumns
+(
+    const layerFront& front,
+    const layerSpacing& spacing,
+    const scalar maxStretch,
+    layerColumns& columns
+)
+:
+    front_(front),
+    spacing_(spacing),
+    maxStretch_(maxStretch),
+    columns_(columns),
+    graph_(makeWallGraph(front.surface, front.addressing)),
+    turns_(front.wallPoints.size(), 0),
+    straightened_(front.wallPoints.size(), 0),
+    candidates_(identity(front.surface.faces.size())),
+    moved_(front.surface.faces.size(), true)
+{
+    const wallSurface& surface = front.surface;
+    layers_.nLayers = spacing.nLayers;
+    layers_.faces = surface.faces;
+    layers_.patchIDs = SubList<label>(surface.patchIDs, front.nWallFaces);
+    layers_.patchNames = surface.patchNames;
+    layers_.furtherRoots = front.furtherRoots();
+    layers_.points.setSize(surface.points.size()*(spacing.nLayers + 1));
+
+    forAll(surface.points, c)
+    {
+        build(c);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::movingColumns::hopeless(const label c) const
+{
+    return columns_.room[c] < hopelessShare*spacing_.thickness[c];
+}
+
+
+Foam::boolList Foam::movingColumns::takeMoved()
+{
+    boolList moved(moved_.size(), false);
+    moved.swap(moved_);
+
+    return moved;
+}
+
+
+void Foam::movingColumns::retreat
+(
+    const labelUList& columns,
+    const squeezeCause cause
+)
+{
+    boolList moved(front_.wallPoints.size(), false);
+
+    for (const label c : columns)
+    {
+        takeBack(c);
+        columns_.causes[c] = cause;
+        moved[c] = true;
+    }
+
+    for
+    (
+        const label c
+      : limitGradient
+        (
+            front_.surface, front_.addressing, heightSlope, columns_.room
+        )
+    )
+    {
+        if (columns_.causes[c] == squeezeCause::none)
+        {
+            columns_.causes[c] = squeezeCause::neighbour;
+        }
+        moved[c] = true;
+    }
+
+    rebuild(moved);
+}
+
+
+bool Foam::movingColumns::turn(const labelUList& columns)
+{
+    boolList moved(front_.wallPoints.size(), false);
+    bool any = false;
+
+    for (const label c : columns)
+    {
+        moved[c] = true;
+
+        if (turns_[c] < maxTurns)
+        {
+            any = true;
+            for (const label q : front_.addressing.pointPoints[c])
+            {
+                moved[q] = true;
+            }
+        }
+    }
+
+    if (!any)
+    {
+        return false;
+    }
+
+    const label n = spacing_.nLayers;
+    const labelList turning(findIndices(moved, true));
+    vectorField turned(turning.size()*n);
+
+    forAll(turned, k)
+    {
+        const label c = turning[k/n];
+        const vector& own = columns_.offsets[c*n + k % n];
+        const vector mean = graph_.mean(columns_.offsets, c, n, k % n);
+
+        // Less so near to the wall, where columns stand upright
+        const scalar share = wallGraph::fullPass*::sqrt
+        (
+            columns_.heights[c*n + k % n]/columns_.heights[c*n + n - 1]
+        );
+
+        turned[k] = columnOffset
+        (
+            front_.visibility, c, own + share*(mean - own), maxStretch_
+        );
+    }
+
+    forAll(turned, k)
+    {
+        columns_.offsets[turning[k/n]*n + k % n] = turned[k];
+        turns_[turning[k/n]] += k % n == 0;
+    }
+
+    rebuild(moved);
+
+    return true;
+}
+
+
+Foam::scalar Foam::movingColumns::worstJacobian
+(
+    const label facei,
+    const label retreating
+)
+{
+    scalar worst = GREAT;
+
+    if (retreating < 0)
+    {
+        for (label i = 1; i <= layers_.nLayers; ++i)
+        {
+            worst = min(worst, scaledJacobian(layers_, facei, i));
+        }
+
+        return worst;
+    }
+
+    const scalar room = columns_.room[retreating];
+    const scalar straightened = straightened_[retreating];
+
+    takeBack(retreating);
+    build(retreating);
+    worst = worstJacobian(facei);
+
+    columns_.room[retreating] = room;
+    straightened_[retreating] = straightened;
+    build(retreating);
+
+    return worst;
+}
+
+// ************************************************************************* //

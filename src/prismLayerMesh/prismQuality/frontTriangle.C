@@ -1,0 +1,266 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/intersections.h>
+
+#include "frontTriangle.H"
+#include "prismQuality.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
+typedef Kernel::Point_3 Point3;
+typedef Kernel::Triangle_3 Triangle3;
+typedef Kernel::Segment_3 Segment3;
+
+
+static inline Point3 toPoint3(const point& p)
+{
+    return Point3(p.x(), p.y(), p.z());
+}
+
+
+static inline Point3 corner(const frontTriangle& t, const int k)
+{
+    return toPoint3(t.points[k%3]);
+}
+
+
+static inline Triangle3 triangle3(const frontTriangle& t)
+{
+    return Triangle3(corner(t, 0), corner(t, 1), corner(t, 2));
+}
+
+
+//- The edge opposite to corner k
+static inline Segment3 edgeOpposite(const frontTriangle& t, const int k)
+{
+    return Segment3(corner(t, k + 1), corner(t, k + 2));
+}
+
+
+//- On which side of the triangle's plane p is
+static inline int side(const frontTriangle& t, const point& p)
+{
+    return orientation(t.points[0], t.points[1], t.points[2], p);
+}
+
+
+// Projections are sums of three products of differences of coordinates: off
+// by less than 8*2^-53 of the sum of magnitudes. Coordinates are not so small
+// that products underflow, or the comparisons are false.
+static const scalar projectionError = 1e-15;
+
+
+static inline scalar magnitude(const vector& m, const vector& u)
+{
+    return mag(m.x()*u.x()) + mag(m.y()*u.y()) + mag(m.z()*u.z());
+}
+
+
+//- Whether a plane of normal m through a corner of both, or between two without
+//  a common corner, separates a (below) from b, certainly. Else the exact
+//  predicates decide; on flat walls they would have to compute exactly nearly
+//  everywhere, which is slow.
+static bool apart
+(
+    const frontTriangle& a,
+    const frontTriangle& b,
+    const vector& m,
+    const point& origin,
+    const int skipA,
+    const int skipB
+)
+{
+    scalar highA = -VGREAT;
+    scalar lowB = VGREAT;
+
+    for (int k = 0; k < 3; ++k)
+    {
+        const vector u(a.points[k] - origin);
+        const vector v(b.points[k] - origin);
+
+        if (k != skipA)
+        {
+            highA = max(highA, (m & u) + projectionError*magnitude(m, u));
+        }
+
+        if (k != skipB)
+        {
+            lowB = min(lowB, (m & v) - projectionError*magnitude(m, v));
+        }
+    }
+
+    return skipA < 0 ? highA < lowB : (highA < 0 && lowB > 0);
+}
+
+
+//- Triangles with a common edge, opposite to corners ka and kb, intersect when
+//  one is folded onto the other
+static bool intersectAtEdge
+(
+    const frontTriangle& a,
+    const int ka,
+    const frontTriangle& b,
+    const int kb
+)
+{
+    const point& start = a.points[(ka + 1)%3];
+    const point& end = a.points[(ka + 2)%3];
+    const vector edge(end - start);
+    const vector u(a.points[ka] - start);
+    const vector v(b.points[kb] - start);
+
+    // On different sides of the edge, seen along the normals
+    if
+    (
+        ((edge ^ u) & (edge ^ v))
+      < -64*projectionError*magSqr(edge)*mag(u)*mag(v)
+    )
+    {
+        return false;
+    }
+
+    return
+        !side(a, b.points[kb])
+     && CGAL::coplanar_orientation
+        (
+            toPoint3(start), toPoint3(end), corner(a, ka), corner(b, kb)
+        ) == CGAL::POSITIVE;
+}
+
+
+//- Whether the edge of a opposite to its corner ka, the common one, meets the
+//  plane of b
+static bool reachesPlane
+(
+    const frontTriangle& a,
+    const int ka,
+    const frontTriangle& b
+)
+{
+    const int start = side(b, a.points[(ka + 1)%3]);
+
+    return !start || start != side(b, a.points[(ka + 2)%3]);
+}
+
+
+//- Triangles with one common point, corners ka and kb, intersect when the
+//  opposite edge of one meets the other
+static bool intersectAtPoint
+(
+    const frontTriangle& a,
+    const int ka,
+    const frontTriangle& b,
+    const int kb
+)
+{
+    const point& origin = a.points[ka];
+
+    vector m(Zero);
+    for (int k = 1; k < 3; ++k)
+    {
+        const vector u(a.points[(ka + k)%3] - origin);
+        const vector v(b.points[(kb + k)%3] - origin);
+        m += v/max(mag(v), VSMALL) - u/max(mag(u), VSMALL);
+    }
+
+    if (apart(a, b, m, origin, ka, kb))
+    {
+        return false;
+    }
+
+    return
+        reachesPlane(a, ka, b)
+     && reachesPlane(b, kb, a)
+     && (
+            CGAL::do_intersect(edgeOpposite(a, ka), triangle3(b))
+         || CGAL::do_intersect(edgeOpposite(b, kb), triangle3(a))
+        );
+}
+
+
+static bool intersectElsewhere(const frontTriangle& a, const frontTriangle& b)
+{
+    vector m(Zero);
+    for (int k = 0; k < 3; ++k)
+    {
+        m += b.points[k] - a.points[k];
+    }
+
+    return
+        !apart(a, b, m, a.points[0], -1, -1)
+     && CGAL::do_intersect(triangle3(a), triangle3(b));
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+int Foam::orientation
+(
+    const point& a,
+    const point& b,
+    const point& c,
+    const point& d
+)
+{
+    return CGAL::orientation
+    (
+        toPoint3(a), toPoint3(b), toPoint3(c), toPoint3(d)
+    );
+}
+
+
+bool Foam::frontTriangle::degenerate() const
+{
+    return CGAL::collinear
+    (
+        corner(*this, 0), corner(*this, 1), corner(*this, 2)
+    );
+}
+
+
+bool Foam::intersect(const frontTriangle& a, const frontTriangle& b)
+{
+    // Common points, the last such corners, and the sums of such corners: of
+    // two of the corners 0, 1, 2 the sum tells the third
+    int nCommon = 0, ka = 0, kb = 0, sumA = 0, sumB = 0;
+
+    for (int i = 0; i < 3; ++i)
+    {
+        for (int j = 0; j < 3; ++j)
+        {
+            if (a.labels[i] == b.labels[j])
+            {
+                ++nCommon;
+                ka = i;
+                kb = j;
+                sumA += i;
+                sumB += j;
+            }
+        }
+    }
+
+    switch (nCommon)
+    {
+        case 0: return intersectElsewhere(a, b);
+        case 1: return intersectAtPoint(a, ka, b, kb);
+        case 2: return intersectAtEdge(a, 3 - sumA, b, 3 - sumB);
+        default: return true;
+    }
+}
+
+
+// ************************************************************************* //
