@@ -19,6 +19,12 @@ namespace Foam
 //- Columns of offset envelopes are at most this much longer than high
 static const scalar smallestCosine = 0.5;
 
+//- Above this cosine a ball holds nearly all of the smaller ones
+static const scalar nestedCosine = 0.95;
+
+//- The smallest ball that is looked into, a share of the largest
+static const scalar lowestShare = 1.0/32;
+
 
 //- Height at which the ball of that radius, centred on the axis so that the
 //  wall's faces at p touch it, passes through q: the smaller root s*c of
@@ -42,17 +48,17 @@ static scalar touchingHeight
 }
 
 
+//- The largest ball of at most that height that no point is in
 static scalar shrunkenBall
 (
     const wallSearch& search,
     const point& p,
-    const visibilityCone& cone,
-    const scalar reach
+    const vector& d,
+    const scalar cosine,
+    const scalar largest
 )
 {
-    const vector& d = cone.axis;
-    const scalar cosine = max(cone.cosine, smallestCosine);
-    scalar height = reach;
+    scalar height = largest;
 
     // Each round takes the deepest point inside the ball; two or three do
     for (label round = 0; round < 20; ++round)
@@ -81,6 +87,36 @@ static scalar shrunkenBall
     return height;
 }
 
+
+//- The height up to which no ball has a point in it
+static scalar room
+(
+    const wallSearch& search,
+    const point& p,
+    const visibilityCone& cone,
+    const scalar reach
+)
+{
+    const scalar cosine = max(cone.cosine, smallestCosine);
+
+    // Balls on a flat wall hold the smaller ones; at an edge they leave room
+    // beside them
+    scalar height = cosine < nestedCosine ? reach*lowestShare : reach;
+    scalar free = 0;
+
+    for (; height < (1 + SMALL)*reach; height *= 2)
+    {
+        free = shrunkenBall(search, p, cone.axis, cosine, height);
+
+        if (free < height)
+        {
+            break;
+        }
+    }
+
+    return free;
+}
+
 } // End namespace Foam
 
 
@@ -98,7 +134,7 @@ Foam::scalarField Foam::makeWallClearance
 
     forAll(clearance, p)
     {
-        clearance[p] = shrunkenBall
+        clearance[p] = room
         (
             search,
             wall.points[p],
