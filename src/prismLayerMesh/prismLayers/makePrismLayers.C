@@ -12,6 +12,7 @@ License
 #include "poorStacks.H"
 #include "prismQuality.H"
 #include "tallColumns.H"
+#include "HashSet.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -60,7 +61,7 @@ static labelList culprits(movingColumns& columns, const labelUList& poor)
         {
             if (room[k] > shortShare*max(room))
             {
-                gains[k] = columns.worstJacobian(facei, f[k]) - before;
+                gains[k] = columns.jacobianOfRetreat(facei, f[k]) - before;
             }
         }
 
@@ -131,6 +132,54 @@ static void giveUpHopeless
 }
 
 
+static labelList columnsOf
+(
+    const movingColumns& columns,
+    const labelUList& faces
+)
+{
+    return tallColumns
+    (
+        columns.front().surface.faces, selfPairs(faces), columns.room(), 0
+    );
+}
+
+
+//- Put on their axes the columns of stacks which that mends, where no other
+//  stack becomes poor. The stacks that are left.
+static labelList straighten
+(
+    movingColumns& columns,
+    const labelUList& poor,
+    const scalarField& bestJacobians
+)
+{
+    const prismLayers& layers = columns.layers();
+    labelHashSet left(poor);
+
+    for (const label facei : poor)
+    {
+        columns.straighten
+        (
+            layers.faces[facei],
+            [&](const label f)
+            {
+                return
+                    (f != facei && left.found(f))
+                 || !isPoor(layers, f, bestJacobians[f]);
+            }
+        );
+
+        if (!isPoor(layers, facei, bestJacobians[facei]))
+        {
+            left.erase(facei);
+        }
+    }
+
+    return left.sortedToc();
+}
+
+
 //- Until all cells are positive and good enough
 static void makePositive
 (
@@ -138,14 +187,13 @@ static void makePositive
     const scalarField& bestJacobians
 )
 {
+    labelList candidates(columns.candidates());
+
     while (true)
     {
-        const labelList poor
+        labelList poor
         (
-            findPoorStacks
-            (
-                columns.layers(), bestJacobians, columns.candidates()
-            )
+            findPoorStacks(columns.layers(), bestJacobians, candidates)
         );
 
         if (poor.empty())
@@ -153,17 +201,10 @@ static void makePositive
             return;
         }
 
-        const labelList all
-        (
-            tallColumns
-            (
-                columns.front().surface.faces, selfPairs(poor), columns.room(),
-                0
-            )
-        );
-
-        if (!columns.turn(all))
+        if (!columns.turn(columnsOf(columns, poor)))
         {
+            poor = straighten(columns, poor, bestJacobians);
+
             const labelList retreating(culprits(columns, poor));
 
             giveUpHopeless
@@ -172,6 +213,10 @@ static void makePositive
             );
             columns.retreat(retreating, squeezeCause::validity);
         }
+
+        candidates = columns.candidates();
+        candidates.append(poor);
+        inplaceUniqueSort(candidates);
     }
 }
 

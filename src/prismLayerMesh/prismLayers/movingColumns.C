@@ -237,30 +237,79 @@ bool Foam::movingColumns::turn(const labelUList& columns)
 }
 
 
-Foam::scalar Foam::movingColumns::worstJacobian
+bool Foam::movingColumns::straighten
+(
+    const labelUList& columns,
+    const std::function<bool(label facei)>& accepted
+)
+{
+    const scalarField before(straightened_, columns);
+
+    if (min(before) == 1)
+    {
+        return false;
+    }
+
+    for (const label c : columns)
+    {
+        straightened_[c] = 1;
+        build(c);
+    }
+
+    for (const label c : columns)
+    {
+        for (const label facei : front_.addressing.pointFaces[c])
+        {
+            if (!accepted(facei))
+            {
+                forAll(columns, k)
+                {
+                    straightened_[columns[k]] = before[k];
+                    build(columns[k]);
+                }
+
+                return false;
+            }
+        }
+    }
+
+    for (const label c : columns)
+    {
+        for (const label facei : front_.addressing.pointFaces[c])
+        {
+            moved_[facei] = true;
+        }
+    }
+
+    return true;
+}
+
+
+Foam::scalar Foam::movingColumns::worstJacobian(const label facei) const
+{
+    scalar worst = GREAT;
+
+    for (label i = 1; i <= layers_.nLayers; ++i)
+    {
+        worst = min(worst, scaledJacobian(layers_, facei, i));
+    }
+
+    return worst;
+}
+
+
+Foam::scalar Foam::movingColumns::jacobianOfRetreat
 (
     const label facei,
     const label retreating
 )
 {
-    scalar worst = GREAT;
-
-    if (retreating < 0)
-    {
-        for (label i = 1; i <= layers_.nLayers; ++i)
-        {
-            worst = min(worst, scaledJacobian(layers_, facei, i));
-        }
-
-        return worst;
-    }
-
     const scalar room = columns_.room[retreating];
     const scalar straightened = straightened_[retreating];
 
     takeBack(retreating);
     build(retreating);
-    worst = worstJacobian(facei);
+    const scalar worst = worstJacobian(facei);
 
     columns_.room[retreating] = room;
     straightened_[retreating] = straightened;
@@ -268,5 +317,6 @@ Foam::scalar Foam::movingColumns::worstJacobian
 
     return worst;
 }
+
 
 // ************************************************************************* //

@@ -43,29 +43,6 @@ static scalar bestJacobian
     return worst;
 }
 
-
-static bool isPoor
-(
-    const prismLayers& layers,
-    const label facei,
-    const scalar smallest
-)
-{
-    for (label i = 1; i <= layers.nLayers; ++i)
-    {
-        if
-        (
-            scaledJacobian(layers, facei, i) < smallest
-         || !isPositive(layers, facei, i)
-        )
-        {
-            return true;
-        }
-    }
-
-    return false;
-}
-
 } // End namespace Foam
 
 
@@ -89,6 +66,31 @@ Foam::scalarField Foam::bestJacobians
 }
 
 
+bool Foam::isPoor
+(
+    const prismLayers& layers,
+    const label facei,
+    const scalar bestJacobian
+)
+{
+    const scalar smallest = smallestShare*bestJacobian;
+
+    for (label i = 1; i <= layers.nLayers; ++i)
+    {
+        if
+        (
+            scaledJacobian(layers, facei, i) < smallest
+         || !isPositive(layers, facei, i)
+        )
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+
 Foam::labelList Foam::findPoorStacks
 (
     const prismLayers& layers,
@@ -100,7 +102,7 @@ Foam::labelList Foam::findPoorStacks
 
     for (const label facei : candidates)
     {
-        if (isPoor(layers, facei, smallestShare*bestJacobians[facei]))
+        if (isPoor(layers, facei, bestJacobians[facei]))
         {
             poor.append(facei);
         }
