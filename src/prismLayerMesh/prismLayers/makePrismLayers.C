@@ -145,9 +145,8 @@ static labelList columnsOf
 }
 
 
-//- Put on their axes the columns of stacks which that mends, where no other
-//  stack becomes poor. The stacks that are left.
-static labelList straighten
+//- Lean the columns of stacks to where they are less poor. Those that still are.
+static labelList lean
 (
     movingColumns& columns,
     const labelUList& poor,
@@ -155,21 +154,26 @@ static labelList straighten
 )
 {
     const prismLayers& layers = columns.layers();
+    const auto fault = [&](const label facei)
+    {
+        return poorness(layers, facei, bestJacobians[facei]);
+    };
+
     labelHashSet left(poor);
 
     for (const label facei : poor)
     {
-        columns.straighten
-        (
-            layers.faces[facei],
-            [&](const label f)
+        for (const label c : layers.faces[facei])
+        {
+            if (fault(facei) > 0)
             {
-                return
-                    (f != facei && left.found(f))
-                 || !isPoor(layers, f, bestJacobians[f]);
+                columns.lean(c, fault);
             }
-        );
+        }
+    }
 
+    for (const label facei : poor)
+    {
         if (!isPoor(layers, facei, bestJacobians[facei]))
         {
             left.erase(facei);
@@ -187,7 +191,7 @@ static void makePositive
     const scalarField& bestJacobians
 )
 {
-    labelList candidates(columns.candidates());
+    labelList candidates(columns.takeCandidates());
 
     while (true)
     {
@@ -203,7 +207,7 @@ static void makePositive
 
         if (!columns.turn(columnsOf(columns, poor)))
         {
-            poor = straighten(columns, poor, bestJacobians);
+            poor = lean(columns, poor, bestJacobians);
 
             const labelList retreating(culprits(columns, poor));
 
@@ -214,7 +218,7 @@ static void makePositive
             columns.retreat(retreating, squeezeCause::validity);
         }
 
-        candidates = columns.candidates();
+        candidates = columns.takeCandidates();
         candidates.append(poor);
         inplaceUniqueSort(candidates);
     }

@@ -10,6 +10,7 @@ License
 #include "movingColumns.H"
 #include "prismQuality.H"
 #include "wallClearance.H"
+#include "mathematicalConstants.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -18,6 +19,16 @@ namespace Foam
 
 //- How often a column turns to its neighbours before it retreats
 static const label maxTurns = 10;
+
+//- How often it tries to lean to where its cells are better
+static const label maxLeans = 4;
+
+//- What is left of the faults of the cells at most, for a column to lean
+static const scalar leanGain = 0.98;
+
+//- How far it may lean at a time, over the height, and to how many sides
+static const scalar leanSizes[] = {0.1, 0.4};
+static const label nLeans = 8;
 
 //- What a move leaves of the height of a column that retreats
 static const scalar retreatFactor = 0.8;
@@ -65,23 +76,26 @@ void Foam::movingColumns::build(const label c)
 }
 
 
+void Foam::movingColumns::touch(const label c)
+{
+    for (const label facei : front_.addressing.pointFaces[c])
+    {
+        candidates_[facei] = true;
+        moved_[facei] = true;
+    }
+}
+
+
 void Foam::movingColumns::rebuild(const boolList& columns)
 {
-    boolList touched(front_.surface.faces.size(), false);
     forAll(columns, c)
     {
         if (columns[c])
         {
             build(c);
-            for (const label facei : front_.addressing.pointFaces[c])
-            {
-                touched[facei] = true;
-                moved_[facei] = true;
-            }
+            touch(c);
         }
     }
-
-    candidates_ = findIndices(touched, true);
 }
 
 
@@ -89,6 +103,93 @@ void Foam::movingColumns::takeBack(const label c)
 {
     columns_.room[c] *= retreatFactor;
     straightened_[c] += straightenShare*(1 - straightened_[c]);
+}
+
+
+Foam::vectorField Foam::movingColumns::standing(const label c) const
+{
+    const label n = spacing_.nLayers;
+    const vector& axis = front_.visibility.cones[c].axis;
+    const scalar s = straightened_[c];
+    const vector straight
+    (
+        columnOffset(front_.visibility, c, axis, maxStretch_)
+    );
+
+    vectorField offsets(n);
+    for (label i = 0; i < n; ++i)
+    {
+        offsets[i] = (1 - s)*columns_.offsets[c*n + i] + s*straight;
+    }
+
+    return offsets;
+}
+
+
+Foam::List<Foam::vectorField> Foam::movingColumns::leaning
+(
+    const label c
+) const
+{
+    const label n = spacing_.nLayers;
+    const vector& axis = front_.visibility.cones[c].axis;
+    const vectorField offsets(standing(c));
+    DynamicList<vectorField> all;
+
+    all.append(vectorField(n, axis));
+
+    vectorField means(n);
+    for (label i = 0; i < n; ++i)
+    {
+        means[i] = graph_.mean(columns_.offsets, c, n, i);
+    }
+    all.append(means);
+
+    const vector across
+    (
+        mag(axis.x()) < 0.6 ? vector(1, 0, 0) : vector(0, 1, 0)
+    );
+    const vector u(normalised(axis ^ across));
+    const vector v(axis ^ u);
+
+    for (const scalar size : leanSizes)
+    {
+        for (label k = 0; k < nLeans; ++k)
+        {
+            const scalar angle = constant::mathematical::twoPi*k/nLeans;
+            const vector side(size*(::cos(angle)*u + ::sin(angle)*v));
+
+            vectorField directions(offsets);
+            for (label i = 0; i < n; ++i)
+            {
+                // Less so near to the wall, where columns stand upright
+                directions[i] += ::sqrt
+                (
+                    columns_.heights[c*n + i]/columns_.heights[c*n + n - 1]
+                )*side;
+            }
+            all.append(directions);
+        }
+    }
+
+    return List<vectorField>(std::move(all));
+}
+
+
+void Foam::movingColumns::stand(const label c, const vectorField& directions)
+{
+    const label n = spacing_.nLayers;
+    straightened_[c] = 0;
+
+    for (label i = 0; i < n; ++i)
+    {
+        columns_.offsets[c*n + i] = columnOffset
+        (
+            front_.visibility, c, directions[i], maxStretch_
+        );
+    }
+
+    build(c);
 }
 
 
@@ -109,7 +210,8 @@ Foam::movingColumns::movingColumns
     graph_(makeWallGraph(front.surface, front.addressing)),
     turns_(front.wallPoints.size(), 0),
     straightened_(front.wallPoints.size(), 0),
-    candidates_(identity(front.surface.faces.size())),
+    leans_(front.wallPoints.size(), 0),
+    candidates_(front.surface.faces.size(), true),
     moved_(front.surface.faces.size(), true)
 {
     const wallSurface& surface = front.surface;
@@ -132,6 +234,15 @@ Foam::movingColumns::movingColumns
 bool Foam::movingColumns::hopeless(const label c) const
 {
     return columns_.room[c] < hopelessShare*spacing_.thickness[c];
+}
+
+
+Foam::labelList Foam::movingColumns::takeCandidates()
+{
+    const labelList candidates(findIndices(candidates_, true));
+    candidates_ = false;
+
+    return candidates;
 }
 
 
@@ -237,49 +348,53 @@ bool Foam::movingColumns::turn(const labelUList& columns)
 }
 
 
-bool Foam::movingColumns::straighten
+bool Foam::movingColumns::lean
 (
-    const labelUList& columns,
-    const std::function<bool(label facei)>& accepted
+    const label c,
+    const std::function<scalar(label facei)>& fault
 )
 {
-    const scalarField before(straightened_, columns);
-
-    if (min(before) == 1)
+    if (leans_[c]++ >= maxLeans)
     {
         return false;
     }
 
-    for (const label c : columns)
+    const labelList& faces = front_.addressing.pointFaces[c];
+    const auto faults = [&]()
     {
-        straightened_[c] = 1;
-        build(c);
-    }
-
-    for (const label c : columns)
-    {
-        for (const label facei : front_.addressing.pointFaces[c])
+        scalar sum = 0;
+        for (const label facei : faces)
         {
-            if (!accepted(facei))
-            {
-                forAll(columns, k)
-                {
-                    straightened_[columns[k]] = before[k];
-                    build(columns[k]);
-                }
+            sum += fault(facei);
+        }
+        return sum;
+    };
 
-                return false;
-            }
+    const vectorField before(standing(c));
+    const scalar asItStands = faults();
+    scalar least = leanGain*asItStands;
+    vectorField best;
+
+    for (const vectorField& directions : leaning(c))
+    {
+        stand(c, directions);
+        const scalar sum = faults();
+
+        if (sum < least)
+        {
+            least = sum;
+            best = directions;
         }
     }
 
-    for (const label c : columns)
+    stand(c, best.size() ? best : before);
+
+    if (best.empty())
     {
-        for (const label facei : front_.addressing.pointFaces[c])
-        {
-            moved_[facei] = true;
-        }
+        return false;
     }
+
+    touch(c);
 
     return true;
 }

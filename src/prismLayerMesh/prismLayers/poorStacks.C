@@ -91,6 +91,28 @@ bool Foam::isPoor
 }
 
 
+Foam::scalar Foam::poorness
+(
+    const prismLayers& layers,
+    const label facei,
+    const scalar bestJacobian
+)
+{
+    scalar worst = GREAT;
+    for (label i = 1; i <= layers.nLayers; ++i)
+    {
+        worst = min(worst, scaledJacobian(layers, facei, i));
+    }
+
+    // Faces without area on the wall have only to be positive
+    const scalar good = max(2*smallestShare*bestJacobian, SMALL);
+
+    const scalar share = worst/good;
+
+    return share >= 0 ? max(1 - share, scalar(0)) : 1 - share/(1 - share);
+}
+
+
 Foam::labelList Foam::findPoorStacks
 (
     const prismLayers& layers,
