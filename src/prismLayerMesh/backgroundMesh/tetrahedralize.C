@@ -21,7 +21,6 @@ namespace Foam
 
 //- A rotation that lays nothing along the axes or their diagonals: on exactly
 //  coplanar and cospherical points TetGen fails now and then
-
 static const tensor& generalRotation()
 {
     static const tensor rotation
@@ -105,7 +104,12 @@ static void run(const tetDomain& domain, std::FILE* result)
 }
 
 
-static bool read(std::FILE* result, tetMesh& mesh)
+static bool read
+(
+    const tetDomain& domain,
+    std::FILE* result,
+    tetMesh& mesh
+)
 {
     int sizes[2];
 
@@ -128,9 +132,11 @@ static bool read(std::FILE* result, tetMesh& mesh)
     const size_t nTets =
         std::fread(mesh.tets.data(), sizeof(tetCell), sizes[1], result);
 
-    for (point& x : mesh.points)
+    // Those of the domain as they were, those that were added turned back
+    forAll(mesh.points, p)
     {
-        x = x & generalRotation();
+        mesh.points[p] = p < domain.points.size()
+          ? domain.points[p] : mesh.points[p] & generalRotation();
     }
 
     return nPoints == size_t(sizes[0]) && nTets == size_t(sizes[1]);
@@ -148,7 +154,7 @@ Foam::tetMesh Foam::tetrahedralize(const tetDomain& domain)
     const bool complete = isolatedProcess
     (
         [&](std::FILE* result) { run(domain, result); },
-        [&](std::FILE* result) { return read(result, mesh); },
+        [&](std::FILE* result) { return read(domain, result, mesh); },
         5 + domain.facets.size()/5000
     );
 

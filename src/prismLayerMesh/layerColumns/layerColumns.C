@@ -21,9 +21,6 @@ namespace Foam
 //- Share of the clearance that layers may fill; the rest is the far field's
 static const scalar gapShare = 0.9;
 
-//- Bound on the gradient of the room along the wall
-static const scalar roomSlope = 0.5;
-
 //- Length of the smoothing along the wall over the height
 static const scalar smoothingLength = 0.5;
 
@@ -91,7 +88,7 @@ static void setRoom
     for
     (
         const label p
-      : limitGradient(wall, addressing, roomSlope, columns.room)
+      : limitGradient(wall, addressing, layerColumns::maxSlope, columns.room)
     )
     {
         if (columns.causes[p] == squeezeCause::none)

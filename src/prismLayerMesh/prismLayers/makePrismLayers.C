@@ -43,8 +43,8 @@ static List<labelPair> selfPairs(const labelUList& faces)
 }
 
 
-//- Those columns of the stacks by whose retreat their worst cells gain; the tall
-//  ones where none does
+//- Those columns of the stacks by whose retreat their worst cells gain; the
+//  tall ones where none does
 static labelList culprits(movingColumns& columns, const labelUList& poor)
 {
     const faceList& faces = columns.front().surface.faces;
@@ -145,8 +145,9 @@ static labelList columnsOf
 }
 
 
-//- Lean the columns of stacks to where they are less poor. Those that still are.
-static labelList lean
+//- Lean the columns of stacks to where they are less poor. False where all
+//  stay.
+static bool lean
 (
     movingColumns& columns,
     const labelUList& poor,
@@ -159,7 +160,7 @@ static labelList lean
         return poorness(layers, facei, bestJacobians[facei]);
     };
 
-    labelHashSet left(poor);
+    bool any = false;
 
     for (const label facei : poor)
     {
@@ -167,20 +168,12 @@ static labelList lean
         {
             if (fault(facei) > 0)
             {
-                columns.lean(c, fault);
+                any = columns.lean(c, fault) || any;
             }
         }
     }
 
-    for (const label facei : poor)
-    {
-        if (!isPoor(layers, facei, bestJacobians[facei]))
-        {
-            left.erase(facei);
-        }
-    }
-
-    return left.sortedToc();
+    return any;
 }
 
 
@@ -195,7 +188,7 @@ static void makePositive
 
     while (true)
     {
-        labelList poor
+        const labelList poor
         (
             findPoorStacks(columns.layers(), bestJacobians, candidates)
         );
@@ -205,10 +198,12 @@ static void makePositive
             return;
         }
 
-        if (!columns.turn(columnsOf(columns, poor)))
+        if
+        (
+            !columns.turn(columnsOf(columns, poor))
+         && !lean(columns, poor, bestJacobians)
+        )
         {
-            poor = lean(columns, poor, bestJacobians);
-
             const labelList retreating(culprits(columns, poor));
 
             giveUpHopeless

@@ -258,7 +258,7 @@ TEST(layerColumns, roomHasABoundedGradient)
         EXPECT_LE
         (
             mag(columns.room[e.start()] - columns.room[e.end()]),
-            0.5*e.mag(wall.points) + 1e-14
+            layerColumns::maxSlope*e.mag(wall.points) + 1e-14
         );
     }
 }

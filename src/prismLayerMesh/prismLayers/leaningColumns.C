@@ -1,0 +1,174 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "movingColumns.H"
+#include "mathematicalConstants.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- How often it tries to lean to where its cells are better
+static const label maxLeans = 10;
+
+//- What is left of the faults of the cells at most, for a column to lean
+static const scalar leanGain = 0.98;
+
+//- How far it may lean at a time, over the height, and to how many sides
+static const scalar leanSizes[] = {0.1, 0.4};
+static const label nLeans = 8;
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::vectorField Foam::movingColumns::standing(const label c) const
+{
+    const label n = spacing_.nLayers;
+    const vector& axis = front_.visibility.cones[c].axis;
+    const scalar s = straightened_[c];
+    const vector straight
+    (
+        columnOffset(front_.visibility, c, axis, maxStretch_)
+    );
+
+    vectorField offsets(n);
+    for (label i = 0; i < n; ++i)
+    {
+        offsets[i] = (1 - s)*columns_.offsets[c*n + i] + s*straight;
+    }
+
+    return offsets;
+}
+
+
+Foam::List<Foam::vectorField> Foam::movingColumns::leaning
+(
+    const label c
+) const
+{
+    const label n = spacing_.nLayers;
+    const vector& axis = front_.visibility.cones[c].axis;
+    const vectorField offsets(standing(c));
+    DynamicList<vectorField> all;
+
+    all.append(vectorField(n, axis));
+
+    vectorField means(n);
+    for (label i = 0; i < n; ++i)
+    {
+        means[i] = graph_.mean(columns_.offsets, c, n, i);
+    }
+    all.append(means);
+
+    const vector across
+    (
+        mag(axis.x()) < 0.6 ? vector(1, 0, 0) : vector(0, 1, 0)
+    );
+    const vector u(normalised(axis ^ across));
+    const vector v(axis ^ u);
+
+    for (const scalar size : leanSizes)
+    {
+        for (label k = 0; k < nLeans; ++k)
+        {
+            const scalar angle = constant::mathematical::twoPi*k/nLeans;
+            const vector side(size*(::cos(angle)*u + ::sin(angle)*v));
+
+            vectorField directions(offsets);
+            for (label i = 0; i < n; ++i)
+            {
+                // Less so near to the wall, where columns stand upright
+                directions[i] += ::sqrt
+                (
+                    columns_.heights[c*n + i]/columns_.heights[c*n + n - 1]
+                )*side;
+            }
+            all.append(directions);
+        }
+    }
+
+    return List<vectorField>(std::move(all));
+}
+
+
+void Foam::movingColumns::stand(const label c, const vectorField& directions)
+{
+    const label n = spacing_.nLayers;
+    straightened_[c] = 0;
+
+    for (label i = 0; i < n; ++i)
+    {
+        columns_.offsets[c*n + i] = columnOffset
+        (
+            front_.visibility, c, directions[i], maxStretch_
+        );
+    }
+
+    build(c);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::movingColumns::lean
+(
+    const label c,
+    const std::function<scalar(label facei)>& fault
+)
+{
+    if (leans_[c]++ >= maxLeans)
+    {
+        return false;
+    }
+
+    const labelList& faces = front_.addressing.pointFaces[c];
+    const auto faults = [&]()
+    {
+        scalar sum = 0;
+        for (const label facei : faces)
+        {
+            sum += fault(facei);
+        }
+        return sum;
+    };
+
+    const vectorField before(standing(c));
+    const scalar asItStands = faults();
+    scalar least = leanGain*asItStands;
+    vectorField best;
+
+    for (const vectorField& directions : leaning(c))
+    {
+        stand(c, directions);
+        const scalar sum = faults();
+
+        if (sum < least)
+        {
+            least = sum;
+            best = directions;
+        }
+    }
+
+    stand(c, best.size() ? best : before);
+
+    if (best.empty())
+    {
+        return false;
+    }
+
+    touch(c);
+
+    return true;
+}
+
+
+// ************************************************************************* //
