@@ -38,7 +38,8 @@ struct longVector
 };
 
 
-//- Six times the volume between the origin and the fan of a face
+//- Six times the volume between the origin and the triangles around the middle
+//  of a face
 static long double coneVolume
 (
     const face& f,
@@ -46,13 +47,19 @@ static long double coneVolume
     const point& origin
 )
 {
+    point middle(Zero);
+    for (const label p : f)
+    {
+        middle += (points[p] - origin)/f.size();
+    }
+    const longVector a(origin + middle, origin);
+
     long double sum = 0;
 
-    for (label i = 1; i < f.size() - 1; ++i)
+    forAll(f, i)
     {
-        const longVector a(points[f[0]], origin);
         const longVector b(points[f[i]], origin);
-        const longVector c(points[f[i + 1]], origin);
+        const longVector c(points[f.nextLabel(i)], origin);
 
         sum +=
             a.x*(b.y*c.z - b.z*c.y)
@@ -96,6 +103,7 @@ class cellMesh
 {
     const wallSurface& wall_;
     const prismLayers& layers_;
+    const pointField points_;
     const polyMeshTopology mesh_;
     labelListList cells_;
 
@@ -147,6 +155,7 @@ cellMesh::cellMesh(const wallSurface& wall, const prismLayers& layers)
 :
     wall_(wall),
     layers_(layers),
+    points_(layers.meshPoints()),
     mesh_(makePrismTopology(layers)),
     cells_(invertOneToMany(max(mesh_.owner) + 1, mesh_.owner))
 {
@@ -196,7 +205,7 @@ scalar cellMesh::openness(const label celli) const
 
     for (const label facei : cells_[celli])
     {
-        const vector area(mesh_.faces[facei].areaNormal(layers_.points));
+        const vector area(mesh_.faces[facei].areaNormal(points_));
         sum += pointsInto(facei, celli) ? -area : area;
         magnitude += mag(area);
     }
@@ -208,13 +217,13 @@ scalar cellMesh::openness(const label celli) const
 long double cellMesh::volume(const label celli) const
 {
     const labelList& faces = cells_[celli];
-    const point& origin = layers_.points[mesh_.faces[faces[0]][0]];
+    const point& origin = points_[mesh_.faces[faces[0]][0]];
     long double sum = 0;
 
     for (const label facei : faces)
     {
         const long double cone =
-            coneVolume(mesh_.faces[facei], layers_.points, origin);
+            coneVolume(mesh_.faces[facei], points_, origin);
         sum += pointsInto(facei, celli) ? -cone : cone;
     }
 
@@ -334,7 +343,7 @@ std::string cellMesh::volumeFault() const
     );
 
     const long double between =
-        coneVolume(outerFaces, layers_.points, origin)
+        coneVolume(outerFaces, points_, origin)
       - coneVolume(wall_.faces, wall_.points, origin);
 
     long double filled = 0;
@@ -344,7 +353,7 @@ std::string cellMesh::volumeFault() const
     }
 
     // Coordinates are exact: only sums and products round
-    const scalar tolerance = 1e-13*pow3(boundBox(layers_.points, false).mag());
+    const scalar tolerance = 1e-13*pow3(boundBox(points_, false).mag());
 
     if (!(std::abs(filled - between) < tolerance))
     {
