@@ -9,6 +9,7 @@ License
 
 #include "meshFaults.H"
 #include "boundBox.H"
+#include "coneVolume.H"
 #include "ListOps.H"
 #include "prismPolyMesh.H"
 
@@ -18,76 +19,6 @@ License
 
 namespace Foam
 {
-
-//- More digits than those of the coordinates: of a thin cell little is left
-//  when the products are summed
-struct longVector
-{
-    long double x, y, z;
-
-    longVector(const point& p, const point& origin)
-    :
-        x(p.x()),
-        y(p.y()),
-        z(p.z())
-    {
-        x -= origin.x();
-        y -= origin.y();
-        z -= origin.z();
-    }
-};
-
-
-//- Six times the volume between the origin and the triangles around the middle
-//  of a face
-static long double coneVolume
-(
-    const face& f,
-    const pointField& points,
-    const point& origin
-)
-{
-    point middle(Zero);
-    for (const label p : f)
-    {
-        middle += (points[p] - origin)/f.size();
-    }
-    const longVector a(origin + middle, origin);
-
-    long double sum = 0;
-
-    forAll(f, i)
-    {
-        const longVector b(points[f[i]], origin);
-        const longVector c(points[f.nextLabel(i)], origin);
-
-        sum +=
-            a.x*(b.y*c.z - b.z*c.y)
-          + a.y*(b.z*c.x - b.x*c.z)
-          + a.z*(b.x*c.y - b.y*c.x);
-    }
-
-    return sum;
-}
-
-
-static long double coneVolume
-(
-    const UList<face>& faces,
-    const pointField& points,
-    const point& origin
-)
-{
-    long double sum = 0;
-
-    for (const face& f : faces)
-    {
-        sum += coneVolume(f, points, origin);
-    }
-
-    return sum;
-}
-
 
 template<class... Items>
 static std::string text(const Items&... items)
@@ -121,6 +52,10 @@ class cellMesh
 
     //- Times six
     long double volume(label celli) const;
+
+    //- Times three, as OpenFOAM's solvers have it: of warped faces only the
+    //  area vector and the centre
+    scalar solverVolume(label celli) const;
 
     //- The face of a cell that has no point in common with another one; -1
     //  unless there is exactly one
@@ -231,6 +166,23 @@ long double cellMesh::volume(const label celli) const
 }
 
 
+scalar cellMesh::solverVolume(const label celli) const
+{
+    const point& origin = points_[mesh_.faces[cells_[celli][0]][0]];
+    scalar sum = 0;
+
+    for (const label facei : cells_[celli])
+    {
+        const face& f = mesh_.faces[facei];
+        const scalar cone =
+            f.areaNormal(points_) & (f.centre(points_) - origin);
+        sum += pointsInto(facei, celli) ? -cone : cone;
+    }
+
+    return sum;
+}
+
+
 label cellMesh::opposite(const label celli, const label facei) const
 {
     label found = -1;
@@ -297,11 +249,11 @@ std::string cellMesh::cellFault() const
             return text("cell ", celli, " is not closed");
         }
 
-        const long double sixfold = volume(celli);
+        const scalar threefold = solverVolume(celli);
 
-        if (!(sixfold > 0))
+        if (!(threefold > 0))
         {
-            return text("cell ", celli, " has the volume ", sixfold/6);
+            return text("cell ", celli, " has the volume ", threefold/3);
         }
     }
 

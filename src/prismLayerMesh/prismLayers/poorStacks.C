@@ -9,6 +9,7 @@ License
 
 #include "poorStacks.H"
 #include "prismQuality.H"
+#include "stackHeights.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -87,7 +88,10 @@ bool Foam::isPoor
         }
     }
 
-    return false;
+    stackHeights stack(layers);
+    stack.compute(facei);
+
+    return min(stack.heights()) <= 0;
 }
 
 

@@ -9,6 +9,7 @@ License
 
 #include "layerCell.H"
 #include "prismQuality.H"
+#include "stackHeights.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -126,14 +127,18 @@ Foam::layerCertificate Foam::certify(const prismLayers& layers)
     certificate.nCells = layers.faces.size()*layers.nLayers;
     certificate.worstJacobian.setSize(layers.faces.size());
 
+    stackHeights stack(layers);
+
     forAll(layers.faces, facei)
     {
         scalar worst = GREAT;
+        stack.compute(facei);
 
         for (label i = 1; i <= layers.nLayers; ++i)
         {
             worst = min(worst, scaledJacobian(layers, facei, i));
-            certificate.nInvalidCells += !isPositive(layers, facei, i);
+            certificate.nInvalidCells +=
+                !isPositive(layers, facei, i) || stack.heights()[i - 1] <= 0;
         }
 
         certificate.worstJacobian[facei] = worst;
