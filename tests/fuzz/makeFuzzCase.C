@@ -89,6 +89,12 @@ void Foam::fuzzCase::make
     {
         splitPatches(wall, layers, random);
     }
+
+    // Multiple normals by choice: at sharp edges and corners
+    if (randomSurfaces::chance(random, 0.3))
+    {
+        layers.multipleNormalsAngle = random.position<scalar>(0, 60);
+    }
 }
 
 

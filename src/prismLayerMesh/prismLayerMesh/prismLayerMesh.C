@@ -295,6 +295,56 @@ static void makeLayers
     }
 }
 
+
+static void makeAll
+(
+    const wallSurface& wall,
+    const wallSearch& search,
+    const prismLayerControls& controls,
+    const stageObserver& observer,
+    prismLayerMesh& m
+)
+{
+    makeRoom(wall, search, controls, observer, m);
+    makeField(wall, search, controls, observer, m);
+    makeLayers(controls, observer, m);
+}
+
+
+//- False, and said in the log, where layers are not possible with the multiple
+//  normals that were chosen rather than needed
+static bool tryAll
+(
+    const wallSurface& wall,
+    const wallSearch& search,
+    const prismLayerControls& controls,
+    const stageObserver& observer,
+    prismLayerMesh& m
+)
+{
+    const bool throwing = FatalError.throwExceptions(true);
+    bool made = true;
+
+    try
+    {
+        makeAll(wall, search, controls, observer, m);
+    }
+    catch (const Foam::error& e)
+    {
+        made = false;
+        observer.end
+        (
+            "Not with multipleNormalsAngle "
+          + name(controls.layers.multipleNormalsAngle)
+          + ", now with 0. " + e.message()
+        );
+    }
+
+    FatalError.throwExceptions(throwing);
+
+    return made;
+}
+
 } // End namespace Foam
 
 
@@ -309,10 +359,21 @@ Foam::prismLayerMesh Foam::makePrismLayerMesh
 {
     const wallSearch search(wall);
 
+    if (controls.layers.multipleNormalsAngle > 0)
+    {
+        prismLayerMesh m;
+
+        if (tryAll(wall, search, controls, observer, m))
+        {
+            return m;
+        }
+    }
+
+    prismLayerControls needed(controls);
+    needed.layers.multipleNormalsAngle = 0;
+
     prismLayerMesh m;
-    makeRoom(wall, search, controls, observer, m);
-    makeField(wall, search, controls, observer, m);
-    makeLayers(controls, observer, m);
+    makeAll(wall, search, needed, observer, m);
 
     return m;
 }

@@ -66,6 +66,9 @@ class frontBuilder
     const wallVisibility& visibility_;
     const boolList& narrow_;
 
+    //- Whether all narrow cones have been looked at once
+    bool searched_ = false;
+
     //- Points with more than one column, and their sectors
     DynamicList<label> points_;
     DynamicList<normalSectors> sectors_;
@@ -103,7 +106,7 @@ class frontBuilder
         const label q = addressing_.pointPoints[p][i];
         const label k = indices_[q];
 
-        if (k < 0 && !narrow_[q])
+        if (k < 0 && (!narrow_[q] || searched_))
         {
             return visibility_.cones[q].axis;
         }
@@ -138,10 +141,11 @@ class frontBuilder
     }
 
 
-    //- Divide again the points beside others that are divided, until the planes
-    //  of each follow from the others' directions
+    //- Divide again the points beside others with narrow cones, until the
+    //  planes of each follow from the others' directions
     void agree()
     {
+        searched_ = true;
         bool changed = true;
 
         for (label round = 0; changed && round < maxRounds; ++round)
@@ -153,7 +157,7 @@ class frontBuilder
                 bool beside = false;
                 for (const label q : addressing_.pointPoints[points_[k]])
                 {
-                    beside = beside || indices_[q] >= 0;
+                    beside = beside || narrow_[q];
                 }
 
                 if (beside)

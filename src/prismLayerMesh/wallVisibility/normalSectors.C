@@ -26,6 +26,10 @@ static const label maxEdges = 12;
 //  is wider by more than this share
 static const scalar sectorGain = 0.3;
 
+//- The narrowest cone of a division that is made by choice, where one column
+//  could stand, has at least this cosine
+static const scalar smallestChoice = 0.25;
+
 //- Below this the volume that three unit vectors span is not positive
 static const scalar smallestVolume = 1e-6;
 
@@ -328,8 +332,12 @@ public:
 
     normalSectors best()
     {
+        // Where one column can stand, several must see more
         normalSectors sectors;
-        scalar best = 0;
+        const visibilityCone& single = visibility_.cones[p_];
+        scalar best =
+            single.empty()
+          ? 0 : max(single.cosine*(1 + sectorGain), smallestChoice);
 
         for (unsigned bits = 3; bits < (1u << candidates_.size()); ++bits)
         {
