@@ -9,7 +9,6 @@ License
 
 #include "diffusionTensor.H"
 #include "harmonicField.H"
-#include "labelVector.H"
 #include "testStages.H"
 #include "testSurfaces.H"
 
@@ -19,71 +18,6 @@ License
 
 using namespace Foam;
 using testSurfaces::layeredMesh;
-
-//- Four cubes in a screw about a point where top and bottom, left and right
-//  meet: no direction is in front of all its faces
-static wallSurface screw(const point& centre)
-{
-    const bool filled[2][2][2] =
-        {{{true, false}, {false, false}}, {{true, false}, {true, true}}};
-
-    auto isFilled = [&](const labelVector& v)
-    {
-        return cmptMin(v) >= 0 && cmptMax(v) <= 1
-            && filled[v.x()][v.y()][v.z()];
-    };
-
-    labelList pointOf(27, -1);
-    DynamicList<point> points;
-    DynamicList<face> faces;
-
-    for (label cell = 0; cell < 8; ++cell)
-    {
-        const labelVector v(cell/4, (cell/2) % 2, cell % 2);
-
-        for (label side = 0; isFilled(v) && side < 6; ++side)
-        {
-            const direction d = side/2;
-            labelVector out(0, 0, 0), u(0, 0, 0), w(0, 0, 0);
-            out[d] = side % 2 ? 1 : -1;
-            u[(d + 2 - side % 2) % 3] = 1;
-            w[(d + 1 + side % 2) % 3] = 1;
-
-            if (isFilled(v + out))
-            {
-                continue;
-            }
-
-            labelVector a(v);
-            a[d] += side % 2;
-            face f(4);
-            label i = 0;
-            for (const labelVector& x : {a, a + u, a + u + w, a + w})
-            {
-                label& p = pointOf[9*x.x() + 3*x.y() + x.z()];
-                if (p < 0)
-                {
-                    p = points.size();
-                    points.append
-                    (
-                        centre + point(x.x() - 1, x.y() - 1, x.z() - 1)
-                    );
-                }
-                f[i++] = p;
-            }
-            faces.append(f);
-        }
-    }
-
-    wallSurface wall;
-    wall.points.transfer(points);
-    wall.faces.transfer(faces);
-    wall.patchIDs.setSize(wall.faces.size(), 0);
-    wall.patchNames = wordList(1, word("wall"));
-
-    return wall;
-}
-
 
 static wallSurface scaled(const wallSurface& wall, const scalar factor)
 {
@@ -272,7 +206,7 @@ TEST(makePrismLayerMesh, bothSolversGiveTheLayers)
 
 TEST(makePrismLayerMesh, pointThatSeesNothingHasMultipleNormals)
 {
-    const wallSurface wall(screw(point(3, 4, 5)));
+    const wallSurface wall(testSurfaces::screw(point(3, 4, 5)));
     ASSERT_NEAR(testSurfaces::enclosedVolume(wall), 4, 1e-12);
 
     const prismLayerMesh mesh(layeredMesh(wall, 3, 0.1));

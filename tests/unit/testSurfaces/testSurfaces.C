@@ -12,6 +12,8 @@ License
 #include "labelVector.H"
 #include "unitConversion.H"
 
+#include <algorithm>
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
@@ -351,6 +353,41 @@ Foam::scalar Foam::testSurfaces::enclosedVolume(const wallSurface& wall)
     }
 
     return volume/6;
+}
+
+
+bool Foam::testSurfaces::isClosed(const wallSurface& wall)
+{
+    DynamicList<labelPair> forward, backward;
+
+    for (const face& f : wall.faces)
+    {
+        forAll(f, i)
+        {
+            forward.append(labelPair(f[i], f[f.fcIndex(i)]));
+            backward.append(labelPair(f[f.fcIndex(i)], f[i]));
+        }
+    }
+
+    std::sort(forward.begin(), forward.end());
+    std::sort(backward.begin(), backward.end());
+
+    return
+        forward == backward
+     && std::adjacent_find(forward.begin(), forward.end()) == forward.end();
+}
+
+
+Foam::label Foam::testSurfaces::eulerCharacteristic(const wallSurface& wall)
+{
+    label nSides = 0;
+
+    for (const face& f : wall.faces)
+    {
+        nSides += f.size();
+    }
+
+    return wall.points.size() - nSides/2 + wall.faces.size();
 }
 
 

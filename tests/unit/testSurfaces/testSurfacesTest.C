@@ -7,9 +7,8 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "testSurfaces.H"
+#include "saddles.H"
 #include "mathematicalConstants.H"
-#include "labelPair.H"
 
 #include <gtest/gtest.h>
 
@@ -20,43 +19,6 @@ using namespace Foam::testSurfaces;
 using Foam::constant::mathematical::pi;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- Every side of a face is met once in the other direction, by another face
-static bool isClosed(const wallSurface& wall)
-{
-    DynamicList<labelPair> forward, backward;
-
-    for (const face& f : wall.faces)
-    {
-        forAll(f, i)
-        {
-            forward.append(labelPair(f[i], f[f.fcIndex(i)]));
-            backward.append(labelPair(f[f.fcIndex(i)], f[i]));
-        }
-    }
-
-    std::sort(forward.begin(), forward.end());
-    std::sort(backward.begin(), backward.end());
-
-    return
-        forward == backward
-     && std::adjacent_find(forward.begin(), forward.end()) == forward.end();
-}
-
-
-//- Euler characteristic
-static label euler(const wallSurface& wall)
-{
-    label nSides = 0;
-
-    for (const face& f : wall.faces)
-    {
-        nSides += f.size();
-    }
-
-    return wall.points.size() - nSides/2 + wall.faces.size();
-}
-
 
 //- In degrees
 static scalar smallestAngle(const wallSurface& wall)
@@ -114,11 +76,18 @@ TEST(testSurfaces, encloseTheirVolume)
 
 TEST(testSurfaces, haveTheirTopology)
 {
-    EXPECT_EQ(euler(cube(3)), 2);
-    EXPECT_EQ(euler(sphere(3)), 2);
-    EXPECT_EQ(euler(lBlock(4)), 2);
-    EXPECT_EQ(euler(torus(12, 8, 2, 0.5)), 0);
-    EXPECT_EQ(euler(merge(cube(3), translated(cube(3), vector(2, 0, 0)))), 4);
+    EXPECT_EQ(eulerCharacteristic(cube(3)), 2);
+    EXPECT_EQ(eulerCharacteristic(sphere(3)), 2);
+    EXPECT_EQ(eulerCharacteristic(lBlock(4)), 2);
+    EXPECT_EQ(eulerCharacteristic(torus(12, 8, 2, 0.5)), 0);
+    EXPECT_EQ
+    (
+        eulerCharacteristic
+        (
+            merge(cube(3), translated(cube(3), vector(2, 0, 0)))
+        ),
+        4
+    );
 }
 
 
@@ -141,6 +110,32 @@ TEST(testSurfaces, mergeKeepsPatches)
     EXPECT_EQ(both.patchNames, wordList({"wall", "other"}));
     EXPECT_EQ(both.patchIDs[23], 0);
     EXPECT_EQ(both.patchIDs[24], 1);
+}
+
+
+TEST(testSurfaces, screwsOfCubes)
+{
+    // Paths of three edges of a cube, each in another direction: six begin at
+    // each of its corners, and each has two ends
+    const List<saddle> all(screws());
+
+    ASSERT_EQ(all.size(), 24);
+    for (const saddle& s : all)
+    {
+        EXPECT_TRUE(isClosed(s.wall)) << s.name;
+        EXPECT_NEAR(enclosedVolume(s.wall), 4, 1e-14) << s.name;
+        EXPECT_EQ(eulerCharacteristic(s.wall), 2) << s.name;
+    }
+}
+
+
+TEST(testSurfaces, bladeOnAnEdge)
+{
+    const wallSurface wall(bladeOnEdge(0.25));
+
+    EXPECT_TRUE(isClosed(wall));
+    EXPECT_NEAR(enclosedVolume(wall), 2.5, 1e-14);
+    EXPECT_EQ(eulerCharacteristic(wall), 2);
 }
 
 
