@@ -98,6 +98,49 @@ Foam::prismLayers Foam::testSurfaces::straightLayers
 }
 
 
+Foam::prismLayers Foam::testSurfaces::frontLayers
+(
+    const layerFront& front,
+    const scalarList& heights
+)
+{
+    prismLayers layers;
+    layers.nLayers = heights.size() - 1;
+    layers.faces = front.surface.faces;
+    layers.patchIDs = SubList<label>(front.surface.patchIDs, front.nWallFaces);
+    layers.patchNames = front.surface.patchNames;
+    layers.furtherRoots = front.furtherRoots();
+    layers.points.setSize(front.wallPoints.size()*heights.size());
+
+    forAll(front.wallPoints, c)
+    {
+        forAll(heights, i)
+        {
+            layers.points[layers.index(c, i)] = front.surface.points[c]
+              + heights[i]*front.visibility.cones[c].axis;
+        }
+    }
+
+    return layers;
+}
+
+
+Foam::layerFront Foam::testSurfaces::frontOf
+(
+    const wallSurface& wall,
+    const scalar smallestAngle
+)
+{
+    const wallAddressing addressing(makeWallAddressing(wall));
+
+    return makeLayerFront
+    (
+        wall, addressing, makeWallVisibility(wall, addressing),
+        degToRad(smallestAngle)
+    );
+}
+
+
 Foam::prismLayers Foam::testSurfaces::onePolygon
 (
     const label nPoints,

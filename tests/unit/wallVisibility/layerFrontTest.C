@@ -9,7 +9,7 @@ License
 
 #include "layerFront.H"
 #include "saddles.H"
-#include "unitConversion.H"
+#include "testLayers.H"
 
 #include <gtest/gtest.h>
 
@@ -35,16 +35,9 @@ struct dividedWall
     )
     :
         name(name),
-        wall(wall)
-    {
-        const wallAddressing addressing(makeWallAddressing(wall));
-
-        front = makeLayerFront
-        (
-            wall, addressing, makeWallVisibility(wall, addressing),
-            degToRad(smallestAngle)
-        );
-    }
+        wall(wall),
+        front(testSurfaces::frontOf(wall, smallestAngle))
+    {}
 
 
     label nFurtherColumns() const
