@@ -11,6 +11,7 @@ License
 #include "prismQuality.H"
 #include "testLayers.H"
 #include "testSurfaces.H"
+#include "Random.H"
 
 #include <gtest/gtest.h>
 
@@ -67,6 +68,34 @@ static prismLayers twoCubes(const scalar gap, const scalar height)
         ),
         scalarList({0, 0.5*height, height})
     );
+}
+
+
+//- Those of which an outer face is a candidate
+static List<labelPair> pairsWith
+(
+    const List<labelPair>& pairs,
+    const boolList& candidates
+)
+{
+    DynamicList<labelPair> found;
+
+    for (const labelPair& pair : pairs)
+    {
+        bool any = false;
+        for (const label f : pair)
+        {
+            const label outer = f - candidates.size();
+            any = any || (outer >= 0 && candidates[outer]);
+        }
+
+        if (any)
+        {
+            found.append(pair);
+        }
+    }
+
+    return List<labelPair>(std::move(found));
 }
 
 
@@ -286,6 +315,53 @@ TEST(findIntersections, degenerateOuterFaces)
 
     ASSERT_EQ(pairs.size(), 1);
     EXPECT_EQ(pairs[0], labelPair(1, 1));
+}
+
+
+TEST(findIntersections, candidatesAreAmongThePairs)
+{
+    const prismLayers crossing(twoCubes(0.25, 0.15));
+    const prismLayers reaching(twoCubes(0.25, 0.4));
+    Random random(29);
+
+    for (const prismLayers& layers : {crossing, reaching})
+    {
+        for (const scalar share : {0.0, 0.1, 0.5, 0.9, 1.0})
+        {
+            boolList candidates(layers.faces.size());
+            for (bool& candidate : candidates)
+            {
+                candidate = random.sample01<scalar>() < share;
+            }
+
+            EXPECT_EQ
+            (
+                findIntersections(layers, candidates),
+                pairsWith(findIntersections(layers), candidates)
+            );
+        }
+    }
+}
+
+
+TEST(findIntersections, oneCandidateHasItsPairs)
+{
+    const prismLayers layers(twoCubes(0.25, 0.15));
+    const List<labelPair> all(findIntersections(layers));
+    label n = 0;
+
+    forAll(layers.faces, facei)
+    {
+        boolList candidates(layers.faces.size(), false);
+        candidates[facei] = true;
+        const List<labelPair> pairs(findIntersections(layers, candidates));
+        n += pairs.size();
+
+        EXPECT_EQ(pairs, pairsWith(all, candidates));
+    }
+
+    // Of each pair of outer faces both are candidates once
+    EXPECT_EQ(n, 2*all.size());
 }
 
 
