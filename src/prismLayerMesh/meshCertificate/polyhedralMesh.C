@@ -1,0 +1,130 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "polyhedralMesh.H"
+#include "HashSet.H"
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::polyhedralMesh::polyhedralMesh
+(
+    const pointField& points,
+    const faceList& faces,
+    const labelList& owner,
+    const labelList& neighbour
+)
+:
+    points_(points),
+    faces_(faces),
+    owner_(owner),
+    neighbour_(neighbour),
+    starts_
+    (
+        2 + max
+        (
+            owner.empty() ? -1 : max(owner),
+            neighbour.empty() ? -1 : max(neighbour)
+        ),
+        Zero
+    ),
+    cellFaces_(owner.size() + neighbour.size())
+{
+    for (const labelList* side : {&owner_, &neighbour_})
+    {
+        for (const label celli : *side)
+        {
+            ++starts_[celli + 1];
+        }
+    }
+
+    for (label celli = 0; celli < nCells(); ++celli)
+    {
+        starts_[celli + 1] += starts_[celli];
+    }
+
+    labelList next(starts_);
+    for (const labelList* side : {&owner_, &neighbour_})
+    {
+        forAll(*side, facei)
+        {
+            cellFaces_[next[(*side)[facei]]++] = facei;
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::label Foam::polyhedralMesh::beyond
+(
+    const label facei,
+    const label celli
+) const
+{
+    if (facei >= neighbour_.size())
+    {
+        return -1;
+    }
+
+    return owner_[facei] == celli ? neighbour_[facei] : owner_[facei];
+}
+
+
+Foam::label Foam::polyhedralMesh::opposite
+(
+    const label facei,
+    const label celli
+) const
+{
+    label found = -1;
+
+    for (const label other : cellFaces(celli))
+    {
+        bool apart = true;
+
+        for (const label p : faces_[other])
+        {
+            apart = apart && !faces_[facei].found(p);
+        }
+
+        if (apart && found >= 0)
+        {
+            return -1;
+        }
+        else if (apart)
+        {
+            found = other;
+        }
+    }
+
+    return found;
+}
+
+
+Foam::point Foam::polyhedralMesh::centre(const label celli) const
+{
+    labelHashSet labels;
+    point sum(Zero);
+
+    for (const label facei : cellFaces(celli))
+    {
+        for (const label p : faces_[facei])
+        {
+            if (labels.insert(p))
+            {
+                sum += points_[p];
+            }
+        }
+    }
+
+    return sum/max(labels.size(), 1);
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,250 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "meshCertificate.H"
+#include "prismPolyMesh.H"
+#include "prismQuality.H"
+#include "testLayers.H"
+#include "testStages.H"
+#include "testSurfaces.H"
+#include "Random.H"
+
+#include <gtest/gtest.h>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+using namespace Foam;
+
+//- Layers as a mesh
+class layersMesh
+{
+    const pointField points_;
+    const polyMeshTopology topology_;
+    const label nWalls_;
+
+    labelList patch(const label patchi) const
+    {
+        return identity
+        (
+            topology_.patchSizes[patchi], topology_.patchStarts[patchi]
+        );
+    }
+
+public:
+
+    explicit layersMesh(const prismLayers& layers)
+    :
+        points_(layers.meshPoints()),
+        topology_(makePrismTopology(layers)),
+        nWalls_(layers.patchNames.size())
+    {}
+
+    meshCertificate certificate(const bool hasOuter = true) const
+    {
+        DynamicList<label> walls;
+        for (label patchi = 0; patchi < nWalls_; ++patchi)
+        {
+            walls.append(patch(patchi));
+        }
+
+        return certifyMesh
+        (
+            polyhedralMesh
+            (
+                points_, topology_.faces, topology_.owner, topology_.neighbour
+            ),
+            walls,
+            hasOuter ? patch(nWalls_) : labelList()
+        );
+    }
+};
+
+
+static prismLayers cubeLayers(const label n)
+{
+    return testSurfaces::straightLayers
+    (
+        testSurfaces::cube(n),
+        testSurfaces::geometricHeights(3, 0.01, 1.5)
+    );
+}
+
+
+//- With lying prisms and wedges on its edges
+static prismLayers multipleNormals(const wallSurface& wall)
+{
+    prismLayerControls controls;
+    controls.layers = testSurfaces::layersOf(4, 0.1);
+    controls.layers.multipleNormalsAngle = 60;
+
+    return makePrismLayerMesh
+    (
+        wall,
+        controls,
+        stageObserver{[](const word&) {}, [](const string&) {}}
+    ).layers;
+}
+
+
+//- The points of the layers are moved by up to a distance, those on the wall
+//  are not
+static prismLayers shaken(prismLayers layers, const scalar distance, Random& r)
+{
+    for (label c = 0; c < layers.nColumns(); ++c)
+    {
+        for (label i = 1; i <= layers.nLayers; ++i)
+        {
+            layers.points[layers.index(c, i)] +=
+                distance*(2*r.sample01<vector>() - vector::one);
+        }
+    }
+
+    return layers;
+}
+
+
+static void expectSameVerdict(const prismLayers& layers)
+{
+    const meshCertificate certificate(layersMesh(layers).certificate());
+    labelList expected;
+
+    forAll(layers.faces, facei)
+    {
+        for (label i = 1; i <= layers.nLayers; ++i)
+        {
+            if (!isPositive(layers, facei, i))
+            {
+                expected.append(facei*layers.nLayers + i - 1);
+            }
+        }
+    }
+
+    EXPECT_EQ(certificate.invalidCells, expected);
+    EXPECT_EQ(sum(certificate.nInvalid), expected.size());
+    EXPECT_EQ
+    (
+        certificate.intersections.size(), findIntersections(layers).size()
+    );
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(certifyMesh, cube)
+{
+    const meshCertificate certificate(layersMesh(cubeLayers(3)).certificate());
+
+    EXPECT_EQ(certificate.nCells[label(meshCellShape::prism)], 12*9*3);
+    EXPECT_EQ(sum(certificate.nCells), 12*9*3);
+    EXPECT_TRUE(certificate.invalidCells.empty());
+    EXPECT_TRUE(certificate.intersections.empty());
+    EXPECT_EQ(certificate.nLayers, labelList(12*9, 3));
+}
+
+
+TEST(certifyMesh, multipleNormals)
+{
+    for (const wallSurface& wall :
+        {testSurfaces::quadCube(3), testSurfaces::lBlock(3)})
+    {
+        const prismLayers layers(multipleNormals(wall));
+        const meshCertificate certificate(layersMesh(layers).certificate());
+
+        EXPECT_GT(certificate.nCells[label(meshCellShape::lyingPrism)], 0);
+        EXPECT_GT
+        (
+            certificate.nCells[label(meshCellShape::wedge)]
+          + certificate.nCells[label(meshCellShape::tetrahedron)],
+            0
+        );
+        EXPECT_EQ(certificate.nCells[label(meshCellShape::other)], 0);
+        EXPECT_TRUE(certificate.invalidCells.empty());
+        EXPECT_TRUE(certificate.intersections.empty());
+        EXPECT_EQ(certificate.nLayers, labelList(wall.faces.size(), 4));
+    }
+}
+
+
+TEST(certifyMesh, sameVerdictAsOnTheLayers)
+{
+    Random random(1);
+
+    for
+    (
+        const prismLayers& layers
+      : {
+            cubeLayers(3),
+            multipleNormals(testSurfaces::quadCube(3)),
+            multipleNormals(testSurfaces::lBlock(3))
+        }
+    )
+    {
+        for (const scalar distance : {0.0, 1e-3, 5e-3, 0.02, 0.1})
+        {
+            expectSameVerdict(shaken(layers, distance, random));
+        }
+    }
+}
+
+
+TEST(certifyMesh, cellsThatAreNotPositiveAreNoLayers)
+{
+    prismLayers layers(cubeLayers(3));
+    const label column = layers.faces[5][0];
+    layers.points[layers.index(column, 2)] = layers(column, 1);
+
+    const meshCertificate certificate(layersMesh(layers).certificate());
+
+    forAll(certificate.nLayers, i)
+    {
+        EXPECT_EQ
+        (
+            certificate.nLayers[i], layers.faces[i].found(column) ? 1 : 3
+        );
+    }
+}
+
+
+TEST(certifyMesh, intersections)
+{
+    prismLayers layers(cubeLayers(3));
+    const label column = layers.faces[5][0];
+    layers.points[layers.index(column, 3)] = point(0.5, 0.5, 0.5);
+
+    EXPECT_FALSE(layersMesh(layers).certificate().intersections.empty());
+    EXPECT_TRUE(layersMesh(layers).certificate(false).intersections.empty());
+}
+
+
+TEST(certifyMesh, wallsThatIntersect)
+{
+    // Of two cubes, one through the other
+    const wallSurface cube(testSurfaces::cube(2));
+    const prismLayers layers
+    (
+        testSurfaces::straightLayers
+        (
+            testSurfaces::merge
+            (
+                cube, testSurfaces::translated(cube, vector(0.3, 0.4, 0.7))
+            ),
+            scalarList({0, 0.01})
+        )
+    );
+    const meshCertificate certificate(layersMesh(layers).certificate());
+
+    EXPECT_TRUE(certificate.invalidCells.empty());
+    EXPECT_GT
+    (
+        certificate.intersections.size(), findIntersections(layers).size()
+    );
+}
+
+
+// ************************************************************************* //
