@@ -1,0 +1,224 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "certificateLog.H"
+#include "IOmanip.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- What is wrong is named so many times
+static const label nExamples = 10;
+
+
+//- A name of a row, as wide as all are
+static std::string padded(const std::string& name)
+{
+    const size_t width = 20;
+    const size_t used = min(name.size(), width - 1);
+
+    return name + std::string(width - used, ' ');
+}
+
+
+static void writeRest(const label n)
+{
+    if (n > nExamples)
+    {
+        Info<< "    and " << n - nExamples << " more" << nl;
+    }
+}
+
+
+static word nameOfPatch(const polyMesh& mesh, const label facei)
+{
+    const label patchi = mesh.boundaryMesh().whichPatch(facei);
+    return patchi < 0 ? word("internal") : mesh.boundaryMesh()[patchi].name();
+}
+
+
+//- Layers on faces of a wall
+struct wallLayers
+{
+    label nFaces = 0;
+    label least = labelMax;
+    label most = 0;
+
+    //- In all, and of the faces with fewer layers than most or asked for
+    scalar area = 0;
+    scalar lacking = 0;
+    label nLacking = 0;
+
+    void count(const labelUList& layers)
+    {
+        nFaces = layers.size();
+
+        for (const label n : layers)
+        {
+            least = min(least, n);
+            most = max(most, n);
+        }
+    }
+
+    void addArea(const scalar a, const bool lacks)
+    {
+        area += a;
+        lacking += lacks ? a : 0;
+        nLacking += lacks;
+    }
+
+    void write(const string& name) const
+    {
+        const scalar share = area > 0 ? 100*(1 - lacking/area) : 100;
+
+        Info<< "    " << padded(name).c_str() << setw(10) << nFaces
+            << setw(8) << (nFaces ? least : 0) << setw(8) << most
+            << setw(12) << (nLacking ? share : 100) << nl;
+    }
+};
+
+
+static wallLayers layersOn
+(
+    const polyMesh& mesh,
+    const labelUList& faces,
+    const labelUList& layers,
+    const label asked
+)
+{
+    wallLayers wall;
+    wall.count(layers);
+
+    forAll(faces, i)
+    {
+        wall.addArea
+        (
+            mag(mesh.faces()[faces[i]].areaNormal(mesh.points())),
+            layers[i] < (asked ? asked : wall.most)
+        );
+    }
+
+    return wall;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void Foam::writeCells
+(
+    const meshCertificate& certificate,
+    const polyhedralMesh& mesh
+)
+{
+    Info<< nl << "Cells                        number  not positive" << nl;
+
+    for (label i = 0; i < nMeshCellShapes; ++i)
+    {
+        if (certificate.nCells[i])
+        {
+            Info<< "    " << padded(meshCellShapeName(meshCellShape(i))).c_str()
+                << setw(11) << certificate.nCells[i]
+                << setw(14) << certificate.nInvalid[i] << nl;
+        }
+    }
+
+    const labelList& cells = certificate.invalidCells;
+
+    for (label i = 0; i < min(cells.size(), nExamples); ++i)
+    {
+        Info<< "    not positive: cell " << cells[i] << ", "
+            << meshCellShapeName(certificate.invalidShapes[i]).c_str()
+            << ", at " << mesh.centre(cells[i]) << nl;
+    }
+
+    writeRest(cells.size());
+}
+
+
+void Foam::writeIntersections
+(
+    const meshCertificate& certificate,
+    const polyMesh& mesh,
+    const labelUList& outer
+)
+{
+    Info<< nl << "Wall and outer surface" << nl;
+
+    if (outer.empty())
+    {
+        Info<< "    no outer patch: intersections are not looked for" << nl;
+        return;
+    }
+
+    const List<labelPair>& pairs = certificate.intersections;
+    Info<< "    intersecting pairs of faces: " << pairs.size() << nl;
+
+    for (label i = 0; i < min(pairs.size(), nExamples); ++i)
+    {
+        const label a = pairs[i].first();
+        const label b = pairs[i].second();
+
+        Info<< "    intersecting: face " << a << " of "
+            << nameOfPatch(mesh, a).c_str() << " and face " << b << " of "
+            << nameOfPatch(mesh, b).c_str() << ", at "
+            << mesh.faces()[a].average(mesh.points(), mesh.points())
+            << nl;
+    }
+
+    writeRest(pairs.size());
+}
+
+
+bool Foam::writeLayers
+(
+    const meshCertificate& certificate,
+    const polyMesh& mesh,
+    const labelUList& walls,
+    const label asked
+)
+{
+    Info<< nl << "Layers                       faces     min     max  area [%]"
+        << " with " << (asked ? name(asked) : word("max")).c_str() << nl;
+
+    label start = 0;
+    DynamicList<label> allFaces;
+
+    for (const label patchi : walls)
+    {
+        const polyPatch& patch = mesh.boundaryMesh()[patchi];
+        const labelList faces(identity(patch.size(), patch.start()));
+
+        layersOn
+        (
+            mesh,
+            faces,
+            SubList<label>(certificate.nLayers, patch.size(), start),
+            asked
+        ).write(patch.name());
+
+        start += patch.size();
+        allFaces.append(faces);
+    }
+
+    const wallLayers all
+    (
+        layersOn(mesh, allFaces, certificate.nLayers, asked)
+    );
+
+    all.write("all walls");
+
+    return !asked || (all.nFaces && !all.nLacking);
+}
+
+
+// ************************************************************************* //

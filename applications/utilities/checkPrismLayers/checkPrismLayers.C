@@ -1,0 +1,271 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+Application
+    checkPrismLayers
+
+Group
+    grpMeshManipulationUtilities
+
+Description
+    The certificate of harmonicPrismMesh for a mesh that any program has made.
+
+    Certified is a mesh whose cells are all positive by exact predicates, where
+    wall and outer surface together do not intersect themselves, and, where
+    layers are asked for, with at least so many on every face of the wall. The
+    exit status is 1 where it is not certified.
+
+Usage
+    \b checkPrismLayers [OPTIONS]
+
+    Options:
+      - \par -region \<name\>
+        Check the mesh of that region
+
+      - \par -walls \<wordRes\>
+        Patches with layers; default those of type wall
+
+      - \par -outer \<wordRes\>
+        Patches of the outer surface of the layers; default layerOuter. Where
+        there is none no intersections are looked for.
+
+      - \par -layers \<n\>
+        Ask for n layers on every face of the walls
+
+      - \par -writeSets
+        Write the cells that are not positive as cellSet nonPositiveCells
+
+\*---------------------------------------------------------------------------*/
+
+#include "argList.H"
+#include "cellSet.H"
+#include "Time.H"
+#include "polyMesh.H"
+#include "wallPolyPatch.H"
+#include "certificateLog.H"
+#include "prismPolyMesh.H"
+
+#include <functional>
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+static void addOptions()
+{
+    argList::noParallel();
+    argList::addNote
+    (
+        "Check the prism layers of a mesh, whoever made it, by exact"
+        " predicates:\n"
+        "cells are positive, wall and outer surface do not intersect, layers"
+        " are complete."
+    );
+    argList::addOption
+    (
+        "region", "name", "Check the mesh of that region"
+    );
+    argList::addOption
+    (
+        "walls",
+        "wordRes",
+        "Patches with layers, eg, '(body \"wing.*\")'."
+        " Default: those of type wall"
+    );
+    argList::addOption
+    (
+        "outer",
+        "wordRes",
+        "Patches of the outer surface of the layers."
+        " Default: layerOuter, where there is one"
+    );
+    argList::addOption
+    (
+        "layers", "n", "Ask for n layers on every face of the walls"
+    );
+    argList::addBoolOption
+    (
+        "writeSets", "Write the cells that are not positive as a cellSet"
+    );
+}
+
+
+//- The patches of an option, in ascending order, or the default ones
+static labelList patchesOf
+(
+    const argList& args,
+    const word& option,
+    const polyMesh& mesh,
+    const std::function<bool(const polyPatch&)>& isDefault
+)
+{
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
+
+    if (args.found(option))
+    {
+        const wordRes names(args.getList<wordRe>(option));
+        const labelList found(patches.patchSet(names).sortedToc());
+
+        if (found.empty())
+        {
+            FatalErrorInFunction
+                << "No patch is called " << args[option].c_str() << ", only "
+                << patches.names() << exit(FatalError);
+        }
+
+        return found;
+    }
+
+    DynamicList<label> found;
+
+    for (const polyPatch& patch : patches)
+    {
+        if (isDefault(patch))
+        {
+            found.append(patch.index());
+        }
+    }
+
+    return labelList(std::move(found));
+}
+
+
+//- No patch is one of both
+static void checkApart
+(
+    const polyMesh& mesh,
+    const labelUList& walls,
+    const labelUList& outer
+)
+{
+    for (const label patchi : outer)
+    {
+        if (walls.found(patchi))
+        {
+            FatalErrorInFunction
+                << "Patch " << mesh.boundaryMesh()[patchi].name()
+                << " is a wall and an outer one" << exit(FatalError);
+        }
+    }
+}
+
+
+static labelList facesOf(const polyMesh& mesh, const labelUList& patches)
+{
+    DynamicList<label> faces;
+
+    for (const label patchi : patches)
+    {
+        const polyPatch& patch = mesh.boundaryMesh()[patchi];
+
+        for (label i = 0; i < patch.size(); ++i)
+        {
+            faces.append(patch.start() + i);
+        }
+    }
+
+    return labelList(std::move(faces));
+}
+
+
+static void writeSet(const polyMesh& mesh, const labelUList& cells)
+{
+    cellSet set(mesh, "nonPositiveCells", cells);
+    set.instance() = mesh.facesInstance();
+
+    if (!set.write())
+    {
+        FatalErrorInFunction
+            << "Cannot write " << set.objectPath() << exit(FatalError);
+    }
+
+    Info<< nl << "Set: " << set.objectPath() << endl;
+}
+
+
+int main(int argc, char *argv[])
+{
+    addOptions();
+
+    #include "setRootCase.H"
+    #include "createTime.H"
+
+    const label asked =
+        args.found("layers") ? args.get<label>("layers") : 0;
+
+    if (asked < 0)
+    {
+        FatalErrorInFunction
+            << "-layers " << asked << " is negative" << exit(FatalError);
+    }
+
+    const polyMesh mesh
+    (
+        IOobject
+        (
+            args.lookupOrDefault<word>("region", polyMesh::defaultRegion),
+            runTime.timeName(),
+            runTime,
+            IOobject::MUST_READ
+        )
+    );
+
+    const labelList walls
+    (
+        patchesOf
+        (
+            args, "walls", mesh,
+            [](const polyPatch& p) { return isA<wallPolyPatch>(p); }
+        )
+    );
+    const labelList outer
+    (
+        patchesOf
+        (
+            args, "outer", mesh,
+            [](const polyPatch& p) { return p.name() == layerOuterName; }
+        )
+    );
+
+    checkApart(mesh, walls, outer);
+
+    const polyhedralMesh cells
+    (
+        mesh.points(), mesh.faces(), mesh.faceOwner(), mesh.faceNeighbour()
+    );
+    const meshCertificate certificate
+    (
+        certifyMesh(cells, facesOf(mesh, walls), facesOf(mesh, outer))
+    );
+
+    writeCells(certificate, cells);
+    writeIntersections(certificate, mesh, outer);
+    const bool complete = writeLayers(certificate, mesh, walls, asked);
+
+    if (args.found("writeSets"))
+    {
+        writeSet(mesh, certificate.invalidCells);
+    }
+
+    const bool certified =
+        certificate.invalidCells.empty()
+     && certificate.intersections.empty()
+     && complete;
+
+    Info<< nl << (certified ? "Certified" : "NOT certified") << nl << endl;
+
+    // What main returns is lost: the destructor of args exits with 0
+    if (!certified)
+    {
+        UPstream::exit(1);
+    }
+
+    return 0;
+}
+
+
+// ************************************************************************* //
