@@ -16,17 +16,16 @@ namespace Foam
 {
 
 //- Triangles of one level of a front face: 0 the wall, else the outer surface.
-//  Those of the latter that are degenerate are intersections, those of the wall
-//  are nothing that their neighbours are not.
-static void addTriangles
+//  Those that are degenerate are left out; true when there are such.
+static bool addTriangles
 (
     const prismLayers& layers,
     const label facei,
     const label level,
-    std::vector<frontTriangle>& triangles,
-    DynamicList<labelPair>& intersections
+    std::vector<frontTriangle>& triangles
 )
 {
+    bool degenerate = false;
     const face& f = layers.faces[facei];
 
     for (label k = 1; k + 1 < f.size(); ++k)
@@ -42,15 +41,17 @@ static void addTriangles
             t.points[j] = layers(columns[j], level);
         }
 
-        if (!t.degenerate())
+        if (t.degenerate())
+        {
+            degenerate = true;
+        }
+        else
         {
             triangles.push_back(t);
         }
-        else if (level)
-        {
-            intersections.append(labelPair(t.frontFace, t.frontFace));
-        }
     }
+
+    return degenerate;
 }
 
 } // End namespace Foam
@@ -77,12 +78,20 @@ Foam::List<Foam::labelPair> Foam::findIntersections
 
     forAll(layers.faces, facei)
     {
-        addTriangles
+        std::vector<frontTriangle>& outer = candidates[facei] ? first : second;
+
+        if
         (
-            layers, facei, layers.nLayers,
-            candidates[facei] ? first : second, pairs
-        );
-        addTriangles(layers, facei, 0, second, pairs);
+            addTriangles(layers, facei, layers.nLayers, outer)
+         && candidates[facei]
+        )
+        {
+            const label outerFace = layers.faces.size() + facei;
+            pairs.append(labelPair(outerFace, outerFace));
+        }
+
+        // Where the wall is degenerate it is nothing its neighbours are not
+        addTriangles(layers, facei, 0, second);
     }
 
     addIntersections(first, second, pairs);
