@@ -141,9 +141,11 @@ bool Foam::movingColumns::lean
         return sum;
     };
 
-    const vectorField before(standing(c));
-    const scalar asItStands = faults();
-    scalar least = leanGain*asItStands;
+    const label n = spacing_.nLayers;
+    const vectorField offsets(SubList<vector>(columns_.offsets, n, c*n));
+    const scalar straightened = straightened_[c];
+
+    scalar least = leanGain*faults();
     vectorField best;
 
     for (const vectorField& directions : leaning(c))
@@ -158,13 +160,16 @@ bool Foam::movingColumns::lean
         }
     }
 
-    stand(c, best.size() ? best : before);
-
     if (best.empty())
     {
+        SubList<vector>(columns_.offsets, n, c*n) = offsets;
+        straightened_[c] = straightened;
+        build(c);
+
         return false;
     }
 
+    stand(c, best);
     touch(c);
 
     return true;
