@@ -27,8 +27,10 @@ static const label maxEdges = 12;
 static const scalar sectorGain = 0.3;
 
 //- The narrowest cone of a division that is made by choice, where one column
-//  could stand, has at least this cosine
+//  could stand, has at least this cosine, and this share of its cosine: the
+//  planes between the sectors narrow the cones too
 static const scalar smallestChoice = 0.25;
+static const scalar choiceShare = 0.9;
 
 //- Below this the volume that three unit vectors span is not positive
 static const scalar smallestVolume = 1e-6;
@@ -115,6 +117,9 @@ class sectorSearch
     const wallSurface& wall_;
     const wallVisibility& visibility_;
     const label p_;
+
+    //- Cosine of the narrowest cone of a division
+    const scalar least_;
 
     //- Unit vectors along the edges, edge i before face i
     vectorField edges_;
@@ -265,18 +270,18 @@ class sectorSearch
             narrowest = min(narrowest, c.cosine);
         }
 
-        narrowest /= ::pow(1 + sectorGain, n - 2);
-
+        const scalar score = narrowest/::pow(1 + sectorGain, n - 2);
         faceList triangles;
 
         if
         (
-            narrowest > best
+            narrowest > least_
+         && score > best
          && cutIntoTriangles(axes, triangles)
          && closes(starts, axes, triangles)
         )
         {
-            best = narrowest;
+            best = score;
             sectors.starts = starts;
             sectors.axes = axes;
             sectors.triangles = triangles;
@@ -298,6 +303,11 @@ public:
         wall_(wall),
         visibility_(visibility),
         p_(p),
+        least_
+        (
+            visibility.cones[p].empty()
+          ? 0 : max(choiceShare*visibility.cones[p].cosine, smallestChoice)
+        ),
         edges_(addressing.pointPoints[p].size()),
         normals_(edges_.size()),
         planes_(edges_.size())
@@ -332,12 +342,8 @@ public:
 
     normalSectors best()
     {
-        // Where one column can stand, several must see more
         normalSectors sectors;
-        const visibilityCone& single = visibility_.cones[p_];
-        scalar best =
-            single.empty()
-          ? 0 : max(single.cosine*(1 + sectorGain), smallestChoice);
+        scalar best = 0;
 
         for (unsigned bits = 3; bits < (1u << candidates_.size()); ++bits)
         {
