@@ -19,27 +19,30 @@ License
 namespace Foam
 {
 
-//- A rotation that lays nothing along the axes or their diagonals: on exactly
-//  coplanar and cospherical points TetGen fails now and then
-static const tensor& generalRotation()
-{
-    static const tensor rotation
-    (
-        quaternion(normalised(vector(0.37, 0.61, 0.29)), 1.13).R()
-    );
+//- How often TetGen tries, each time with other coordinates
+static const label maxAttempts = 4;
 
-    return rotation;
+
+//- Rotations that lay nothing along the axes or their diagonals: on exactly
+//  coplanar and cospherical points TetGen fails now and then, and with other
+//  coordinates rarely again
+static tensor generalRotation(const label attempt)
+{
+    return quaternion
+    (
+        normalised(vector(0.37, 0.61, 0.29)), 1.13 + attempt
+    ).R();
 }
 
 
 //- tetgenio frees with delete[] what is given to it
-static REAL* newCoordinates(const pointField& points)
+static REAL* newCoordinates(const pointField& points, const tensor& rotation)
 {
     REAL* xyz = new REAL[3*points.size() + 1];
 
     forAll(points, i)
     {
-        const point x(generalRotation() & points[i]);
+        const point x(rotation & points[i]);
 
         for (direction d = 0; d < 3; ++d)
         {
@@ -78,14 +81,19 @@ static void setFacets(tetgenio& io, const faceList& facets)
 }
 
 
-static void run(const tetDomain& domain, std::FILE* result)
+static void run
+(
+    const tetDomain& domain,
+    const tensor& rotation,
+    std::FILE* result
+)
 {
     tetgenio in, out;
 
     in.numberofpoints = domain.points.size();
-    in.pointlist = newCoordinates(domain.points);
+    in.pointlist = newCoordinates(domain.points, rotation);
     in.numberofholes = domain.holes.size();
-    in.holelist = newCoordinates(domain.holes);
+    in.holelist = newCoordinates(domain.holes, rotation);
     setFacets(in, domain.facets);
 
     // Facets stay as they are: not split (Y), coplanar ones not merged (M), no
@@ -107,6 +115,7 @@ static void run(const tetDomain& domain, std::FILE* result)
 static bool read
 (
     const tetDomain& domain,
+    const tensor& rotation,
     std::FILE* result,
     tetMesh& mesh
 )
@@ -136,7 +145,7 @@ static bool read
     forAll(mesh.points, p)
     {
         mesh.points[p] = p < domain.points.size()
-          ? domain.points[p] : mesh.points[p] & generalRotation();
+          ? domain.points[p] : mesh.points[p] & rotation;
     }
 
     return nPoints == size_t(sizes[0]) && nTets == size_t(sizes[1]);
@@ -149,24 +158,34 @@ static bool read
 
 Foam::tetMesh Foam::tetrahedralize(const tetDomain& domain)
 {
-    tetMesh mesh;
-
-    const bool complete = isolatedProcess
-    (
-        [&](std::FILE* result) { run(domain, result); },
-        [&](std::FILE* result) { return read(domain, result, mesh); },
-        5 + domain.facets.size()/5000
-    );
-
-    if (!complete)
+    for (label attempt = 0; attempt < maxAttempts; ++attempt)
     {
-        FatalErrorInFunction
-            << "TetGen failed, or took too long, on "
-            << domain.facets.size() << " facets and "
-            << domain.points.size() << " points" << exit(FatalError);
+        const tensor rotation(generalRotation(attempt));
+        tetMesh mesh;
+
+        const bool complete = isolatedProcess
+        (
+            [&](std::FILE* result) { run(domain, rotation, result); },
+            [&](std::FILE* result)
+            {
+                return read(domain, rotation, result, mesh);
+            },
+            1 + domain.facets.size()/10000
+        );
+
+        if (complete)
+        {
+            return mesh;
+        }
     }
 
-    return mesh;
+    FatalErrorInFunction
+        << "TetGen failed, or took too long, on "
+        << domain.facets.size() << " facets and "
+        << domain.points.size() << " points, " << maxAttempts << " times"
+        << exit(FatalError);
+
+    return tetMesh();
 }
 
 
