@@ -20,7 +20,7 @@ namespace Foam
 {
 
 //- How often TetGen tries, each time with other coordinates
-static const label maxAttempts = 4;
+static const label maxAttempts = 3;
 
 
 //- Rotations that lay nothing along the axes or their diagonals: on exactly
@@ -170,7 +170,7 @@ Foam::tetMesh Foam::tetrahedralize(const tetDomain& domain)
             {
                 return read(domain, rotation, result, mesh);
             },
-            1 + domain.facets.size()/10000
+            2 + domain.points.size()/8000
         );
 
         if (complete)
