@@ -33,7 +33,7 @@ Usage
         That case alone, in this process
 
       - \par -folder \<path\>
-        Write the surfaces of failures there
+        Write the surfaces of failures, or that of the index, there
 
 \*---------------------------------------------------------------------------*/
 
@@ -65,7 +65,8 @@ static void addOptions()
     argList::addOption("index", "i", "That case alone, in this process");
     argList::addOption
     (
-        "folder", "path", "Write the surfaces of failures there, as OBJ"
+        "folder", "path", "Write the surfaces of failures, or that of the index"
+        ", there as OBJ"
     );
 }
 
@@ -90,6 +91,20 @@ struct tally
 };
 
 
+static void write(const fuzzCase& one, const fileName& folder)
+{
+    if (folder.size())
+    {
+        mkDir(folder);
+        writeSurface
+        (
+            one,
+            folder/(Foam::name(one.seed) + '-' + Foam::name(one.index) + ".obj")
+        );
+    }
+}
+
+
 static void report
 (
     const fuzzCase& one,
@@ -109,14 +124,9 @@ static void report
         << randomSurfaces::name(one.kind()) << ") "
         << (failed ? result.cause : result.noField).c_str() << endl;
 
-    if (failed && folder.size())
+    if (failed)
     {
-        mkDir(folder);
-        writeSurface
-        (
-            one,
-            folder/(Foam::name(one.seed) + '-' + Foam::name(one.index) + ".obj")
-        );
+        write(one, folder);
     }
 }
 
@@ -139,12 +149,11 @@ static void report(const tally& counts, const scalar seconds)
 
 
 //- Returns whether all is well
-static bool runCases(const argList& args)
+static bool runCases(const argList& args, const fileName& folder)
 {
     const clockTime time;
     const scalar seconds = args.lookupOrDefault<scalar>("seconds", 0);
     const label count = args.lookupOrDefault<label>("count", 150);
-    const fileName folder(args.lookupOrDefault<fileName>("folder", ""));
     const string kind(args.lookupOrDefault<string>("kind", ""));
 
     fuzzCase one;
@@ -181,6 +190,7 @@ int main(int argc, char *argv[])
 {
     addOptions();
     const argList args(argc, argv);
+    const fileName folder(args.lookupOrDefault<fileName>("folder", ""));
     bool ok = true;
 
     if (args.found("index"))
@@ -188,11 +198,12 @@ int main(int argc, char *argv[])
         fuzzCase one;
         one.seed = args.lookupOrDefault<label>("seed", 1);
         one.index = args.get<label>("index");
+        write(one, folder);
         ok = runHere(one).what != fuzzResult::verdict::failed;
     }
     else
     {
-        ok = runCases(args);
+        ok = runCases(args, folder);
     }
 
     // What main returns is lost: the destructor of args exits with 0
