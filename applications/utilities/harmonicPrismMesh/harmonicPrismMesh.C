@@ -49,6 +49,7 @@ Usage
 #include "readWallSurface.H"
 #include "stageLog.H"
 #include "wallDefects.H"
+#include "wallPointsError.H"
 #include "prismCase.H"
 
 using namespace Foam;
@@ -136,6 +137,32 @@ static bool checkWall(const wallSurface& wall, stageLog& log, string& defects)
 }
 
 
+//- The points where no layers are possible are named and written
+static prismLayerMesh makeMesh
+(
+    const prismCase& files,
+    const wallSurface& wall,
+    const prismLayerControls& controls,
+    stageLog& log
+)
+{
+    try
+    {
+        return makePrismLayerMesh(wall, controls, log.observer());
+    }
+    catch (const wallPointsError& failure)
+    {
+        const fileName file(files.writeFailedPoints(failure));
+
+        FatalErrorInFunction
+            << failure.message().c_str() << nl
+            << "Their places are in " << file << exit(FatalError);
+    }
+
+    return prismLayerMesh();
+}
+
+
 int main(int argc, char *argv[])
 {
     addOptions();
@@ -176,7 +203,7 @@ int main(int argc, char *argv[])
 
     files.checkOverwrite(controls.surface.file);
 
-    prismLayerMesh result(makePrismLayerMesh(wall, controls, log.observer()));
+    prismLayerMesh result(makeMesh(files, wall, controls, log));
 
     if (args.found("writeFields"))
     {

@@ -15,7 +15,9 @@ License
 #include "polyMesh.H"
 #include "prismPolyMesh.H"
 #include "Time.H"
+#include "wallPointsError.H"
 #include "writeStageFields.H"
+#include "writeVtk.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -98,6 +100,12 @@ Foam::fileName Foam::prismCase::reportFolder() const
 }
 
 
+Foam::fileName Foam::prismCase::failedPointsFile() const
+{
+    return reportFolder()/"failedPoints.vtk";
+}
+
+
 Foam::fileName Foam::prismCase::surfaceFile(const fileName& name) const
 {
     if (name.isAbsolute())
@@ -140,6 +148,29 @@ void Foam::prismCase::writeFields
 {
     Info<< "Writing VTK files to " << reportFolder() << endl;
     writeStageFields(reportFolder(), wall, m);
+}
+
+
+Foam::fileName Foam::prismCase::writeFailedPoints
+(
+    const wallPointsError& failure
+) const
+{
+    vtkGrid grid;
+    grid.points = failure.points();
+    scalarField labels(grid.points.size());
+
+    forAll(labels, i)
+    {
+        labels[i] = failure.labels()[i];
+        grid.addCell(vtkCell::vertex, labelList(1, i));
+    }
+
+    grid.pointFields.add("wallPoint", labels);
+    mkDir(reportFolder());
+    writeVtk(failedPointsFile(), grid);
+
+    return failedPointsFile();
 }
 
 
@@ -209,6 +240,9 @@ void Foam::prismCase::write
         )
     );
     report.noField = m.noField;
+    report.points = m.pointKinds;
+    report.nFurtherColumns = m.front.furtherRoots().size();
+    report.nRetreats = m.columns.nRetreats;
 
     // The old mesh is there until the new one is; nothing of it may stay, and
     // polyMesh would read its tetBasePtIs
@@ -256,6 +290,7 @@ void Foam::prismCase::write
     report.stages = log.costs();
 
     writeReport(report);
+    rm(failedPointsFile());
     Foam::write(Info, report);
 
     Info<< nl << "Mesh:   " << folder << nl

@@ -248,6 +248,7 @@ Foam::percentiles Foam::makePercentiles(scalarField& values)
         return *start;
     };
 
+    result.mean = average(values);
     result.min = percentile(0);
     result.p1 = percentile(1);
     result.p5 = percentile(5);
@@ -297,6 +298,7 @@ Foam::layerReport Foam::makeLayerReport
             samples[patchi].report(names[patchi], spacing.nLayers);
     }
 
+    report.points = Zero;
     report.columns = Zero;
     for (const squeezeCause cause : causes)
     {

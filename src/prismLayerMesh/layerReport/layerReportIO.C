@@ -23,6 +23,7 @@ namespace Foam
 static dictionary toDictionary(const percentiles& spread)
 {
     dictionary dict;
+    dict.add("mean", spread.mean);
     dict.add("min", spread.min);
     dict.add("p1", spread.p1);
     dict.add("p5", spread.p5);
@@ -53,6 +54,19 @@ static dictionary toDictionary(const patchReport& patch)
 }
 
 
+static dictionary pointsDictionary(const layerReport& report)
+{
+    dictionary dict;
+
+    for (label kind = 0; kind < nPointKinds; ++kind)
+    {
+        dict.add(name(pointKind(kind)), report.points[kind]);
+    }
+
+    return dict;
+}
+
+
 static dictionary columnsDictionary(const layerReport& report)
 {
     dictionary squeezed;
@@ -68,6 +82,8 @@ static dictionary columnsDictionary(const layerReport& report)
     dict.add("total", nColumns);
     dict.add("fullThickness", report.columns[0]);
     dict.add("squeezed", squeezed);
+    dict.add("multipleNormals", report.nFurtherColumns);
+    dict.add("retreats", report.nRetreats);
 
     return dict;
 }
@@ -196,6 +212,8 @@ Foam::dictionary Foam::toDictionary(const layerReport& report)
     dictionary wall;
     wall.add("faces", report.nWallFaces);
     wall.add("points", report.nWallPoints);
+    wall.add("emptyCones", report.points[int(pointKind::empty)]);
+    wall.add("pointKinds", pointsDictionary(report));
 
     dictionary certificate;
     certificate.add("cells", report.nCells);
@@ -266,7 +284,15 @@ void Foam::write(Ostream& os, const layerReport& report)
             << name(squeezeCause(cause)) << ' ' << report.columns[cause];
     }
 
-    os  << nl;
+    os  << nl << "Points of the wall:";
+
+    for (label kind = 0; kind < nPointKinds; ++kind)
+    {
+        os  << (kind ? "," : "") << ' ' << name(pointKind(kind)) << ' '
+            << report.points[kind];
+    }
+
+    os  << "; further columns on them " << report.nFurtherColumns << nl;
 }
 
 

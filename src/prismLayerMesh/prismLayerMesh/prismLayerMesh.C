@@ -31,6 +31,21 @@ static string text(const Items&... items)
 }
 
 
+//- " flat 8, convex 2"
+static string numbersOf(const FixedList<label, nPointKinds>& counts)
+{
+    string numbers;
+
+    for (label kind = 0; kind < nPointKinds; ++kind)
+    {
+        numbers += text(kind ? ", " : " ", name(pointKind(kind)), ' ',
+            counts[kind]);
+    }
+
+    return numbers;
+}
+
+
 //- Smallest of the values of the columns on each point of the wall
 static scalarField ofWallPoints
 (
@@ -106,11 +121,8 @@ static void makeRoom
 
     observer.begin("wallVisibility");
     m.visibility = makeWallVisibility(wall, m.addressing);
-    observer.end
-    (
-        text(wall.points.size(), " cones, ", m.visibility.emptyCones().size(),
-            " of them empty")
-    );
+    m.pointKinds = countKinds(wall, m.addressing, m.visibility);
+    observer.end(text("cones of points:", numbersOf(m.pointKinds)));
 
     observer.begin("layerFront");
     m.front = makeLayerFront
@@ -278,7 +290,11 @@ static void makeLayers
     (
         front, spacing, controls.layers.maxStretch, m.columns
     );
-    observer.end(text(m.layers.faces.size()*m.layers.nLayers, " cells"));
+    observer.end
+    (
+        text(m.layers.faces.size()*m.layers.nLayers, " cells; columns ",
+            "retreated ", m.columns.nRetreats, " times")
+    );
 
     observer.begin("prismQuality");
     m.certificate = certify(m.layers);

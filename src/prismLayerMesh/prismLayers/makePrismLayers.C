@@ -12,6 +12,7 @@ License
 #include "poorStacks.H"
 #include "prismQuality.H"
 #include "tallColumns.H"
+#include "wallPointsError.H"
 #include "HashSet.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -93,7 +94,7 @@ static labelList culprits(movingColumns& columns, const labelUList& poor)
 }
 
 
-//- FatalError where columns that retreat have no height left
+//- wallPointsError where columns that retreat have no height left
 static void giveUpHopeless
 (
     const movingColumns& columns,
@@ -102,8 +103,8 @@ static void giveUpHopeless
 )
 {
     const layerFront& front = columns.front();
-
     DynamicList<label> lost;
+
     for (const label c : retreating)
     {
         if (columns.hopeless(c))
@@ -112,23 +113,10 @@ static void giveUpHopeless
         }
     }
 
-    if (lost.empty())
+    if (lost.size())
     {
-        return;
+        throw wallPointsError(front.surface, lost, what);
     }
-
-    FatalErrorInFunction
-        << "Columns at " << lost.size() << " points of the wall " << what
-        << " at any thickness. The first of them:" << nl;
-
-    for (label i = 0; i < min(lost.size(), 10); ++i)
-    {
-        FatalError
-            << "    point " << lost[i] << " at "
-            << front.surface.points[lost[i]] << nl;
-    }
-
-    FatalError << exit(FatalError);
 }
 
 
@@ -208,7 +196,9 @@ static void makePositive
 
             giveUpHopeless
             (
-                columns, retreating, "have cells that are not positive"
+                columns,
+                retreating,
+                "have columns whose cells are not positive at any thickness"
             );
             columns.retreat(retreating, squeezeCause::validity);
         }
@@ -276,7 +266,12 @@ Foam::prismLayers Foam::makePrismLayers
             tallColumns(front.surface.faces, pairs, moving.room(), tallShare)
         );
 
-        giveUpHopeless(moving, retreating, "intersect");
+        giveUpHopeless
+        (
+            moving,
+            retreating,
+            "have columns whose outer faces intersect at any thickness"
+        );
         moving.retreat(retreating, squeezeCause::intersection);
     }
 }

@@ -162,6 +162,8 @@ void Foam::movingColumns::retreat
 {
     boolList moved(front_.wallPoints.size(), false);
 
+    columns_.nRetreats += columns.size();
+
     for (const label c : columns)
     {
         takeBack(c);

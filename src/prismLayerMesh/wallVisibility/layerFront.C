@@ -9,6 +9,7 @@ License
 
 #include "layerFront.H"
 #include "normalSectors.H"
+#include "wallPointsError.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -32,25 +33,6 @@ static boolList narrowCones
     }
 
     return narrow;
-}
-
-
-static void refuse(const wallSurface& wall, const labelList& points)
-{
-    FatalErrorInFunction
-        << points.size() << " points of the wall see no directions that are in"
-        << " front of all their faces, not even with several columns."
-        << " The first of them:" << nl;
-
-    for (label i = 0; i < min(points.size(), 10); ++i)
-    {
-        FatalError
-            << "    point " << points[i] << " at " << wall.points[points[i]]
-            << nl;
-    }
-
-    FatalError
-        << "Round off these corners in the surface." << exit(FatalError);
 }
 
 
@@ -273,7 +255,7 @@ class frontBuilder
             forAll(sectors_[k].starts, s)
             {
                 const label c = sectorColumn(k, s);
-                visibility.fanNormals[c].append(sectors_[k].planes[s]);
+                visibility.polygonNormals[c].append(sectors_[k].planes[s]);
                 visibility.setCone(c);
             }
         }
@@ -317,7 +299,14 @@ public:
 
         if (lost.size())
         {
-            refuse(wall, lost);
+            throw wallPointsError
+            (
+                wall,
+                lost,
+                "see no directions that are in front of all their faces, not"
+                " even with several columns",
+                "Round off these corners in the surface."
+            );
         }
 
         secondColumns_.setSize(points_.size());

@@ -317,7 +317,7 @@ public:
             const label q = addressing.pointPoints[p][i];
             edges_[i] = normalised(wall_.points[q] - wall_.points[p]);
 
-            normals_[i] = fanNormals
+            normals_[i] = polygonNormals
             (
                 wall_, addressing.pointFaces[p][i], p
             );

@@ -203,7 +203,7 @@ Foam::visibilityCone Foam::makeVisibilityCone(const UList<vector>& normals)
 }
 
 
-Foam::vectorField Foam::fanNormals
+Foam::vectorField Foam::polygonNormals
 (
     const wallSurface& wall,
     const label facei,
@@ -214,7 +214,14 @@ Foam::vectorField Foam::fanNormals
     const point& a = wall.points[f[0]];
     DynamicField<vector> normals;
 
-    for (label k = 2; f.size() > 3 && k < f.size(); ++k)
+    if (f.size() == 3)
+    {
+        return vectorField(std::move(normals));
+    }
+
+    normals.append(f.unitNormal(wall.points));
+
+    for (label k = 2; k < f.size(); ++k)
     {
         if (p != f[0] && p != f[k - 1] && p != f[k])
         {
@@ -239,7 +246,7 @@ Foam::vectorField Foam::fanNormals
 void Foam::wallVisibility::setCone(const label p)
 {
     vectorField all(cornerNormals[p]);
-    all.append(fanNormals[p]);
+    all.append(polygonNormals[p]);
     cones[p] = makeVisibilityCone(all);
 }
 
@@ -304,7 +311,7 @@ Foam::vector Foam::wallVisibility::limited
     // d + s*(axis - d) is no longer than 1, so what holds for it holds for
     // its unit vector
     scalar s = 0;
-    for (const vectorField* normals : {&cornerNormals[p], &fanNormals[p]})
+    for (const vectorField* normals : {&cornerNormals[p], &polygonNormals[p]})
     {
         for (const vector& n : *normals)
         {
@@ -333,16 +340,18 @@ Foam::wallVisibility Foam::makeWallVisibility
     wallVisibility visibility;
     visibility.cornerNormals.setSize(nPoints);
     visibility.cornerAngles.setSize(nPoints);
-    visibility.fanNormals.setSize(nPoints);
+    visibility.polygonNormals.setSize(nPoints);
     visibility.cones.setSize(nPoints);
 
     DynamicField<vector> normals;
     DynamicField<scalar> angles;
+    DynamicField<vector> others;
 
     for (label p = 0; p < nPoints; ++p)
     {
         normals.clear();
         angles.clear();
+        others.clear();
 
         for (const label facei : addressing.pointFaces[p])
         {
@@ -372,12 +381,10 @@ Foam::wallVisibility Foam::makeWallVisibility
                 reflex ? constant::mathematical::twoPi - angle : angle
             );
 
-            if (f.size() > 3)
-            {
-                visibility.fanNormals[p].append(fanNormals(wall, facei, p));
-            }
+            others.append(polygonNormals(wall, facei, p));
         }
 
+        visibility.polygonNormals[p] = others;
         visibility.cornerNormals[p] = normals;
         visibility.cornerAngles[p] = angles;
         visibility.setCone(p);

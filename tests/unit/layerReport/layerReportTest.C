@@ -111,6 +111,7 @@ TEST(makePercentiles, ofARange)
 
     const percentiles spread(makePercentiles(values));
 
+    EXPECT_NEAR(spread.mean, 500, 1e-10);
     EXPECT_EQ(spread.min, 0);
     EXPECT_EQ(spread.p1, 10);
     EXPECT_EQ(spread.p5, 50);

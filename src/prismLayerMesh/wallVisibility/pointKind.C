@@ -1,0 +1,81 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "pointKind.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Cosine of the angle between the normals at a sharp edge
+static const scalar sharpCosine = 0.5*::sqrt(3.0);
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::pointKind Foam::kindOfPoint
+(
+    const wallSurface& wall,
+    const wallAddressing& addressing,
+    const wallVisibility& visibility,
+    const label p
+)
+{
+    if (visibility.cones[p].empty())
+    {
+        return pointKind::empty;
+    }
+
+    const vectorField& normals = visibility.cornerNormals[p];
+    bool convex = false;
+    bool concave = false;
+
+    forAll(normals, i)
+    {
+        const vector& before = normals[normals.rcIndex(i)];
+
+        if ((before & normals[i]) < sharpCosine)
+        {
+            const vector edge =
+                wall.points[addressing.pointPoints[p][i]] - wall.points[p];
+            const bool ridge = ((before ^ normals[i]) & edge) < 0;
+
+            (ridge ? convex : concave) = true;
+        }
+    }
+
+    return convex && concave ? pointKind::saddle
+      : convex ? pointKind::convex
+      : concave ? pointKind::concave
+      : pointKind::flat;
+}
+
+
+Foam::FixedList<Foam::label, Foam::nPointKinds> Foam::countKinds
+(
+    const wallSurface& wall,
+    const wallAddressing& addressing,
+    const wallVisibility& visibility
+)
+{
+    FixedList<label, nPointKinds> counts(Zero);
+
+    forAll(wall.points, p)
+    {
+        ++counts[int(kindOfPoint(wall, addressing, visibility, p))];
+    }
+
+    return counts;
+}
+
+
+// ************************************************************************* //
