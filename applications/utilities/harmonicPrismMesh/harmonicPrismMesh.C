@@ -99,13 +99,13 @@ static wallSurface readWall
 (
     const prismCase& files,
     const wallSurfaceControls& controls,
+    wallReading& reading,
     stageLog& log
 )
 {
     const fileName file(files.surfaceFile(controls.file));
 
     log.begin("wallSurface");
-    wallReading reading;
     wallSurface wall(readWallSurface(file, controls, reading));
     log.end
     (
@@ -116,6 +116,7 @@ static wallSurface readWall
 
     Info<< "    " << file << nl
         << "    merged points " << reading.mergedPoints
+        << ", nearly equal points " << reading.nearPoints
         << ", collapsed faces " << reading.collapsedFaces
         << ", faces cut into triangles " << reading.cutFaces
         << ", faces turned to the fluid " << reading.flippedFaces << endl;
@@ -125,13 +126,26 @@ static wallSurface readWall
 
 
 //- Whether the wall has defects; reported
-static bool checkWall(const wallSurface& wall, stageLog& log, string& defects)
+static bool checkWall
+(
+    const wallSurface& wall,
+    const wallReading& reading,
+    stageLog& log,
+    string& defects
+)
 {
     log.begin("wallDefects");
     const List<wallDefect> found(findWallDefects(wall));
     log.end(found.empty() ? "none" : name(found.size()) + " kinds");
 
     defects = describe(found);
+
+    if (reading.nearPoints)
+    {
+        defects += "\n" + name(reading.nearPoints) + " points are nearer than "
+          + name(wallReading::nearTolerance) + " of the diagonal to others:"
+          + " surface.mergeTolerance makes such points one.";
+    }
 
     return found.size();
 }
@@ -174,10 +188,11 @@ int main(int argc, char *argv[])
     const prismLayerControls controls(readPrismLayerControls(files.dict()));
 
     stageLog log;
-    const wallSurface wall(readWall(files, controls.surface, log));
+    wallReading reading;
+    const wallSurface wall(readWall(files, controls.surface, reading, log));
 
     string defects;
-    const bool defective = checkWall(wall, log, defects);
+    const bool defective = checkWall(wall, reading, log, defects);
 
     if (args.found("checkSurface"))
     {

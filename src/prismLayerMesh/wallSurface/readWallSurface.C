@@ -142,6 +142,19 @@ static label removeCollapsedFaces(wallSurface& wall)
 }
 
 
+//- Points that have another one as representative
+static label nRepresented(const labelUList& representatives)
+{
+    label n = 0;
+    forAll(representatives, p)
+    {
+        n += representatives[p] != p;
+    }
+
+    return n;
+}
+
+
 static void mergePoints
 (
     wallSurface& wall,
@@ -149,10 +162,23 @@ static void mergePoints
     wallReading& reading
 )
 {
-    const scalar tolerance = mergeTolerance*boundBox(wall.points, false).mag();
+    const scalar diagonal = boundBox(wall.points, false).mag();
     const labelList representatives
     (
-        findRepresentatives(wall.points, tolerance)
+        findRepresentatives(wall.points, mergeTolerance*diagonal)
+    );
+
+    reading.mergedPoints = nRepresented(representatives);
+    reading.nearPoints = max
+    (
+        nRepresented
+        (
+            findRepresentatives
+            (
+                wall.points, wallReading::nearTolerance*diagonal
+            )
+        ) - reading.mergedPoints,
+        label(0)
     );
 
     for (face& f : wall.faces)
@@ -161,11 +187,6 @@ static void mergePoints
         {
             p = representatives[p];
         }
-    }
-
-    forAll(representatives, p)
-    {
-        reading.mergedPoints += (representatives[p] != p);
     }
 
     reading.collapsedFaces = removeCollapsedFaces(wall);

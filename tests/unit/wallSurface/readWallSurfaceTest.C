@@ -104,11 +104,15 @@ TEST_F(readWallSurfaceFiles, mergeToleranceIsRelativeToTheDiagonal)
         )
     );
 
+    EXPECT_EQ(read(name).points.size(), 5);
+    EXPECT_EQ(reading_.nearPoints, 1);
+
     controls_.mergeTolerance = 1e-7;
     EXPECT_EQ(read(name).points.size(), 5);
 
     controls_.mergeTolerance = 1e-5;
     EXPECT_EQ(read(name).points.size(), 4);
+    EXPECT_EQ(reading_.nearPoints, 0);
 }
 
 
@@ -125,6 +129,7 @@ TEST_F(readWallSurfaceFiles, stlFacesWithMergedCornersGo)
     facet("1 0 0", "1 1e-20 0");
     facet("1 0 0", "0 1 0");
 
+    controls_.mergeTolerance = 1e-9;
     EXPECT_EQ(read(file("body.stl", text + "endsolid a\n")).faces.size(), 2);
     EXPECT_EQ(reading_.collapsedFaces, 1);
 }
