@@ -131,13 +131,16 @@ bool Foam::movingColumns::lean
     }
 
     const labelList& faces = front_.addressing.pointFaces[c];
-    const auto faults = [&]()
+
+    // Up to where they are enough
+    const auto faults = [&](const scalar enough)
     {
         scalar sum = 0;
-        for (const label facei : faces)
+        for (label i = 0; i < faces.size() && sum < enough; ++i)
         {
-            sum += fault(facei);
+            sum += fault(faces[i]);
         }
+
         return sum;
     };
 
@@ -145,13 +148,13 @@ bool Foam::movingColumns::lean
     const vectorField offsets(SubList<vector>(columns_.offsets, n, c*n));
     const scalar straightened = straightened_[c];
 
-    scalar least = leanGain*faults();
+    scalar least = leanGain*faults(GREAT);
     vectorField best;
 
     for (const vectorField& directions : leaning(c))
     {
         stand(c, directions);
-        const scalar sum = faults();
+        const scalar sum = faults(least);
 
         if (sum < least)
         {

@@ -56,7 +56,7 @@ static labelList culprits(movingColumns& columns, const labelUList& poor)
     {
         const face& f = faces[facei];
         const scalarField room(columns.room(), f);
-        const scalar before = columns.worstJacobian(facei);
+        const scalar before = worstJacobian(columns.layers(), facei);
         scalarField gains(f.size(), 0);
         forAll(f, k)
         {
@@ -172,14 +172,20 @@ static void makePositive
     const scalarField& bestJacobians
 )
 {
+    const prismLayers& layers = columns.layers();
     labelList candidates(columns.takeCandidates());
+    boolList unmeasured(layers.faces.size(), false);
 
     while (true)
     {
-        const labelList poor
-        (
-            findPoorStacks(columns.layers(), bestJacobians, candidates)
-        );
+        UIndirectList<bool>(unmeasured, candidates) = true;
+        labelList poor(findPoorStacks(layers, bestJacobians, candidates));
+
+        if (poor.empty())
+        {
+            poor = findWarpedStacks(layers, findIndices(unmeasured, true));
+            unmeasured = false;
+        }
 
         if (poor.empty())
         {

@@ -17,7 +17,7 @@ namespace Foam
 {
 
 //- How often a column turns to its neighbours before it retreats
-static const label maxTurns = 10;
+static const label maxTurns = 3;
 
 //- What a move leaves of the height of a column that retreats
 static const scalar retreatFactor = 0.8;
@@ -250,19 +250,6 @@ bool Foam::movingColumns::turn(const labelUList& columns)
 }
 
 
-Foam::scalar Foam::movingColumns::worstJacobian(const label facei) const
-{
-    scalar worst = GREAT;
-
-    for (label i = 1; i <= layers_.nLayers; ++i)
-    {
-        worst = min(worst, scaledJacobian(layers_, facei, i));
-    }
-
-    return worst;
-}
-
-
 Foam::scalar Foam::movingColumns::jacobianOfRetreat
 (
     const label facei,
@@ -274,7 +261,7 @@ Foam::scalar Foam::movingColumns::jacobianOfRetreat
 
     takeBack(retreating);
     build(retreating);
-    const scalar worst = worstJacobian(facei);
+    const scalar worst = worstJacobian(layers_, facei);
 
     columns_.room[retreating] = room;
     straightened_[retreating] = straightened;

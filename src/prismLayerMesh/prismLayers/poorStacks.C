@@ -76,22 +76,20 @@ bool Foam::isPoor
 {
     const scalar smallest = smallestShare*bestJacobian;
 
-    for (label i = 1; i <= layers.nLayers; ++i)
+    if (worstJacobian(layers, facei, smallest) < smallest)
     {
-        if
-        (
-            scaledJacobian(layers, facei, i) < smallest
-         || !isPositive(layers, facei, i)
-        )
+        return true;
+    }
+
+    for (label i = layers.nLayers; i > 0; --i)
+    {
+        if (!isPositive(layers, facei, i))
         {
             return true;
         }
     }
 
-    stackHeights stack(layers);
-    stack.compute(facei);
-
-    return min(stack.heights()) <= 0;
+    return false;
 }
 
 
@@ -102,16 +100,10 @@ Foam::scalar Foam::poorness
     const scalar bestJacobian
 )
 {
-    scalar worst = GREAT;
-    for (label i = 1; i <= layers.nLayers; ++i)
-    {
-        worst = min(worst, scaledJacobian(layers, facei, i));
-    }
-
     // Faces without area on the wall have only to be positive
     const scalar good = max(2*smallestShare*bestJacobian, SMALL);
 
-    const scalar share = worst/good;
+    const scalar share = worstJacobian(layers, facei)/good;
 
     return share >= 0 ? max(1 - share, scalar(0)) : 1 - share/(1 - share);
 }
@@ -135,6 +127,29 @@ Foam::labelList Foam::findPoorStacks
     }
 
     return labelList(std::move(poor));
+}
+
+
+Foam::labelList Foam::findWarpedStacks
+(
+    const prismLayers& layers,
+    const labelUList& candidates
+)
+{
+    DynamicList<label> warped;
+    stackHeights stack(layers);
+
+    for (const label facei : candidates)
+    {
+        stack.compute(facei);
+
+        if (min(stack.heights()) <= 0)
+        {
+            warped.append(facei);
+        }
+    }
+
+    return labelList(std::move(warped));
 }
 
 

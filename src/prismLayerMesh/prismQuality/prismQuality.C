@@ -16,6 +16,24 @@ License
 namespace Foam
 {
 
+//- e1 x e2/(|e1||e2|) of the edges at corner k of a front face on level i
+static vector cornerNormal
+(
+    const prismLayers& layers,
+    const face& f,
+    const label k,
+    const label i
+)
+{
+    const point& p = layers(f[k], i);
+    const vector before(p - layers(f.prevLabel(k), i));
+    const vector after(layers(f.nextLabel(k), i) - p);
+
+    return (before ^ after)
+       /max(::sqrt(magSqr(before)*magSqr(after)), VSMALL);
+}
+
+
 //- Lowest layer of the stack whose cell is not positive, or 0
 static label lowestInvalidLayer(const prismLayers& layers, const label facei)
 {
@@ -35,56 +53,40 @@ static label lowestInvalidLayer(const prismLayers& layers, const label facei)
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::scalar Foam::scaledJacobian
+Foam::scalar Foam::worstJacobian
 (
     const prismLayers& layers,
     const label facei,
-    const label i
+    const scalar enough
 )
 {
-    const layerCell cell(layers, facei, i);
-    const label n = cell.size();
-    const bool hasLower = i > 1 || facei < layers.nWallFaces();
-
-    vector lowerBefore(cell.lower(0) - cell.lower(n - 1));
-    vector upperBefore(cell.upper(0) - cell.upper(n - 1));
-    scalar lowerLength = mag(lowerBefore);
-    scalar upperLength = mag(upperBefore);
+    const face& f = layers.faces[facei];
+    const bool hasArea = facei < layers.nWallFaces();
 
     scalar worst = GREAT;
+    List<vector> normals(f.size());
 
-    for (label k = 0; k < n; ++k)
+    forAll(f, k)
     {
-        const label next = k + 1 < n ? k + 1 : 0;
+        normals[k] = cornerNormal(layers, f, k, layers.nLayers);
+    }
 
-        const vector lower(cell.lower(next) - cell.lower(k));
-        const vector upper(cell.upper(next) - cell.upper(k));
-        const vector side(cell.upper(k) - cell.lower(k));
-
-        const scalar lowerLengthBefore = lowerLength;
-        const scalar upperLengthBefore = upperLength;
-        lowerLength = mag(lower);
-        upperLength = mag(upper);
-        const scalar sideLength = mag(side);
-
-        if (hasLower)
+    // Mostly the upper cells are the worst
+    for (label i = layers.nLayers; i > 0 && worst >= enough; --i)
+    {
+        forAll(f, k)
         {
-            worst = min
-            (
-                worst,
-                ((lowerBefore ^ lower) & side)
-               /max(lowerLengthBefore*lowerLength*sideLength, VSMALL)
-            );
-        }
-        worst = min
-        (
-            worst,
-            ((upperBefore ^ upper) & side)
-           /max(upperLengthBefore*upperLength*sideLength, VSMALL)
-        );
+            const vector side(layers(f[k], i) - layers(f[k], i - 1));
+            scalar jacobian = normals[k] & side;
 
-        lowerBefore = lower;
-        upperBefore = upper;
+            if (i > 1 || hasArea)
+            {
+                normals[k] = cornerNormal(layers, f, k, i - 1);
+                jacobian = min(jacobian, normals[k] & side);
+            }
+
+            worst = min(worst, jacobian/max(mag(side), VSMALL));
+        }
     }
 
     return worst;
@@ -131,17 +133,15 @@ Foam::layerCertificate Foam::certify(const prismLayers& layers)
 
     forAll(layers.faces, facei)
     {
-        scalar worst = GREAT;
         stack.compute(facei);
 
         for (label i = 1; i <= layers.nLayers; ++i)
         {
-            worst = min(worst, scaledJacobian(layers, facei, i));
             certificate.nInvalidCells +=
                 !isPositive(layers, facei, i) || stack.heights()[i - 1] <= 0;
         }
 
-        certificate.worstJacobian[facei] = worst;
+        certificate.worstJacobian[facei] = worstJacobian(layers, facei);
     }
 
     certificate.nIntersectingPairs = findIntersections(layers).size();
