@@ -19,7 +19,7 @@ namespace Foam
 {
 
 //- Share of the clearance that layers may fill; the rest is the far field's
-static const scalar gapShare = 0.9;
+static const scalar gapShare = 0.95;
 
 //- Length of the smoothing along the wall over the height
 static const scalar smoothingLength = 0.5;

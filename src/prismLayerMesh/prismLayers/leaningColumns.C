@@ -15,8 +15,8 @@ License
 namespace Foam
 {
 
-//- How often it tries to lean to where its cells are better
-static const label maxLeans = 10;
+//- As how often a try counts that was in vain
+static const label vainLean = 2;
 
 //- What is left of the faults of the cells at most, for a column to lean
 static const scalar leanGain = 0.98;
@@ -117,7 +117,46 @@ void Foam::movingColumns::stand(const label c, const vectorField& directions)
 }
 
 
+void Foam::movingColumns::resume(const label c, const posture& before)
+{
+    const label n = spacing_.nLayers;
+
+    SubList<vector>(columns_.offsets, n, c*n) = before.offsets;
+    straightened_[c] = before.straightened;
+    build(c);
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::movingColumns::posture Foam::movingColumns::postureOf
+(
+    const label c
+) const
+{
+    const label n = spacing_.nLayers;
+
+    return posture
+    {
+        vectorField(SubList<vector>(columns_.offsets, n, c*n)),
+        straightened_[c]
+    };
+}
+
+
+void Foam::movingColumns::restore(const label c, const posture& before)
+{
+    resume(c, before);
+    touch(c);
+}
+
+
+void Foam::movingColumns::allowLeans(const label n)
+{
+    leans_ = 0;
+    maxLeans_ = n;
+}
+
 
 bool Foam::movingColumns::lean
 (
@@ -125,7 +164,7 @@ bool Foam::movingColumns::lean
     const std::function<scalar(label facei)>& fault
 )
 {
-    if (leans_[c]++ >= maxLeans)
+    if (leans_[c] >= maxLeans_)
     {
         return false;
     }
@@ -144,10 +183,7 @@ bool Foam::movingColumns::lean
         return sum;
     };
 
-    const label n = spacing_.nLayers;
-    const vectorField offsets(SubList<vector>(columns_.offsets, n, c*n));
-    const scalar straightened = straightened_[c];
-
+    const posture before(postureOf(c));
     scalar least = leanGain*faults(GREAT);
     vectorField best;
 
@@ -163,11 +199,11 @@ bool Foam::movingColumns::lean
         }
     }
 
+    leans_[c] += best.empty() ? vainLean : 1;
+
     if (best.empty())
     {
-        SubList<vector>(columns_.offsets, n, c*n) = offsets;
-        straightened_[c] = straightened;
-        build(c);
+        resume(c, before);
 
         return false;
     }

@@ -8,7 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "makePrismLayers.H"
-#include "movingColumns.H"
+#include "improveStacks.H"
 #include "poorStacks.H"
 #include "prismQuality.H"
 #include "tallColumns.H"
@@ -29,6 +29,10 @@ static const scalar gainShare = 0.5;
 
 //- Share of the tallest room below which a column is not what is in the way
 static const scalar shortShare = 0.05;
+
+
+//- Share of the best scaled Jacobian that leaning columns aim at
+static const scalar goodShare = 0.1;
 
 
 //- Each of the faces as both of a pair
@@ -145,7 +149,7 @@ static bool lean
     const prismLayers& layers = columns.layers();
     const auto fault = [&](const label facei)
     {
-        return poorness(layers, facei, bestJacobians[facei]);
+        return poorness(layers, facei, goodShare*bestJacobians[facei]);
     };
 
     bool any = false;
@@ -173,13 +177,19 @@ static void makePositive
 )
 {
     const prismLayers& layers = columns.layers();
-    labelList candidates(columns.takeCandidates());
     boolList unmeasured(layers.faces.size(), false);
+    boolList isPoor(layers.faces.size(), false);
 
     while (true)
     {
-        UIndirectList<bool>(unmeasured, candidates) = true;
-        labelList poor(findPoorStacks(layers, bestJacobians, candidates));
+        const labelList moved(columns.takeCandidates());
+        UIndirectList<bool>(unmeasured, moved) = true;
+        UIndirectList<bool>(isPoor, moved) = false;
+        UIndirectList<bool>
+        (
+            isPoor, findPoorStacks(layers, bestJacobians, moved)
+        ) = true;
+        labelList poor(findIndices(isPoor, true));
 
         if (poor.empty())
         {
@@ -208,10 +218,6 @@ static void makePositive
             );
             columns.retreat(retreating, squeezeCause::validity);
         }
-
-        candidates = columns.takeCandidates();
-        candidates.append(poor);
-        inplaceUniqueSort(candidates);
     }
 }
 
@@ -264,6 +270,8 @@ Foam::prismLayers Foam::makePrismLayers
 
         if (pairs.empty())
         {
+            improveStacks(moving, best);
+
             return moving.result();
         }
 

@@ -110,6 +110,7 @@ Foam::movingColumns::movingColumns
     turns_(front.wallPoints.size(), 0),
     straightened_(front.wallPoints.size(), 0),
     leans_(front.wallPoints.size(), 0),
+    maxLeans_(10),
     candidates_(front.surface.faces.size(), true),
     moved_(front.surface.faces.size(), true)
 {

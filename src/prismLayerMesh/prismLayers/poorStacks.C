@@ -97,13 +97,12 @@ Foam::scalar Foam::poorness
 (
     const prismLayers& layers,
     const label facei,
-    const scalar bestJacobian
+    const scalar goodJacobian
 )
 {
     // Faces without area on the wall have only to be positive
-    const scalar good = max(2*smallestShare*bestJacobian, SMALL);
-
-    const scalar share = worstJacobian(layers, facei)/good;
+    const scalar share =
+        worstJacobian(layers, facei)/max(goodJacobian, SMALL);
 
     return share >= 0 ? max(1 - share, scalar(0)) : 1 - share/(1 - share);
 }
