@@ -27,6 +27,11 @@ static const scalar smoothingLength = 0.5;
 //- Bound on the passes of smoothing for each layer
 static const label maxPasses = 4;
 
+//- The same for the lengths of columns, which otherwise are as rough as the
+//  normals that they are measured along
+static const scalar lengthSmoothing = 0.25;
+static const label maxLengthPasses = 10;
+
 //- Smallest angle to a face, as a share of what the axis of the cone has
 static const scalar coneMargin = 0.2;
 
@@ -50,6 +55,36 @@ static vectorField lineDirections
     }
 
     return directions;
+}
+
+
+//- Smooth the lengths of the offsets to layer i + 1 along the wall. Not to the
+//  first layer, whose height is to be exact.
+static void smoothLengths
+(
+    const wallGraph& graph,
+    const scalarField& heights,
+    const label i,
+    layerColumns& columns
+)
+{
+    const label n = columns.nLayers;
+    scalarField lengths(heights.size());
+
+    forAll(lengths, p)
+    {
+        lengths[p] = mag(columns.offsets[p*n + i]);
+    }
+
+    const scalarField rough(lengths);
+    smooth(graph, sqr(lengthSmoothing*heights), maxLengthPasses, lengths);
+
+    forAll(lengths, p)
+    {
+        const scalar factor = lengths[p]/rough[p];
+        columns.offsets[p*n + i] *= factor;
+        columns.lengthFactors[p*n + i] = factor;
+    }
 }
 
 
@@ -197,6 +232,7 @@ Foam::layerColumns Foam::makeLayerColumns
     columns.nLayers = n;
     columns.heights = requestedHeights(spacing);
     columns.offsets.setSize(nPoints*n);
+    columns.lengthFactors.setSize(nPoints*n, 1);
     setRoom
     (
         wall, addressing, visibility, clearance, spacing, maxStretch, columns
@@ -229,6 +265,11 @@ Foam::layerColumns Foam::makeLayerColumns
         {
             columns.offsets[p*n + i] =
                 columnOffset(visibility, p, smoothed[p], maxStretch);
+        }
+
+        if (i > 0)
+        {
+            smoothLengths(graph, previousHeights, i, columns);
         }
     }
 

@@ -9,8 +9,6 @@ License
 
 #include "wallGraph.H"
 
-#include <cmath>
-
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 Foam::wallGraph Foam::makeWallGraph
@@ -43,36 +41,6 @@ Foam::wallGraph Foam::makeWallGraph
     }
 
     return graph;
-}
-
-
-void Foam::smooth
-(
-    const wallGraph& graph,
-    const scalarField& variances,
-    const label maxPasses,
-    vectorField& values
-)
-{
-    const scalar needed = max(variances/(wallGraph::fullPass*graph.spread));
-    const label nPasses =
-        label(std::ceil(min(needed, scalar(maxPasses))));
-
-    vectorField old;
-    for (label pass = 0; pass < nPasses; ++pass)
-    {
-        old = values;
-
-        forAll(values, p)
-        {
-            const scalar share = min
-            (
-                wallGraph::fullPass,
-                variances[p]/(nPasses*graph.spread[p])
-            );
-            values[p] += share*(graph.mean(old, p) - old[p]);
-        }
-    }
 }
 
 

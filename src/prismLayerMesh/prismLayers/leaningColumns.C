@@ -110,7 +110,7 @@ void Foam::movingColumns::stand(const label c, const vectorField& directions)
         columns_.offsets[c*n + i] = columnOffset
         (
             front_.visibility, c, directions[i], maxStretch_
-        );
+        )*columns_.lengthFactors[c*n + i];
     }
 
     build(c);

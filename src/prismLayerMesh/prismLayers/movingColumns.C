@@ -236,7 +236,7 @@ bool Foam::movingColumns::turn(const labelUList& columns)
         turned[k] = columnOffset
         (
             front_.visibility, c, own + share*(mean - own), maxStretch_
-        );
+        )*columns_.lengthFactors[c*n + k % n];
     }
 
     forAll(turned, k)

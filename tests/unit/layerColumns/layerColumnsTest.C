@@ -160,7 +160,7 @@ TEST(layerColumns, areNormalToTheFacesOfACube)
 }
 
 
-TEST(layerColumns, offsetsHaveUnitHeight)
+TEST(layerColumns, offsetsHaveUnitHeightButForTheirSmoothLengths)
 {
     for (const wallSurface& wall :
         {testSurfaces::sphere(8), testSurfaces::lBlock(6)})
@@ -170,7 +170,10 @@ TEST(layerColumns, offsetsHaveUnitHeight)
 
         forAll(columns.offsets, i)
         {
-            const vector& offset = columns.offsets[i];
+            const vector offset
+            (
+                columns.offsets[i]/columns.lengthFactors[i]
+            );
             const scalar height = m.visibility.heightCosine(i/6, offset);
 
             // Less only where the bound on the stretch is reached
@@ -214,13 +217,33 @@ TEST(layerColumns, roomIsAllWhereNothingIsNear)
 }
 
 
+TEST(layerColumns, firstLayersAreNotLengthened)
+{
+    const wallSurface wall(testSurfaces::lBlock(6));
+    const layerColumns columns(columnsOf(wall, layeredMesh(wall, 6, 0.1)));
+    scalar largest = 0;
+
+    forAll(columns.lengthFactors, i)
+    {
+        if (i % 6 == 0)
+        {
+            EXPECT_EQ(columns.lengthFactors[i], 1);
+        }
+        largest = max(largest, mag(columns.lengthFactors[i] - 1));
+    }
+
+    EXPECT_GT(largest, 0.01);
+    EXPECT_LT(largest, 0.3);
+}
+
+
 TEST(layerColumns, roomInASlitIsItsShareOfHalfTheWidth)
 {
     const scalar width = 0.1;
     const wallSurface wall(testSurfaces::slitBlock(10, width));
     const layerColumns columns
     (
-        columnsOf(wall, layeredMesh(wall, 6, 0.15))
+        columnsOf(wall, layeredMesh(wall, 6, 0.25))
     );
     label nInside = 0, nNeighbours = 0;
 
@@ -236,7 +259,7 @@ TEST(layerColumns, roomInASlitIsItsShareOfHalfTheWidth)
         )
         {
             ++nInside;
-            EXPECT_LE(columns.room[p], 0.9*0.5*width*(1 + 1e-5));
+            EXPECT_LE(columns.room[p], 0.95*0.5*width*(1 + 1e-5));
             EXPECT_GT(columns.room[p], 0.8*0.5*width);
             EXPECT_EQ(columns.causes[p], squeezeCause::gap);
         }
