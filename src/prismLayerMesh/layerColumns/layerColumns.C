@@ -138,6 +138,18 @@ static void setRoom
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::label Foam::layerColumns::layerAt
+(
+    const label p,
+    const scalar height
+) const
+{
+    const scalar* first = heights.cdata() + p*nLayers;
+
+    return std::lower_bound(first, first + nLayers, height) - first;
+}
+
+
 Foam::vector Foam::layerColumns::offset
 (
     const label p,
@@ -145,7 +157,7 @@ Foam::vector Foam::layerColumns::offset
 ) const
 {
     const scalar* first = heights.cdata() + p*nLayers;
-    const label i = std::lower_bound(first, first + nLayers, height) - first;
+    const label i = layerAt(p, height);
 
     if (i == 0)
     {

@@ -37,12 +37,19 @@ static postures leanWorst
 )
 {
     const prismLayers& layers = columns.layers();
-    const auto fault = [&](const label facei)
+    const auto fault = [&]
+    (
+        const label facei,
+        const label lowest,
+        const scalar enough
+    )
     {
         const scalar best = bestJacobians[facei];
+        const scalar own =
+            poorness(layers, facei, goodShare*best, enough, lowest);
 
-        return isPoor(layers, facei, best)
-          ? forbidden : poorness(layers, facei, goodShare*best);
+        return lowest == 1 && own <= enough && isPoor(layers, facei, best)
+          ? forbidden : own;
     };
 
     postures before;

@@ -100,12 +100,20 @@ Foam::List<Foam::vectorField> Foam::movingColumns::leaning
 }
 
 
-void Foam::movingColumns::stand(const label c, const vectorField& directions)
+void Foam::movingColumns::stand
+(
+    const label c,
+    const vectorField& directions,
+    const label lowest
+)
 {
     const label n = spacing_.nLayers;
     straightened_[c] = 0;
 
-    for (label i = 0; i < n; ++i)
+    // Offsets are for the heights asked for
+    const label above = columns_.layerAt(c, heightsOf(c)[lowest - 1]);
+
+    for (label i = max(above - 1, 0); i < n; ++i)
     {
         columns_.offsets[c*n + i] = columnOffset
         (
@@ -113,7 +121,7 @@ void Foam::movingColumns::stand(const label c, const vectorField& directions)
         )*columns_.lengthFactors[c*n + i];
     }
 
-    build(c);
+    build(c, lowest - 1);
 }
 
 
@@ -158,11 +166,7 @@ void Foam::movingColumns::allowLeans(const label n)
 }
 
 
-bool Foam::movingColumns::lean
-(
-    const label c,
-    const std::function<scalar(label facei)>& fault
-)
+bool Foam::movingColumns::lean(const label c, const faceFault& fault)
 {
     if (leans_[c] >= maxLeans_)
     {
@@ -172,43 +176,58 @@ bool Foam::movingColumns::lean
     const labelList& faces = front_.addressing.pointFaces[c];
 
     // Up to where they are enough
-    const auto faults = [&](const scalar enough)
+    const auto faults = [&](const scalar enough, const label lowest)
     {
         scalar sum = 0;
         for (label i = 0; i < faces.size() && sum < enough; ++i)
         {
-            sum += fault(faces[i]);
+            sum += fault(faces[i], lowest, enough - sum);
         }
 
         return sum;
     };
 
     const posture before(postureOf(c));
-    scalar least = leanGain*faults(GREAT);
-    vectorField best;
+    const label n = spacing_.nLayers;
+    scalar least = leanGain*faults(GREAT, 1);
 
-    for (const vectorField& directions : leaning(c))
+    // No column has less fault than its outermost cells
+    const List<vectorField> tries(leaning(c));
+    scalarField outermost(tries.size());
+    forAll(tries, k)
     {
-        stand(c, directions);
-        const scalar sum = faults(least);
+        stand(c, tries[k], n);
+        outermost[k] = faults(least, n);
+    }
+
+    label best = -1;
+    for (const label k : sortedOrder(outermost))
+    {
+        if (outermost[k] >= least)
+        {
+            break;
+        }
+
+        stand(c, tries[k]);
+        const scalar sum = faults(least, 1);
 
         if (sum < least)
         {
             least = sum;
-            best = directions;
+            best = k;
         }
     }
 
-    leans_[c] += best.empty() ? vainLean : 1;
+    leans_[c] += best < 0 ? vainLean : 1;
 
-    if (best.empty())
+    if (best < 0)
     {
         resume(c, before);
 
         return false;
     }
 
-    stand(c, best);
+    stand(c, tries[best]);
     touch(c);
 
     return true;

@@ -147,9 +147,16 @@ static bool lean
 )
 {
     const prismLayers& layers = columns.layers();
-    const auto fault = [&](const label facei)
+    const auto fault = [&]
+    (
+        const label facei,
+        const label lowest,
+        const scalar enough
+    )
     {
-        return poorness(layers, facei, goodShare*bestJacobians[facei]);
+        const scalar good = goodShare*bestJacobians[facei];
+
+        return poorness(layers, facei, good, enough, lowest);
     };
 
     bool any = false;
@@ -158,7 +165,7 @@ static bool lean
     {
         for (const label c : layers.faces[facei])
         {
-            if (fault(facei) > 0)
+            if (fault(facei, 1, 0) > 0)
             {
                 any = columns.lean(c, fault) || any;
             }

@@ -33,19 +33,33 @@ static const scalar hopelessShare = 1e-9;
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::movingColumns::build(const label c)
+const Foam::scalar* Foam::movingColumns::heightsOf(const label c)
+{
+    const label n = spacing_.nLayers;
+    SubList<scalar> heights(heights_, n + 1, c*(n + 1));
+
+    if (heightsRoom_[c] != columns_.room[c])
+    {
+        heightsRoom_[c] = columns_.room[c];
+        layerHeights
+        (
+            n,
+            spacing_.firstThickness[c],
+            spacing_.ratio[c],
+            columns_.room[c],
+            heights
+        );
+    }
+
+    return heights.cdata();
+}
+
+
+void Foam::movingColumns::build(const label c, label i)
 {
     const label n = spacing_.nLayers;
     const wallVisibility& visibility = front_.visibility;
-    scalarList heights(n + 1);
-    layerHeights
-    (
-        n,
-        spacing_.firstThickness[c],
-        spacing_.ratio[c],
-        columns_.room[c],
-        heights
-    );
+    const scalar* heights = heightsOf(c);
 
     const vector axis
     (
@@ -53,7 +67,7 @@ void Foam::movingColumns::build(const label c)
     );
     const scalar s = straightened_[c];
 
-    for (label i = 0; i <= n; ++i)
+    for (; i <= n; ++i)
     {
         layers_.points[layers_.index(c, i)] = front_.surface.points[c]
           + heights[i]
@@ -107,6 +121,8 @@ Foam::movingColumns::movingColumns
     maxStretch_(maxStretch),
     columns_(columns),
     graph_(makeWallGraph(front.surface, front.addressing)),
+    heights_(front.wallPoints.size()*(spacing.nLayers + 1)),
+    heightsRoom_(front.wallPoints.size(), -1),
     turns_(front.wallPoints.size(), 0),
     straightened_(front.wallPoints.size(), 0),
     leans_(front.wallPoints.size(), 0),

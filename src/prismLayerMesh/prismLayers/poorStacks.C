@@ -44,6 +44,18 @@ static scalar bestJacobian
     return worst;
 }
 
+
+//- Share of a good Jacobian below which a stack is poorer
+static scalar shareOfPoorness(const scalar poorness)
+{
+    if (poorness < 1)
+    {
+        return 1 - poorness;
+    }
+
+    return poorness < 2 ? (1 - poorness)/(2 - poorness) : -GREAT;
+}
+
 } // End namespace Foam
 
 
@@ -97,12 +109,15 @@ Foam::scalar Foam::poorness
 (
     const prismLayers& layers,
     const label facei,
-    const scalar goodJacobian
+    const scalar goodJacobian,
+    const scalar enough,
+    const label lowest
 )
 {
     // Faces without area on the wall have only to be positive
-    const scalar share =
-        worstJacobian(layers, facei)/max(goodJacobian, SMALL);
+    const scalar good = max(goodJacobian, SMALL);
+    const scalar smallest = shareOfPoorness(enough)*good;
+    const scalar share = worstJacobian(layers, facei, smallest, lowest)/good;
 
     return share >= 0 ? max(1 - share, scalar(0)) : 1 - share/(1 - share);
 }

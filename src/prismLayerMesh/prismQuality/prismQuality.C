@@ -16,21 +16,89 @@ License
 namespace Foam
 {
 
-//- e1 x e2/(|e1||e2|) of the edges at corner k of a front face on level i
-static vector cornerNormal
+//- A corner of a front face on some level
+struct levelCorner
+{
+    vector edge;
+    scalar length;
+
+    //- e1 x e2/(|e1||e2|) of the edges at the corner
+    vector normal;
+};
+
+
+template<class Corners>
+static void compute
 (
     const prismLayers& layers,
     const face& f,
-    const label k,
-    const label i
+    const label level,
+    Corners& corners
 )
 {
-    const point& p = layers(f[k], i);
-    const vector before(p - layers(f.prevLabel(k), i));
-    const vector after(layers(f.nextLabel(k), i) - p);
+    const label n = corners.size();
 
-    return (before ^ after)
-       /max(::sqrt(magSqr(before)*magSqr(after)), VSMALL);
+    for (label k = 0; k < n; ++k)
+    {
+        corners[k].edge =
+            layers(f[k + 1 < n ? k + 1 : 0], level) - layers(f[k], level);
+        corners[k].length = mag(corners[k].edge);
+    }
+
+    for (label k = 0; k < n; ++k)
+    {
+        const levelCorner& before = corners[k > 0 ? k - 1 : n - 1];
+
+        corners[k].normal = (before.edge ^ corners[k].edge)
+           /max(before.length*corners[k].length, VSMALL);
+    }
+}
+
+
+//- worstJacobian with storage for the corners
+template<class Corners>
+static scalar worstJacobian
+(
+    const prismLayers& layers,
+    const label facei,
+    const scalar enough,
+    const label lowest,
+    Corners&& corners
+)
+{
+    const face& f = layers.faces[facei];
+    const label n = corners.size();
+    const bool hasArea = facei < layers.nWallFaces();
+
+    scalar worst = GREAT;
+    compute(layers, f, layers.nLayers, corners);
+
+    // Mostly the upper cells are the worst
+    for (label i = layers.nLayers; i >= lowest && worst >= enough; --i)
+    {
+        const auto lookAt = [&]()
+        {
+            for (label k = 0; k < n; ++k)
+            {
+                const vector side(layers(f[k], i) - layers(f[k], i - 1));
+
+                worst = min
+                (
+                    worst, (corners[k].normal & side)/max(mag(side), VSMALL)
+                );
+            }
+        };
+
+        lookAt();
+
+        if (worst >= enough && (i > 1 || hasArea))
+        {
+            compute(layers, f, i - 1, corners);
+            lookAt();
+        }
+    }
+
+    return worst;
 }
 
 
@@ -57,39 +125,28 @@ Foam::scalar Foam::worstJacobian
 (
     const prismLayers& layers,
     const label facei,
-    const scalar enough
+    const scalar enough,
+    const label lowest
 )
 {
-    const face& f = layers.faces[facei];
-    const bool hasArea = facei < layers.nWallFaces();
+    const label n = layers.faces[facei].size();
 
-    scalar worst = GREAT;
-    List<vector> normals(f.size());
-
-    forAll(f, k)
+    if (n == 3)
     {
-        normals[k] = cornerNormal(layers, f, k, layers.nLayers);
+        return worstJacobian
+        (
+            layers, facei, enough, lowest, FixedList<levelCorner, 3>()
+        );
+    }
+    if (n == 4)
+    {
+        return worstJacobian
+        (
+            layers, facei, enough, lowest, FixedList<levelCorner, 4>()
+        );
     }
 
-    // Mostly the upper cells are the worst
-    for (label i = layers.nLayers; i > 0 && worst >= enough; --i)
-    {
-        forAll(f, k)
-        {
-            const vector side(layers(f[k], i) - layers(f[k], i - 1));
-            scalar jacobian = normals[k] & side;
-
-            if (i > 1 || hasArea)
-            {
-                normals[k] = cornerNormal(layers, f, k, i - 1);
-                jacobian = min(jacobian, normals[k] & side);
-            }
-
-            worst = min(worst, jacobian/max(mag(side), VSMALL));
-        }
-    }
-
-    return worst;
+    return worstJacobian(layers, facei, enough, lowest, List<levelCorner>(n));
 }
 
 

@@ -17,13 +17,13 @@ License
 using namespace Foam;
 
 //- How far the ends of a face's columns are from a point
-static std::function<scalar(label)> distanceTo
+static movingColumns::faceFault distanceTo
 (
     const movableColumns& m,
     const point& x
 )
 {
-    return [&m, x](const label facei)
+    return [&m, x](const label facei, label, scalar)
     {
         scalar sum = 0;
         for (const label c : m.front.surface.faces[facei])
@@ -35,15 +35,21 @@ static std::function<scalar(label)> distanceTo
 }
 
 
+static scalar atFault(label, label, scalar)
+{
+    return 1;
+}
+
+
 //- None where the end of a column is not at a point
-static std::function<scalar(label)> awayFrom
+static movingColumns::faceFault awayFrom
 (
     const movableColumns& m,
     const label c,
     const point& x
 )
 {
-    return [&m, c, x](const label)
+    return [&m, c, x](label, label, scalar)
     {
         return mag(m.end(c) - x) > 1e-6 ? 0 : 1;
     };
@@ -55,13 +61,13 @@ static scalar sumOf
 (
     const movableColumns& m,
     const label c,
-    const std::function<scalar(label)>& fault
+    const movingColumns::faceFault& fault
 )
 {
     scalar sum = 0;
     for (const label facei : m.front.addressing.pointFaces[c])
     {
-        sum += fault(facei);
+        sum += fault(facei, 1, GREAT);
     }
 
     return sum;
@@ -125,9 +131,12 @@ TEST(leaningColumns, faultsNeverGrow)
         (
             bestJacobians(front.surface, front.visibility)
         );
-        const auto fault = [&](const label facei)
+        const auto fault = [&](label facei, label lowest, scalar enough)
         {
-            return poorness(m.moving.layers(), facei, 20*best[facei]);
+            return poorness
+            (
+                m.moving.layers(), facei, 20*best[facei], enough, lowest
+            );
         };
 
         for (label round = 0; round < 5; ++round)
@@ -156,7 +165,7 @@ TEST(leaningColumns, stayWhereNothingIsBetter)
 
         for (label c = 0; c < m.nColumns(); ++c)
         {
-            EXPECT_FALSE(m.moving.lean(c, [](const label) { return 1; }));
+            EXPECT_FALSE(m.moving.lean(c, atFault));
         }
 
         EXPECT_LT(max(mag(m.moving.layers().points - before)), 1e-14);
@@ -182,7 +191,7 @@ TEST(leaningColumns, stayAlsoAfterTheyHaveMoved)
         const pointField before(m.moving.layers().points);
         for (label c = 0; c < m.nColumns(); ++c)
         {
-            EXPECT_FALSE(m.moving.lean(c, [](const label) { return 1; }));
+            EXPECT_FALSE(m.moving.lean(c, atFault));
         }
 
         EXPECT_EQ(m.moving.layers().points, before);
@@ -196,7 +205,7 @@ TEST(leaningColumns, stayWithoutFaults)
     {
         movableColumns m(front);
 
-        EXPECT_FALSE(m.moving.lean(3, [](const label) { return 0; }));
+        EXPECT_FALSE(m.moving.lean(3, [](label, label, scalar) { return 0; }));
     }
 }
 
@@ -208,7 +217,7 @@ TEST(leaningColumns, thoseThatStayAreNotMoved)
         movableColumns m(front);
         m.moving.takeCandidates();
         m.moving.takeMoved();
-        m.moving.lean(3, [](const label) { return 1; });
+        m.moving.lean(3, atFault);
 
         EXPECT_TRUE(m.moving.takeCandidates().empty());
         EXPECT_FALSE(m.moving.takeMoved().found(true));
@@ -246,7 +255,7 @@ TEST(leaningColumns, leanTenTimesAtMost)
 
     // Each time better than before
     scalar fault = 1e10;
-    while (n < 100 && m.moving.lean(3, [&](const label)
+    while (n < 100 && m.moving.lean(3, [&](label, label, scalar)
     {
         return fault *= 0.9;
     }))
@@ -267,7 +276,7 @@ TEST(leaningColumns, leanInsideTheirCones)
         for (const label c : someColumns(m, 15))
         {
             const point end(m.end(c));
-            m.moving.lean(c, [&](const label)
+            m.moving.lean(c, [&](label, label, scalar)
             {
                 return 1/(1e-6 + mag(m.end(c) - end));
             });
