@@ -170,7 +170,7 @@ Foam::tetMesh Foam::tetrahedralize(const tetDomain& domain)
             {
                 return read(domain, rotation, result, mesh);
             },
-            2 + domain.points.size()/8000
+            2 + domain.points.size()/20000
         );
 
         if (complete)
