@@ -14,6 +14,8 @@ License
 #include "error.H"
 #include "isolatedProcess.H"
 
+#include <algorithm>
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
@@ -151,6 +153,59 @@ static bool read
     return nPoints == size_t(sizes[0]) && nTets == size_t(sizes[1]);
 }
 
+
+typedef FixedList<label, 3> triple;
+
+static triple sortedTriple(const label a, const label b, const label c)
+{
+    triple t;
+    t[0] = a;
+    t[1] = b;
+    t[2] = c;
+    std::sort(t.begin(), t.end());
+
+    return t;
+}
+
+
+//- Whether all facets are faces of tetrahedra: now and then TetGen adds a point
+//  on one
+static bool keepsFacets(const tetDomain& domain, const tetMesh& mesh)
+{
+    // Each facet with its smallest point
+    labelListList facetsOf(domain.points.size());
+    List<triple> facets(domain.facets.size());
+    forAll(facets, i)
+    {
+        const face& f = domain.facets[i];
+        facets[i] = sortedTriple(f[0], f[1], f[2]);
+        facetsOf[facets[i][0]].append(i);
+    }
+
+    boolList isFace(facets.size(), false);
+
+    for (const tetCell& tet : mesh.tets)
+    {
+        for (label i = 0; i < 4; ++i)
+        {
+            const triple t
+            (
+                sortedTriple(tet[(i + 1)%4], tet[(i + 2)%4], tet[(i + 3)%4])
+            );
+
+            if (t[0] < facetsOf.size())
+            {
+                for (const label facet : facetsOf[t[0]])
+                {
+                    isFace[facet] = isFace[facet] || facets[facet] == t;
+                }
+            }
+        }
+    }
+
+    return !isFace.found(false);
+}
+
 } // End namespace Foam
 
 
@@ -161,6 +216,7 @@ Foam::tetMesh Foam::tetrahedralize(const tetDomain& domain)
     for (label attempt = 0; attempt < maxAttempts; ++attempt)
     {
         const tensor rotation(generalRotation(attempt));
+        const label seconds = 4 + domain.points.size()/8000;
         tetMesh mesh;
 
         const bool complete = isolatedProcess
@@ -170,10 +226,10 @@ Foam::tetMesh Foam::tetrahedralize(const tetDomain& domain)
             {
                 return read(domain, rotation, result, mesh);
             },
-            2 + domain.points.size()/20000
+            max(seconds >> attempt, 2)
         );
 
-        if (complete)
+        if (complete && keepsFacets(domain, mesh))
         {
             return mesh;
         }

@@ -10,6 +10,7 @@ License
 #include "improveStacks.H"
 #include "poorStacks.H"
 #include "prismQuality.H"
+#include "boolList.H"
 #include "Map.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -20,23 +21,143 @@ namespace Foam
 //- Share of the best scaled Jacobian that is good enough
 static const scalar goodShare = 0.3;
 
-//- Passes over the stacks
-static const label nPasses = 2;
+//- Rounds over the stacks
+static const label nRounds = 4;
 
 //- Fault of a stack that must not be
 static const scalar forbidden = 1e3;
 
-typedef Map<movingColumns::posture> postures;
 
-
-//- Columns that leaned, as they were before
-static postures leanWorst
-(
-    movingColumns& columns,
-    const scalarField& bestJacobians
-)
+class stackImprovement
 {
-    const prismLayers& layers = columns.layers();
+    movingColumns& columns_;
+    const prismLayers& layers_;
+    const scalarField& bestJacobians_;
+
+    //- Faces to look at again, because something moved there
+    boolList toLean_;
+    boolList toGrow_;
+
+    //- Columns that had to be taken back, and stay
+    boolList barred_;
+
+    //- Columns that moved since all was certified, as they were then
+    Map<movingColumns::posture> before_;
+
+
+    //- Whether the face has to be looked at; no more after that
+    static bool take(boolList& faces, const label facei)
+    {
+        const bool taken = faces[facei];
+        faces[facei] = false;
+
+        return taken;
+    }
+
+    //- Front faces that cannot be certified, of those moved since the last look
+    labelList findFaults();
+
+    //- Take back a column and those beside it
+    void takeBack(label c);
+
+    //- Take columns back until all can be certified
+    void settle();
+
+public:
+
+    stackImprovement
+    (
+        movingColumns& columns,
+        const scalarField& bestJacobians
+    )
+    :
+        columns_(columns),
+        layers_(columns.layers()),
+        bestJacobians_(bestJacobians),
+        toLean_(layers_.faces.size(), true),
+        toGrow_(layers_.faces.size(), true),
+        barred_(columns.room().size(), false)
+    {}
+
+    //- Lean columns of stacks that are not good
+    void lean();
+
+    //- Give height back to columns that retreated
+    void grow();
+};
+
+
+labelList stackImprovement::findFaults()
+{
+    const labelList moved(columns_.takeCandidates());
+
+    UIndirectList<bool>(toLean_, moved) = true;
+    UIndirectList<bool>(toGrow_, moved) = true;
+
+    labelList faults(findPoorStacks(layers_, bestJacobians_, moved));
+    faults.append(findWarpedStacks(layers_, moved));
+
+    for
+    (
+        const labelPair& pair
+      : findIntersections(layers_, columns_.takeMoved())
+    )
+    {
+        for (const label f : pair)
+        {
+            if (f >= layers_.faces.size())
+            {
+                faults.append(f - layers_.faces.size());
+            }
+        }
+    }
+
+    return faults;
+}
+
+
+void stackImprovement::takeBack(const label c)
+{
+    for (const label q : columns_.columnsBeside(c))
+    {
+        if (before_.found(q))
+        {
+            columns_.restore(q, before_[q]);
+            before_.erase(q);
+            barred_[q] = true;
+        }
+    }
+}
+
+
+void stackImprovement::settle()
+{
+    // What is taken back may be in the way of what is not
+    for
+    (
+        labelList faults(findFaults());
+        faults.size();
+        faults = findFaults()
+    )
+    {
+        for (const label facei : faults)
+        {
+            for (const label c : layers_.faces[facei])
+            {
+                if (before_.found(c))
+                {
+                    takeBack(c);
+                }
+            }
+        }
+    }
+
+    before_.clear();
+}
+
+
+void stackImprovement::lean()
+{
     const auto fault = [&]
     (
         const label facei,
@@ -44,70 +165,79 @@ static postures leanWorst
         const scalar enough
     )
     {
-        const scalar best = bestJacobians[facei];
+        const scalar best = bestJacobians_[facei];
         const scalar own =
-            poorness(layers, facei, goodShare*best, enough, lowest);
+            poorness(layers_, facei, goodShare*best, enough, lowest);
 
-        return lowest == 1 && own <= enough && isPoor(layers, facei, best)
+        return lowest == 1 && own <= enough && isPoor(layers_, facei, best)
           ? forbidden : own;
     };
 
-    postures before;
-    columns.allowLeans(1);
+    columns_.allowLeans(1);
 
-    forAll(layers.faces, facei)
+    forAll(layers_.faces, facei)
     {
-        const scalar good = goodShare*bestJacobians[facei];
+        const scalar good = goodShare*bestJacobians_[facei];
+        const bool looking = take(toLean_, facei);
 
-        for (const label c : layers.faces[facei])
+        for (const label c : layers_.faces[facei])
         {
-            if (worstJacobian(layers, facei, good) >= good)
+            if (!looking || worstJacobian(layers_, facei, good) >= good)
             {
                 break;
             }
 
-            const movingColumns::posture own(columns.postureOf(c));
+            const movingColumns::posture own(columns_.postureOf(c));
 
-            if (columns.lean(c, fault))
+            if (!barred_[c] && columns_.lean(c, fault))
             {
-                before.insert(c, own);
+                before_.insert(c, own);
             }
         }
     }
 
-    return before;
+    settle();
 }
 
 
-//- Front faces that cannot be certified, of those moved since the last look
-static labelList findFaults
-(
-    movingColumns& columns,
-    const scalarField& bestJacobians
-)
+void stackImprovement::grow()
 {
-    const prismLayers& layers = columns.layers();
-    const labelList moved(columns.takeCandidates());
-
-    labelList faults(findPoorStacks(layers, bestJacobians, moved));
-    faults.append(findWarpedStacks(layers, moved));
-
-    for
-    (
-        const labelPair& pair
-      : findIntersections(layers, columns.takeMoved())
-    )
+    const auto atFault = [&](const label facei)
     {
-        for (const label f : pair)
+        return isPoor(layers_, facei, bestJacobians_[facei]);
+    };
+
+    forAll(layers_.faces, facei)
+    {
+        const bool looking = take(toGrow_, facei);
+
+        for (const label c : layers_.faces[facei])
         {
-            if (f >= layers.faces.size())
+            if
+            (
+                looking
+             && columns_.lowered(c) && !barred_[c] && !before_.found(c)
+            )
             {
-                faults.append(f - layers.faces.size());
+                const labelList all(columns_.columnsBeside(c));
+                List<movingColumns::posture> own(all.size());
+                forAll(all, i)
+                {
+                    own[i] = columns_.postureOf(all[i]);
+                }
+
+                if (columns_.grow(all, atFault))
+                {
+                    forAll(all, i)
+                    {
+                        before_.insert(all[i], own[i]);
+                    }
+                }
             }
         }
     }
 
-    return faults;
+    settle();
 }
 
 } // End namespace Foam
@@ -121,33 +251,15 @@ void Foam::improveStacks
     const scalarField& bestJacobians
 )
 {
-    const faceList& faces = columns.layers().faces;
+    stackImprovement improvement(columns, bestJacobians);
 
-    for (label pass = 0; pass < nPasses; ++pass)
+    for (label round = 0; round < nRounds; ++round)
     {
-        postures before(leanWorst(columns, bestJacobians));
-
-        // What is taken back may be in the way of what is not
-        for
-        (
-            labelList faults(findFaults(columns, bestJacobians));
-            faults.size();
-            faults = findFaults(columns, bestJacobians)
-        )
-        {
-            for (const label facei : faults)
-            {
-                for (const label c : faces[facei])
-                {
-                    if (before.found(c))
-                    {
-                        columns.restore(c, before[c]);
-                        before.erase(c);
-                    }
-                }
-            }
-        }
+        improvement.lean();
+        improvement.grow();
     }
+
+    improvement.lean();
 }
 
 

@@ -131,6 +131,8 @@ void Foam::movingColumns::resume(const label c, const posture& before)
 
     SubList<vector>(columns_.offsets, n, c*n) = before.offsets;
     straightened_[c] = before.straightened;
+    columns_.room[c] = before.room;
+    columns_.causes[c] = before.cause;
     build(c);
 }
 
@@ -147,7 +149,9 @@ Foam::movingColumns::posture Foam::movingColumns::postureOf
     return posture
     {
         vectorField(SubList<vector>(columns_.offsets, n, c*n)),
-        straightened_[c]
+        straightened_[c],
+        columns_.room[c],
+        columns_.causes[c]
     };
 }
 

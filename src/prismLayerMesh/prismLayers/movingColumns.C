@@ -19,9 +19,6 @@ namespace Foam
 //- How often a column turns to its neighbours before it retreats
 static const label maxTurns = 3;
 
-//- What a move leaves of the height of a column that retreats
-static const scalar retreatFactor = 0.8;
-
 //- What it takes of the way back to the axis of the visibility cone
 static const scalar straightenShare = 0.25;
 
@@ -120,6 +117,8 @@ Foam::movingColumns::movingColumns
     spacing_(spacing),
     maxStretch_(maxStretch),
     columns_(columns),
+    firstRoom_(columns.room),
+    firstCauses_(columns.causes),
     graph_(makeWallGraph(front.surface, front.addressing)),
     heights_(front.wallPoints.size()*(spacing.nLayers + 1)),
     heightsRoom_(front.wallPoints.size(), -1),
