@@ -34,6 +34,9 @@ class stackImprovement
     const prismLayers& layers_;
     const scalarField& bestJacobians_;
 
+    //- As findOutlyingCentres wants it
+    const labelUList& patience_;
+
     //- Faces to look at again, because something moved there
     boolList toLean_;
     boolList toGrow_;
@@ -68,12 +71,14 @@ public:
     stackImprovement
     (
         movingColumns& columns,
-        const scalarField& bestJacobians
+        const scalarField& bestJacobians,
+        const labelUList& patience
     )
     :
         columns_(columns),
         layers_(columns.layers()),
         bestJacobians_(bestJacobians),
+        patience_(patience),
         toLean_(layers_.faces.size(), true),
         toGrow_(layers_.faces.size(), true),
         barred_(columns.room().size(), false)
@@ -96,6 +101,12 @@ labelList stackImprovement::findFaults()
 
     labelList faults(findPoorStacks(layers_, bestJacobians_, moved));
     faults.append(findWarpedStacks(layers_, moved));
+
+    labelList patience(patience_);
+    faults.append
+    (
+        findOutlyingCentres(layers_, bestJacobians_, moved, patience)
+    );
 
     for
     (
@@ -248,10 +259,11 @@ void stackImprovement::grow()
 void Foam::improveStacks
 (
     movingColumns& columns,
-    const scalarField& bestJacobians
+    const scalarField& bestJacobians,
+    const labelUList& patience
 )
 {
-    stackImprovement improvement(columns, bestJacobians);
+    stackImprovement improvement(columns, bestJacobians, patience);
 
     for (label round = 0; round < nRounds; ++round)
     {

@@ -34,6 +34,9 @@ static const scalar shortShare = 0.05;
 //- Share of the best scaled Jacobian that leaning columns aim at
 static const scalar goodShare = 0.1;
 
+//- How often columns move because the centre of a cell is not inside
+static const label maxPatience = 12;
+
 
 //- Each of the faces as both of a pair
 static List<labelPair> selfPairs(const labelUList& faces)
@@ -180,7 +183,8 @@ static bool lean
 static void makePositive
 (
     movingColumns& columns,
-    const scalarField& bestJacobians
+    const scalarField& bestJacobians,
+    labelList& patience
 )
 {
     const prismLayers& layers = columns.layers();
@@ -200,8 +204,16 @@ static void makePositive
 
         if (poor.empty())
         {
-            poor = findWarpedStacks(layers, findIndices(unmeasured, true));
+            const labelList candidates(findIndices(unmeasured, true));
             unmeasured = false;
+            poor = findWarpedStacks(layers, candidates);
+            poor.append
+            (
+                findOutlyingCentres
+                (
+                    layers, bestJacobians, candidates, patience
+                )
+            );
         }
 
         if (poor.empty())
@@ -268,16 +280,17 @@ Foam::prismLayers Foam::makePrismLayers
 {
     movingColumns moving(front, spacing, maxStretch, columns);
     const scalarField best(bestJacobians(front.surface, front.visibility));
+    labelList patience(front.surface.faces.size(), maxPatience);
 
     while (true)
     {
-        makePositive(moving, best);
+        makePositive(moving, best, patience);
 
         const List<labelPair> pairs(intersectingFaces(moving));
 
         if (pairs.empty())
         {
-            improveStacks(moving, best);
+            improveStacks(moving, best, patience);
 
             return moving.result();
         }

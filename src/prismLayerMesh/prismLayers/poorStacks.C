@@ -18,6 +18,10 @@ namespace Foam
 
 static const scalar smallestShare = 0.05;
 
+//- Share of the best scaled Jacobian from which the centre of a prism is surely
+//  inside
+static const scalar prismShare = 0.2;
+
 
 static scalar bestJacobian
 (
@@ -166,5 +170,35 @@ Foam::labelList Foam::findWarpedStacks
     return labelList(std::move(warped));
 }
 
+
+Foam::labelList Foam::findOutlyingCentres
+(
+    const prismLayers& layers,
+    const scalarField& bestJacobians,
+    const labelUList& candidates,
+    labelList& patience
+)
+{
+    DynamicList<label> outlying;
+
+    for (const label facei : candidates)
+    {
+        const scalar suspect = layers.faces[facei].size() == 3
+          ? prismShare*bestJacobians[facei] : GREAT;
+
+        if
+        (
+            patience[facei] > 0
+         && worstJacobian(layers, facei, suspect) < suspect
+         && !hasPositivePyramids(layers, facei)
+        )
+        {
+            --patience[facei];
+            outlying.append(facei);
+        }
+    }
+
+    return labelList(std::move(outlying));
+}
 
 // ************************************************************************* //

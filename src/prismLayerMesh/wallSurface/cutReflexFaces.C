@@ -15,16 +15,22 @@ License
 namespace Foam
 {
 
-static bool hasReflexCorner(const face& f, const pointField& points)
+//- Smallest cosine between the normals of a corner and of its face
+static const scalar smallestCosine = 0.5;
+
+
+static bool hasReflexOrFoldedCorner(const face& f, const pointField& points)
 {
-    const vector normal = f.areaNormal(points);
+    const vector normal(normalised(f.areaNormal(points)));
 
     forAll(f, i)
     {
         const vector next = points[f.nextLabel(i)] - points[f[i]];
         const vector prev = points[f.prevLabel(i)] - points[f[i]];
 
-        if (((next ^ prev) & normal) <= 0)
+        const vector corner(next ^ prev);
+
+        if ((corner & normal) <= smallestCosine*mag(corner))
         {
             return true;
         }
@@ -52,7 +58,7 @@ Foam::label Foam::cutReflexFaces(wallSurface& wall)
         (
             f.size() == 3
          || f.mag(wall.points) < VSMALL
-         || !hasReflexCorner(f, wall.points)
+         || !hasReflexOrFoldedCorner(f, wall.points)
         )
         {
             kept.append(f);

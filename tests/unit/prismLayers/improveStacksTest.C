@@ -32,7 +32,9 @@ static void improve(movableColumns& m)
 {
     improveStacks
     (
-        m.moving, bestJacobians(m.front.surface, m.front.visibility)
+        m.moving,
+        bestJacobians(m.front.surface, m.front.visibility),
+        labelList(m.front.surface.faces.size(), 1)
     );
 }
 

@@ -71,4 +71,14 @@ TEST(cutReflexFaces, straightCornerIsCut)
 }
 
 
+TEST(cutReflexFaces, warpedQuadrilateralStaysUntilItIsFolded)
+{
+    wallSurface warped(quadWith(point(2, 2, 1)));
+    EXPECT_EQ(cutReflexFaces(warped), 0);
+
+    wallSurface folded(quadWith(point(0.5, 0.5, 2)));
+    EXPECT_EQ(cutReflexFaces(folded), 1);
+    EXPECT_EQ(folded.faces.size(), 2);
+}
+
 // ************************************************************************* //

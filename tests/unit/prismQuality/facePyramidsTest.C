@@ -1,0 +1,123 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "memoryMesh.H"
+#include "prismQuality.H"
+#include "testLayers.H"
+#include "testSurfaces.H"
+#include "Random.H"
+
+#include <gtest/gtest.h>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+using namespace Foam;
+
+static const label n = 3;
+
+//- Layers whose points are off by up to a share of the layer's height
+static prismLayers shaken(const wallSurface& wall, const scalar share)
+{
+    prismLayers layers
+    (
+        testSurfaces::straightLayers
+        (
+            wall, testSurfaces::geometricHeights(n, 0.05, 1.2)
+        )
+    );
+
+    Random random(5);
+    for (point& p : layers.points)
+    {
+        p += 0.1*share*(random.sample01<vector>() - vector::uniform(0.5));
+    }
+
+    return layers;
+}
+
+
+//- Front faces with a cell of the mesh whose centre is not inside
+static boolList outlying(const polyMesh& mesh, const label nFrontFaces)
+{
+    boolList found(nFrontFaces, false);
+
+    forAll(mesh.cells(), celli)
+    {
+        for (const label facei : mesh.cells()[celli])
+        {
+            const vector outwards = mesh.faceOwner()[facei] == celli
+              ? mesh.faceAreas()[facei] : -mesh.faceAreas()[facei];
+
+            if
+            (
+                (
+                    outwards
+                  & (mesh.faceCentres()[facei] - mesh.cellCentres()[celli])
+                ) < 0
+            )
+            {
+                found[celli/n] = true;
+            }
+        }
+    }
+
+    return found;
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(facePyramids, agreeWithPolyMesh)
+{
+    label nOutlying = 0, nInside = 0;
+
+    for (const wallSurface& wall :
+        {testSurfaces::sphere(4), testSurfaces::quadSphere(4)})
+    {
+        for (const scalar share : {0.2, 1.0, 2.0})
+        {
+            const prismLayers layers(shaken(wall, share));
+            const memoryMesh mesh(layers);
+            const boolList expected(outlying(mesh(), layers.faces.size()));
+
+            forAll(layers.faces, facei)
+            {
+                EXPECT_NE(hasPositivePyramids(layers, facei), expected[facei]);
+                nOutlying += expected[facei];
+                nInside += !expected[facei];
+            }
+        }
+    }
+
+    EXPECT_GT(nOutlying, 20);
+    EXPECT_GT(nInside, 20);
+}
+
+
+TEST(facePyramids, areTheSameFarAway)
+{
+    prismLayers layers(shaken(testSurfaces::quadSphere(4), 1));
+    boolList expected(layers.faces.size());
+    forAll(expected, facei)
+    {
+        expected[facei] = hasPositivePyramids(layers, facei);
+    }
+
+    for (point& p : layers.points)
+    {
+        p += vector(10, 20, -30);
+    }
+
+    forAll(expected, facei)
+    {
+        EXPECT_EQ(hasPositivePyramids(layers, facei), expected[facei]);
+    }
+}
+
+// ************************************************************************* //
