@@ -57,6 +57,12 @@ class stackImprovement
         return taken;
     }
 
+    bool isForbidden(const label facei) const
+    {
+        return isPoor(layers_, facei, bestJacobians_[facei])
+            || !isPositiveStack(layers_, facei);
+    }
+
     //- Front faces that cannot be certified, of those moved since the last look
     labelList findFaults();
 
@@ -100,7 +106,7 @@ labelList stackImprovement::findFaults()
     UIndirectList<bool>(toGrow_, moved) = true;
 
     labelList faults(findPoorStacks(layers_, bestJacobians_, moved));
-    faults.append(findWarpedStacks(layers_, moved));
+    faults.append(findUncertifiedStacks(layers_, moved));
 
     labelList patience(patience_);
     faults.append
@@ -180,7 +186,7 @@ void stackImprovement::lean()
         const scalar own =
             poorness(layers_, facei, goodShare*best, enough, lowest);
 
-        return lowest == 1 && own <= enough && isPoor(layers_, facei, best)
+        return lowest == 1 && own <= enough && isForbidden(facei)
           ? forbidden : own;
     };
 
@@ -215,7 +221,7 @@ void stackImprovement::grow()
 {
     const auto atFault = [&](const label facei)
     {
-        return isPoor(layers_, facei, bestJacobians_[facei]);
+        return isForbidden(facei);
     };
 
     forAll(layers_.faces, facei)

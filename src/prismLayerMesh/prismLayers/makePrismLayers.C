@@ -206,7 +206,7 @@ static void makePositive
         {
             const labelList candidates(findIndices(unmeasured, true));
             unmeasured = false;
-            poor = findWarpedStacks(layers, candidates);
+            poor = findUncertifiedStacks(layers, candidates);
             poor.append
             (
                 findOutlyingCentres
@@ -214,6 +214,7 @@ static void makePositive
                     layers, bestJacobians, candidates, patience
                 )
             );
+            UIndirectList<bool>(unmeasured, poor) = true;
         }
 
         if (poor.empty())

@@ -92,20 +92,21 @@ bool Foam::isPoor
 {
     const scalar smallest = smallestShare*bestJacobian;
 
-    if (worstJacobian(layers, facei, smallest) < smallest)
-    {
-        return true;
-    }
+    return worstJacobian(layers, facei, smallest) < smallest;
+}
 
+
+bool Foam::isPositiveStack(const prismLayers& layers, const label facei)
+{
     for (label i = layers.nLayers; i > 0; --i)
     {
         if (!isPositive(layers, facei, i))
         {
-            return true;
+            return false;
         }
     }
 
-    return false;
+    return true;
 }
 
 
@@ -148,26 +149,30 @@ Foam::labelList Foam::findPoorStacks
 }
 
 
-Foam::labelList Foam::findWarpedStacks
+Foam::labelList Foam::findUncertifiedStacks
 (
     const prismLayers& layers,
     const labelUList& candidates
 )
 {
-    DynamicList<label> warped;
+    DynamicList<label> invalid;
     stackHeights stack(layers);
 
     for (const label facei : candidates)
     {
         stack.compute(facei);
 
-        if (min(stack.heights()) <= 0)
+        if
+        (
+            !isPositiveStack(layers, facei)
+         || min(stack.heights()) <= 0
+        )
         {
-            warped.append(facei);
+            invalid.append(facei);
         }
     }
 
-    return labelList(std::move(warped));
+    return labelList(std::move(invalid));
 }
 
 
