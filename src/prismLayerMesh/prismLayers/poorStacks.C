@@ -49,6 +49,23 @@ static scalar bestJacobian
 }
 
 
+//- Those of the candidates, in their order, for which a test holds that many
+//  threads can make at once
+template<class Test>
+static labelList selected(const labelUList& candidates, const Test& test)
+{
+    boolList holds(candidates.size(), false);
+
+    #pragma omp parallel for schedule(dynamic, 64)
+    for (label i = 0; i < candidates.size(); ++i)
+    {
+        holds[i] = test(candidates[i]);
+    }
+
+    return labelList(UIndirectList<label>(candidates, findIndices(holds, true)));
+}
+
+
 //- Share of a good Jacobian below which a stack is poorer
 static scalar shareOfPoorness(const scalar poorness)
 {
@@ -135,17 +152,14 @@ Foam::labelList Foam::findPoorStacks
     const labelUList& candidates
 )
 {
-    DynamicList<label> poor;
-
-    for (const label facei : candidates)
-    {
-        if (isPoor(layers, facei, bestJacobians[facei]))
+    return selected
+    (
+        candidates,
+        [&](const label facei)
         {
-            poor.append(facei);
+            return isPoor(layers, facei, bestJacobians[facei]);
         }
-    }
-
-    return labelList(std::move(poor));
+    );
 }
 
 
@@ -155,24 +169,18 @@ Foam::labelList Foam::findUncertifiedStacks
     const labelUList& candidates
 )
 {
-    DynamicList<label> invalid;
-    stackHeights stack(layers);
-
-    for (const label facei : candidates)
-    {
-        stack.compute(facei);
-
-        if
-        (
-            !isPositiveStack(layers, facei)
-         || min(stack.heights()) <= 0
-        )
+    return selected
+    (
+        candidates,
+        [&](const label facei)
         {
-            invalid.append(facei);
-        }
-    }
+            stackHeights stack(layers);
+            stack.compute(facei);
 
-    return labelList(std::move(invalid));
+            return min(stack.heights()) <= 0
+                || !isPositiveStack(layers, facei);
+        }
+    );
 }
 
 

@@ -132,7 +132,8 @@ Foam::scalarField Foam::makeWallClearance
 {
     scalarField clearance(wall.points.size());
 
-    forAll(clearance, p)
+    #pragma omp parallel for schedule(dynamic, 64)
+    for (label p = 0; p < clearance.size(); ++p)
     {
         clearance[p] = room
         (
