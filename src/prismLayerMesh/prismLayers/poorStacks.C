@@ -62,7 +62,9 @@ static labelList selected(const labelUList& candidates, const Test& test)
         holds[i] = test(candidates[i]);
     }
 
-    return labelList(UIndirectList<label>(candidates, findIndices(holds, true)));
+    const labelList held(findIndices(holds, true));
+
+    return labelList(UIndirectList<label>(candidates, held));
 }
 
 
