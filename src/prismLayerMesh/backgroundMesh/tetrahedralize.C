@@ -216,7 +216,7 @@ Foam::tetMesh Foam::tetrahedralize(const tetDomain& domain)
     for (label attempt = 0; attempt < maxAttempts; ++attempt)
     {
         const tensor rotation(generalRotation(attempt));
-        const label seconds = 4 + domain.points.size()/8000;
+        const label seconds = 4 + domain.points.size()/16000;
         tetMesh mesh;
 
         const bool complete = isolatedProcess

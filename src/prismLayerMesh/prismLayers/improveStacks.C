@@ -21,8 +21,9 @@ namespace Foam
 //- Share of the best scaled Jacobian that is good enough
 static const scalar goodShare = 0.3;
 
-//- Rounds over the stacks
-static const label nRounds = 4;
+//- Rounds over the stacks at most. No more of them once as many stacks were
+//  found not to be good as there are: where most are squeezed, rounds take long.
+static const label maxRounds = 4;
 
 //- Fault of a stack that must not be
 static const scalar forbidden = 1e3;
@@ -43,6 +44,9 @@ class stackImprovement
 
     //- Columns that had to be taken back, and stay
     boolList barred_;
+
+    //- How often a stack was found not to be good
+    label nNotGood_ = 0;
 
     //- Columns that moved since all was certified, as they were then
     Map<movingColumns::posture> before_;
@@ -89,6 +93,12 @@ public:
         toGrow_(layers_.faces.size(), true),
         barred_(columns.room().size(), false)
     {}
+
+    //- Whether most stacks are not good, and had their turn
+    bool isEnough() const
+    {
+        return nNotGood_ > layers_.faces.size();
+    }
 
     //- Lean columns of stacks that are not good
     void lean();
@@ -195,11 +205,21 @@ void stackImprovement::lean()
     forAll(layers_.faces, facei)
     {
         const scalar good = goodShare*bestJacobians_[facei];
-        const bool looking = take(toLean_, facei);
+
+        if
+        (
+            !take(toLean_, facei)
+         || worstJacobian(layers_, facei, good) >= good
+        )
+        {
+            continue;
+        }
+
+        ++nNotGood_;
 
         for (const label c : layers_.faces[facei])
         {
-            if (!looking || worstJacobian(layers_, facei, good) >= good)
+            if (worstJacobian(layers_, facei, good) >= good)
             {
                 break;
             }
@@ -271,7 +291,12 @@ void Foam::improveStacks
 {
     stackImprovement improvement(columns, bestJacobians, patience);
 
-    for (label round = 0; round < nRounds; ++round)
+    for
+    (
+        label round = 0;
+        round < maxRounds && !improvement.isEnough();
+        ++round
+    )
     {
         improvement.lean();
         improvement.grow();
