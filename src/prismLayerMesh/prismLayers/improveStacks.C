@@ -22,7 +22,7 @@ namespace Foam
 static const scalar goodShare = 0.3;
 
 //- Rounds over the stacks at most. No more of them once as many stacks were
-//  found not to be good as there are: where most are squeezed, rounds take long.
+//  found not to be good as there are: where most are squeezed, they take long.
 static const label maxRounds = 4;
 
 //- Fault of a stack that must not be
