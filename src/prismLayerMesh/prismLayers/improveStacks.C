@@ -202,36 +202,32 @@ void stackImprovement::lean()
 
     columns_.allowLeans(1);
 
-    forAll(layers_.faces, facei)
-    {
-        const scalar good = goodShare*bestJacobians_[facei];
-
-        if
+    const labelList notGood
+    (
+        findPoorStacks
         (
-            !take(toLean_, facei)
-         || worstJacobian(layers_, facei, good) >= good
+            layers_, bestJacobians_, findIndices(toLean_, true), goodShare
         )
-        {
-            continue;
-        }
+    );
 
-        ++nNotGood_;
+    nNotGood_ += notGood.size();
+    toLean_ = false;
 
+    boolList leaning(barred_.size(), false);
+    for (const label facei : notGood)
+    {
         for (const label c : layers_.faces[facei])
         {
-            if (worstJacobian(layers_, facei, good) >= good)
+            if (!barred_[c] && !leaning[c])
             {
-                break;
-            }
-
-            const movingColumns::posture own(columns_.postureOf(c));
-
-            if (!barred_[c] && columns_.lean(c, fault))
-            {
-                before_.insert(c, own);
+                leaning[c] = true;
+                before_.insert(c, columns_.postureOf(c));
             }
         }
     }
+
+    const labelList leaned(columns_.lean(findIndices(leaning, true), fault));
+    before_.retain(labelHashSet(leaned));
 
     settle();
 }

@@ -137,39 +137,6 @@ void Foam::movingColumns::resume(const label c, const posture& before)
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::movingColumns::posture Foam::movingColumns::postureOf
-(
-    const label c
-) const
-{
-    const label n = spacing_.nLayers;
-
-    return posture
-    {
-        vectorField(SubList<vector>(columns_.offsets, n, c*n)),
-        straightened_[c],
-        columns_.room[c],
-        columns_.causes[c]
-    };
-}
-
-
-void Foam::movingColumns::restore(const label c, const posture& before)
-{
-    resume(c, before);
-    touch(c);
-}
-
-
-void Foam::movingColumns::allowLeans(const label n)
-{
-    leans_ = 0;
-    maxLeans_ = n;
-}
-
-
 bool Foam::movingColumns::lean(const label c, const faceFault& fault)
 {
     if (leans_[c] >= maxLeans_)
@@ -191,9 +158,15 @@ bool Foam::movingColumns::lean(const label c, const faceFault& fault)
         return sum;
     };
 
+    scalar least = leanGain*faults(GREAT, 1);
+
+    if (least <= 0)
+    {
+        return false;
+    }
+
     const posture before(postureOf(c));
     const label n = spacing_.nLayers;
-    scalar least = leanGain*faults(GREAT, 1);
 
     // No column has less fault than its outermost cells
     const List<vectorField> tries(leaning(c));
@@ -235,6 +208,66 @@ bool Foam::movingColumns::lean(const label c, const faceFault& fault)
     touch(c);
 
     return true;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::movingColumns::posture Foam::movingColumns::postureOf
+(
+    const label c
+) const
+{
+    const label n = spacing_.nLayers;
+
+    return posture
+    {
+        vectorField(SubList<vector>(columns_.offsets, n, c*n)),
+        straightened_[c],
+        columns_.room[c],
+        columns_.causes[c]
+    };
+}
+
+
+void Foam::movingColumns::restore(const label c, const posture& before)
+{
+    resume(c, before);
+    touch(c);
+}
+
+
+void Foam::movingColumns::allowLeans(const label n)
+{
+    leans_ = 0;
+    maxLeans_ = n;
+}
+
+
+Foam::labelList Foam::movingColumns::lean
+(
+    const labelUList& columns,
+    const faceFault& fault
+)
+{
+    boolList leaned(colours_.size(), false);
+    List<DynamicList<label>> groups(max(colours_) + 1);
+
+    for (const label c : columns)
+    {
+        groups[colours_[c]].append(c);
+    }
+
+    for (const labelUList& group : groups)
+    {
+        #pragma omp parallel for schedule(dynamic, 4)
+        forAll(group, i)
+        {
+            leaned[group[i]] = lean(group[i], fault);
+        }
+    }
+
+    return findIndices(leaned, true);
 }
 
 

@@ -140,12 +140,11 @@ static labelList columnsOf
 }
 
 
-//- Lean the columns of stacks to where they are less poor. False where all
-//  stay.
+//- Lean columns to where their stacks are less poor. False where all stay.
 static bool lean
 (
     movingColumns& columns,
-    const labelUList& poor,
+    const labelUList& leaning,
     const scalarField& bestJacobians
 )
 {
@@ -162,20 +161,7 @@ static bool lean
         return poorness(layers, facei, good, enough, lowest);
     };
 
-    bool any = false;
-
-    for (const label facei : poor)
-    {
-        for (const label c : layers.faces[facei])
-        {
-            if (fault(facei, 1, 0) > 0)
-            {
-                any = columns.lean(c, fault) || any;
-            }
-        }
-    }
-
-    return any;
+    return columns.lean(leaning, fault).size();
 }
 
 
@@ -222,10 +208,12 @@ static void makePositive
             return;
         }
 
+        const labelList moving(columnsOf(columns, poor));
+
         if
         (
-            !columns.turn(columnsOf(columns, poor))
-         && !lean(columns, poor, bestJacobians)
+            !columns.turn(moving)
+         && !lean(columns, moving, bestJacobians)
         )
         {
             const labelList retreating(culprits(columns, poor));

@@ -25,6 +25,39 @@ static const scalar straightenShare = 0.25;
 //- What is left of the height of a column when there is no hope for it
 static const scalar hopelessShare = 1e-9;
 
+
+//- Colours of columns such that those on one face differ
+static labelList columnColours
+(
+    const faceList& faces,
+    const wallAddressing& addressing
+)
+{
+    labelList colours(addressing.pointFaces.size(), -1);
+    DynamicList<label> others;
+
+    forAll(colours, c)
+    {
+        others.clear();
+        for (const label facei : addressing.pointFaces[c])
+        {
+            for (const label q : faces[facei])
+            {
+                others.append(colours[q]);
+            }
+        }
+
+        label colour = 0;
+        while (others.found(colour))
+        {
+            ++colour;
+        }
+        colours[c] = colour;
+    }
+
+    return colours;
+}
+
 } // End namespace Foam
 
 
@@ -83,15 +116,17 @@ void Foam::movingColumns::touch(const label c)
 }
 
 
-void Foam::movingColumns::rebuild(const boolList& columns)
+void Foam::movingColumns::rebuild(const labelUList& columns)
 {
-    forAll(columns, c)
+    #pragma omp parallel for schedule(static, 64)
+    forAll(columns, i)
     {
-        if (columns[c])
-        {
-            build(c);
-            touch(c);
-        }
+        build(columns[i]);
+    }
+
+    for (const label c : columns)
+    {
+        touch(c);
     }
 }
 
@@ -126,6 +161,7 @@ Foam::movingColumns::movingColumns
     straightened_(front.wallPoints.size(), 0),
     leans_(front.wallPoints.size(), 0),
     maxLeans_(10),
+    colours_(columnColours(front.surface.faces, front.addressing)),
     candidates_(front.surface.faces.size(), true),
     moved_(front.surface.faces.size(), true)
 {
@@ -137,10 +173,7 @@ Foam::movingColumns::movingColumns
     layers_.furtherRoots = front.furtherRoots();
     layers_.points.setSize(surface.points.size()*(spacing.nLayers + 1));
 
-    forAll(surface.points, c)
-    {
-        build(c);
-    }
+    rebuild(identity(surface.points.size()));
 }
 
 
@@ -204,7 +237,7 @@ void Foam::movingColumns::retreat
         moved[c] = true;
     }
 
-    rebuild(moved);
+    rebuild(findIndices(moved, true));
 }
 
 
@@ -236,6 +269,7 @@ bool Foam::movingColumns::turn(const labelUList& columns)
     const labelList turning(findIndices(moved, true));
     vectorField turned(turning.size()*n);
 
+    #pragma omp parallel for schedule(static, 64)
     forAll(turned, k)
     {
         const label c = turning[k/n];
@@ -260,7 +294,7 @@ bool Foam::movingColumns::turn(const labelUList& columns)
         turns_[turning[k/n]] += k % n == 0;
     }
 
-    rebuild(moved);
+    rebuild(turning);
 
     return true;
 }

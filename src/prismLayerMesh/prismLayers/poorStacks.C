@@ -16,8 +16,6 @@ License
 namespace Foam
 {
 
-static const scalar smallestShare = 0.05;
-
 //- Share of the best scaled Jacobian from which the centre of a prism is surely
 //  inside
 static const scalar prismShare = 0.2;
@@ -106,10 +104,11 @@ bool Foam::isPoor
 (
     const prismLayers& layers,
     const label facei,
-    const scalar bestJacobian
+    const scalar bestJacobian,
+    const scalar share
 )
 {
-    const scalar smallest = smallestShare*bestJacobian;
+    const scalar smallest = share*bestJacobian;
 
     return worstJacobian(layers, facei, smallest) < smallest;
 }
@@ -151,7 +150,8 @@ Foam::labelList Foam::findPoorStacks
 (
     const prismLayers& layers,
     const scalarField& bestJacobians,
-    const labelUList& candidates
+    const labelUList& candidates,
+    const scalar share
 )
 {
     return selected
@@ -159,7 +159,7 @@ Foam::labelList Foam::findPoorStacks
         candidates,
         [&](const label facei)
         {
-            return isPoor(layers, facei, bestJacobians[facei]);
+            return isPoor(layers, facei, bestJacobians[facei], share);
         }
     );
 }
@@ -194,26 +194,29 @@ Foam::labelList Foam::findOutlyingCentres
     labelList& patience
 )
 {
-    DynamicList<label> outlying;
-
-    for (const label facei : candidates)
-    {
-        const scalar suspect = layers.faces[facei].size() == 3
-          ? prismShare*bestJacobians[facei] : GREAT;
-
-        if
+    const labelList outlying
+    (
+        selected
         (
-            patience[facei] > 0
-         && worstJacobian(layers, facei, suspect) < suspect
-         && !hasPositivePyramids(layers, facei)
+            candidates,
+            [&](const label facei)
+            {
+                const bool isPrism = layers.faces[facei].size() == 3;
+                const scalar best = isPrism ? bestJacobians[facei] : GREAT;
+
+                return patience[facei] > 0
+                    && isPoor(layers, facei, best, prismShare)
+                    && !hasPositivePyramids(layers, facei);
+            }
         )
-        {
-            --patience[facei];
-            outlying.append(facei);
-        }
+    );
+
+    for (const label facei : outlying)
+    {
+        --patience[facei];
     }
 
-    return labelList(std::move(outlying));
+    return outlying;
 }
 
 // ************************************************************************* //

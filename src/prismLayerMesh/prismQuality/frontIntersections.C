@@ -26,6 +26,10 @@ typedef CGAL::Box_intersection_d::Box_with_info_d
     const frontTriangle*
 > triangleBox;
 
+//- Where CGAL turns from its segment tree to scanning: with triangles of a
+//  surface much later than its default
+static const std::ptrdiff_t cutoff = 4000;
+
 
 static std::vector<triangleBox> boxes
 (
@@ -53,6 +57,65 @@ static std::vector<triangleBox> boxes
     return result;
 }
 
+
+//- Adds the faces of triangles that intersect to a list of pairs
+class pairsOf
+{
+    DynamicList<labelPair>& pairs_;
+
+public:
+
+    explicit pairsOf(DynamicList<labelPair>& pairs)
+    :
+        pairs_(pairs)
+    {}
+
+    void operator()(const triangleBox& a, const triangleBox& b) const
+    {
+        if (intersect(*a.info(), *b.info()))
+        {
+            const label fa = a.info()->frontFace;
+            const label fb = b.info()->frontFace;
+
+            pairs_.append(labelPair(min(fa, fb), max(fa, fb)));
+        }
+    }
+};
+
+
+static void addIntersectionsAmong
+(
+    const std::vector<frontTriangle>& triangles,
+    DynamicList<labelPair>& pairs
+)
+{
+    std::vector<triangleBox> all(boxes(triangles));
+
+    CGAL::box_self_intersection_d
+    (
+        all.begin(), all.end(), pairsOf(pairs), cutoff
+    );
+}
+
+
+static void addIntersectionsBetween
+(
+    const std::vector<frontTriangle>& first,
+    const std::vector<frontTriangle>& second,
+    DynamicList<labelPair>& pairs
+)
+{
+    std::vector<triangleBox> firstBoxes(boxes(first));
+    std::vector<triangleBox> secondBoxes(boxes(second));
+
+    CGAL::box_intersection_d
+    (
+        secondBoxes.begin(), secondBoxes.end(),
+        firstBoxes.begin(), firstBoxes.end(),
+        pairsOf(pairs), cutoff
+    );
+}
+
 } // End namespace Foam
 
 
@@ -65,34 +128,18 @@ void Foam::addIntersections
     DynamicList<labelPair>& pairs
 )
 {
-    std::vector<triangleBox> firstBoxes(boxes(first));
-    std::vector<triangleBox> secondBoxes(boxes(second));
+    DynamicList<labelPair> others;
 
-    const auto test = [&pairs](const triangleBox& a, const triangleBox& b)
+    #pragma omp parallel sections
     {
-        if (intersect(*a.info(), *b.info()))
-        {
-            const label fa = a.info()->frontFace;
-            const label fb = b.info()->frontFace;
+        #pragma omp section
+        addIntersectionsAmong(first, pairs);
 
-            pairs.append(labelPair(min(fa, fb), max(fa, fb)));
-        }
-    };
+        #pragma omp section
+        addIntersectionsBetween(first, second, others);
+    }
 
-    // Where CGAL turns from its segment tree to scanning: with triangles of a
-    // surface much later than its default
-    const std::ptrdiff_t cutoff = 4000;
-
-    CGAL::box_self_intersection_d
-    (
-        firstBoxes.begin(), firstBoxes.end(), test, cutoff
-    );
-    CGAL::box_intersection_d
-    (
-        secondBoxes.begin(), secondBoxes.end(),
-        firstBoxes.begin(), firstBoxes.end(),
-        test, cutoff
-    );
+    pairs.append(others);
 
     std::sort(pairs.begin(), pairs.end());
     pairs.setSize(std::unique(pairs.begin(), pairs.end()) - pairs.begin());

@@ -11,6 +11,7 @@ License
 #include "poorStacks.H"
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -32,6 +33,18 @@ static movingColumns::faceFault distanceTo
         }
         return sum;
     };
+}
+
+
+//- Lean one column. False where it stays.
+static bool lean
+(
+    movableColumns& m,
+    const label c,
+    const movingColumns::faceFault& fault
+)
+{
+    return m.moving.lean(labelList(1, c), fault).size();
 }
 
 
@@ -89,7 +102,7 @@ TEST(leaningColumns, columnsLeanToWhatFaultsAsk)
             const scalar before = sumOf(m, c, fault);
             const point end(m.end(c));
 
-            if (m.moving.lean(c, fault))
+            if (lean(m, c, fault))
             {
                 EXPECT_LE(sumOf(m, c, fault), 0.98*before);
                 EXPECT_GT(mag(m.end(c) - end), 0);
@@ -115,7 +128,7 @@ TEST(leaningColumns, leanWhereAnyPlaceIsBetter)
 
             if (heightCosine*movableColumns::maxStretch > 1.1)
             {
-                EXPECT_TRUE(m.moving.lean(c, awayFrom(m, c, m.end(c))));
+                EXPECT_TRUE(lean(m, c, awayFrom(m, c, m.end(c))));
             }
         }
     }
@@ -147,11 +160,88 @@ TEST(leaningColumns, faultsNeverGrow)
             for (const label c : some)
             {
                 const scalar before = sumOf(m, c, fault);
-                m.moving.lean(c, fault);
+                lean(m, c, fault);
 
                 EXPECT_LE(sumOf(m, c, fault), before + 1e-10);
             }
         }
+    }
+}
+
+
+//- How far the ends of a face's columns are from points beside those where they
+//  are now
+static movingColumns::faceFault distanceBeside(const movableColumns& m)
+{
+    pointField aims(m.nColumns());
+    forAll(aims, c)
+    {
+        aims[c] = m.end(c) + vector(0.01, 0.02, 0.03);
+    }
+
+    return [&m, aims](const label facei, label, scalar)
+    {
+        scalar sum = 0;
+        for (const label c : m.front.surface.faces[facei])
+        {
+            sum += mag(m.end(c) - aims[c]);
+        }
+        return sum;
+    };
+}
+
+
+//- Points of the layers after all columns leaned to one side
+static pointField leantOver(const layerFront& front, const int nThreads)
+{
+    const int before = omp_get_max_threads();
+    omp_set_num_threads(nThreads);
+
+    movableColumns m(front);
+    m.moving.lean(identity(m.nColumns()), distanceBeside(m));
+
+    omp_set_num_threads(before);
+
+    return m.moving.layers().points;
+}
+
+
+TEST(leaningColumns, threadsChangeNothing)
+{
+    for (const layerFront& front : fronts())
+    {
+        const pointField points(leantOver(front, 1));
+
+        EXPECT_EQ(leantOver(front, 2), points);
+        EXPECT_EQ(leantOver(front, 5), points);
+    }
+}
+
+
+TEST(leaningColumns, manyThatLeanAtOnceAreNotInEachOthersWay)
+{
+    for (const layerFront& front : fronts())
+    {
+        movableColumns m(front);
+        const auto fault = distanceBeside(m);
+        const auto sum = [&]()
+        {
+            scalar all = 0;
+            forAll(front.surface.faces, facei)
+            {
+                all += fault(facei, 1, GREAT);
+            }
+            return all;
+        };
+
+        const scalar before = sum();
+        const labelList leaned
+        (
+            m.moving.lean(identity(m.nColumns()), fault)
+        );
+
+        EXPECT_GT(leaned.size(), m.nColumns()/4);
+        EXPECT_LT(sum(), 0.9*before);
     }
 }
 
@@ -165,7 +255,7 @@ TEST(leaningColumns, stayWhereNothingIsBetter)
 
         for (label c = 0; c < m.nColumns(); ++c)
         {
-            EXPECT_FALSE(m.moving.lean(c, atFault));
+            EXPECT_FALSE(lean(m, c, atFault));
         }
 
         EXPECT_LT(max(mag(m.moving.layers().points - before)), 1e-14);
@@ -184,14 +274,14 @@ TEST(leaningColumns, stayAlsoAfterTheyHaveMoved)
         {
             m.moving.turn(some);
             const label c = some[round];
-            m.moving.lean(c, awayFrom(m, c, m.end(c)));
+            lean(m, c, awayFrom(m, c, m.end(c)));
             m.moving.retreat(some, squeezeCause::validity);
         }
 
         const pointField before(m.moving.layers().points);
         for (label c = 0; c < m.nColumns(); ++c)
         {
-            EXPECT_FALSE(m.moving.lean(c, atFault));
+            EXPECT_FALSE(lean(m, c, atFault));
         }
 
         EXPECT_EQ(m.moving.layers().points, before);
@@ -205,7 +295,7 @@ TEST(leaningColumns, stayWithoutFaults)
     {
         movableColumns m(front);
 
-        EXPECT_FALSE(m.moving.lean(3, [](label, label, scalar) { return 0; }));
+        EXPECT_FALSE(lean(m, 3, [](label, label, scalar) { return 0; }));
     }
 }
 
@@ -217,7 +307,7 @@ TEST(leaningColumns, thoseThatStayAreNotMoved)
         movableColumns m(front);
         m.moving.takeCandidates();
         m.moving.takeMoved();
-        m.moving.lean(3, atFault);
+        lean(m, 3, atFault);
 
         EXPECT_TRUE(m.moving.takeCandidates().empty());
         EXPECT_FALSE(m.moving.takeMoved().found(true));
@@ -237,7 +327,7 @@ TEST(leaningColumns, facesAroundThoseThatLeanAreMoved)
         {
             const labelList faces
             (
-                m.moving.lean(c, awayFrom(m, c, m.end(c)))
+                lean(m, c, awayFrom(m, c, m.end(c)))
               ? facesOf(m, labelList(1, c)) : labelList()
             );
 
@@ -255,7 +345,7 @@ TEST(leaningColumns, leanTenTimesAtMost)
 
     // Each time better than before
     scalar fault = 1e10;
-    while (n < 100 && m.moving.lean(3, [&](label, label, scalar)
+    while (n < 100 && lean(m, 3, [&](label, label, scalar)
     {
         return fault *= 0.9;
     }))
@@ -276,7 +366,7 @@ TEST(leaningColumns, leanInsideTheirCones)
         for (const label c : someColumns(m, 15))
         {
             const point end(m.end(c));
-            m.moving.lean(c, [&](label, label, scalar)
+            lean(m, c, [&](label, label, scalar)
             {
                 return 1/(1e-6 + mag(m.end(c) - end));
             });
@@ -286,42 +376,6 @@ TEST(leaningColumns, leanInsideTheirCones)
                 EXPECT_GT((m.end(c) - m.front.surface.points[c]) & n, 0);
             }
         }
-    }
-}
-
-
-TEST(leaningColumns, turnThreeTimesAtMost)
-{
-    for (const layerFront& front : fronts())
-    {
-        movableColumns m(front);
-        label n = 0;
-
-        while (n < 100 && m.moving.turn(labelList(1, 3)))
-        {
-            ++n;
-        }
-
-        EXPECT_EQ(n, 3);
-    }
-}
-
-
-TEST(leaningColumns, movedFacesAreThoseAroundColumnsThatTurn)
-{
-    for (const layerFront& front : fronts())
-    {
-        movableColumns m(front);
-        m.moving.takeCandidates();
-        m.moving.takeMoved();
-
-        m.moving.turn(labelList(1, 3));
-        labelList columns(front.addressing.pointPoints[3]);
-        columns.append(3);
-
-        const labelList faces(facesOf(m, columns));
-        EXPECT_EQ(m.moving.takeCandidates(), faces);
-        EXPECT_EQ(findIndices(m.moving.takeMoved(), true), faces);
     }
 }
 

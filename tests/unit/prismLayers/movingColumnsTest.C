@@ -236,4 +236,40 @@ TEST(movingColumns, movedFacesAreThoseAroundMovedColumns)
 }
 
 
+TEST(movingColumns, turnThreeTimesAtMost)
+{
+    for (const layerFront& front : fronts())
+    {
+        movableColumns m(front);
+        label n = 0;
+
+        while (n < 100 && m.moving.turn(labelList(1, 3)))
+        {
+            ++n;
+        }
+
+        EXPECT_EQ(n, 3);
+    }
+}
+
+
+TEST(movingColumns, movedFacesAreThoseAroundColumnsThatTurn)
+{
+    for (const layerFront& front : fronts())
+    {
+        movableColumns m(front);
+        m.moving.takeCandidates();
+        m.moving.takeMoved();
+
+        m.moving.turn(labelList(1, 3));
+        labelList columns(front.addressing.pointPoints[3]);
+        columns.append(3);
+
+        const labelList faces(facesOf(m, columns));
+        EXPECT_EQ(m.moving.takeCandidates(), faces);
+        EXPECT_EQ(findIndices(m.moving.takeMoved(), true), faces);
+    }
+}
+
+
 // ************************************************************************* //
