@@ -17,7 +17,6 @@ License
 #include <cfenv>
 #include <functional>
 #include <sstream>
-#include <sys/resource.h>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -200,17 +199,6 @@ public:
     }
 };
 
-
-//- Of the processes that have ended
-static scalar childSeconds()
-{
-    rusage usage;
-    ::getrusage(RUSAGE_CHILDREN, &usage);
-
-    return usage.ru_utime.tv_sec + 1e-6*usage.ru_utime.tv_usec
-      + usage.ru_stime.tv_sec + 1e-6*usage.ru_stime.tv_usec;
-}
-
 } // End namespace Foam
 
 
@@ -239,9 +227,8 @@ Foam::fuzzResult Foam::run(const fuzzCase& one, const unsigned cpuSeconds)
 {
     fuzzResult result;
     verdictListener verdict(result);
-    const scalar before = childSeconds();
 
-    const bool ended = isolatedProcess
+    const processEnd end = isolatedProcess
     (
         [&](std::FILE* out)
         {
@@ -271,18 +258,14 @@ Foam::fuzzResult Foam::run(const fuzzCase& one, const unsigned cpuSeconds)
         cpuSeconds
     );
 
-    if (!ended)
+    if (end == processEnd::failed)
+    {
+        verdict.tell("failed", "crashed");
+    }
+    else if (end == processEnd::tooLong)
     {
         std::ostringstream why;
-        if (childSeconds() - before < 0.99*cpuSeconds)
-        {
-            why << "crashed";
-        }
-        else
-        {
-            why << "took more than " << cpuSeconds << " s";
-        }
-
+        why << "took more than " << cpuSeconds << " s";
         verdict.tell("failed", why.str());
     }
 
@@ -348,7 +331,7 @@ bool Foam::writeSurface(const fuzzCase& one, const fileName& file)
         },
         [](std::FILE*) { return true; },
         60
-    );
+    ) == processEnd::complete;
 }
 
 

@@ -31,7 +31,7 @@ namespace Foam
 )
 {
     // OpenFOAM's handlers would print a stack, and a core file helps nobody
-    for (const int sig : {SIGABRT, SIGFPE, SIGSEGV, SIGBUS})
+    for (const int sig : {SIGABRT, SIGFPE, SIGSEGV, SIGBUS, SIGXCPU})
     {
         std::signal(sig, SIG_DFL);
     }
@@ -39,7 +39,8 @@ namespace Foam
     const rlimit none{0, 0};
     ::setrlimit(RLIMIT_CORE, &none);
 
-    const rlimit cpu{cpuSeconds, cpuSeconds};
+    // At the first it gets SIGXCPU, at the second it is killed
+    const rlimit cpu{cpuSeconds, cpuSeconds + 1};
     ::setrlimit(RLIMIT_CPU, &cpu);
 
     const int null = ::open("/dev/null", O_WRONLY);
@@ -69,7 +70,7 @@ namespace Foam
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-bool Foam::isolatedProcess
+Foam::processEnd Foam::isolatedProcess
 (
     const std::function<void(std::FILE*)>& work,
     const std::function<bool(std::FILE*)>& read,
@@ -80,7 +81,7 @@ bool Foam::isolatedProcess
 
     if (::pipe(ends))
     {
-        return false;
+        return processEnd::failed;
     }
 
     std::fflush(nullptr);
@@ -101,7 +102,13 @@ bool Foam::isolatedProcess
     while (child > 0 && ::waitpid(child, &status, 0) < 0 && errno == EINTR)
     {}
 
-    return complete && WIFEXITED(status) && WEXITSTATUS(status) == 0;
+    if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
+    {
+        return processEnd::tooLong;
+    }
+
+    return complete && WIFEXITED(status) && WEXITSTATUS(status) == 0
+      ? processEnd::complete : processEnd::failed;
 }
 
 

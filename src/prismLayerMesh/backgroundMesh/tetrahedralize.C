@@ -213,32 +213,39 @@ static bool keepsFacets(const tetDomain& domain, const tetMesh& mesh)
 
 Foam::tetMesh Foam::tetrahedralize(const tetDomain& domain)
 {
-    for (label attempt = 0; attempt < maxAttempts; ++attempt)
+    processEnd end = processEnd::failed;
+
+    for
+    (
+        label attempt = 0;
+        attempt < maxAttempts && end != processEnd::tooLong;
+        ++attempt
+    )
     {
         const tensor rotation(generalRotation(attempt));
-        const label seconds = 4 + domain.points.size()/16000;
         tetMesh mesh;
 
-        const bool complete = isolatedProcess
+        end = isolatedProcess
         (
             [&](std::FILE* result) { run(domain, rotation, result); },
             [&](std::FILE* result)
             {
                 return read(domain, rotation, result, mesh);
             },
-            max(seconds >> attempt, 2)
+            4 + domain.points.size()/16000
         );
 
-        if (complete && keepsFacets(domain, mesh))
+        if (end == processEnd::complete && keepsFacets(domain, mesh))
         {
             return mesh;
         }
     }
 
     FatalErrorInFunction
-        << "TetGen failed, or took too long, on "
-        << domain.facets.size() << " facets and "
-        << domain.points.size() << " points, " << maxAttempts << " times"
+        << "TetGen "
+        << (end == processEnd::tooLong ? "took too long" : "failed")
+        << " on " << domain.facets.size() << " facets and "
+        << domain.points.size() << " points"
         << exit(FatalError);
 
     return tetMesh();

@@ -168,7 +168,9 @@ static void tryReader(const fileName& file, const word& extension)
         {}
     };
 
-    if (!isolatedProcess(read, [](std::FILE*) { return true; }, 600))
+    const auto nothing = [](std::FILE*) { return true; };
+
+    if (isolatedProcess(read, nothing, 600) != processEnd::complete)
     {
         FatalErrorInFunction
             << "the reader crashes; is it broken?" << exit(FatalError);

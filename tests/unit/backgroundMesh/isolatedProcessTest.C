@@ -22,8 +22,8 @@ License
 
 using namespace Foam;
 
-//- Whether a piece of work comes to its end, when one number is read on
-static bool completes(const std::function<void(std::FILE*)>& work)
+//- How a piece of work ends, when one number is read on
+static processEnd endOf(const std::function<void(std::FILE*)>& work)
 {
     return isolatedProcess
     (
@@ -35,6 +35,18 @@ static bool completes(const std::function<void(std::FILE*)>& work)
         },
         1
     );
+}
+
+
+static bool completes(const std::function<void(std::FILE*)>& work)
+{
+    return endOf(work) == processEnd::complete;
+}
+
+
+static bool fails(const std::function<void(std::FILE*)>& work)
+{
+    return endOf(work) == processEnd::failed;
 }
 
 
@@ -58,7 +70,7 @@ TEST(isolatedProcess, moreThanAPipeHolds)
     std::vector<int> sent(1000000), received(sent.size());
     std::iota(sent.begin(), sent.end(), 0);
 
-    EXPECT_TRUE
+    EXPECT_EQ
     (
         isolatedProcess
         (
@@ -74,17 +86,19 @@ TEST(isolatedProcess, moreThanAPipeHolds)
                 );
             },
             60
-        )
+        ),
+        processEnd::complete
     );
     EXPECT_EQ(received, sent);
 }
 
 
-TEST(isolatedProcess, workWithoutEndFails)
+TEST(isolatedProcess, workWithoutEndTakesTooLong)
 {
-    EXPECT_FALSE
+    EXPECT_EQ
     (
-        completes([](std::FILE*) { for (volatile int i = 0; ; i = !i) {} })
+        endOf([](std::FILE*) { for (volatile int i = 0; ; i = !i) {} }),
+        processEnd::tooLong
     );
 }
 
@@ -101,9 +115,9 @@ TEST(isolatedProcess, signalsAreFailures)
 {
     for (const int sig : {SIGABRT, SIGSEGV, SIGFPE, SIGKILL})
     {
-        EXPECT_FALSE
+        EXPECT_TRUE
         (
-            completes([&](std::FILE* out) { write42(out); std::raise(sig); })
+            fails([&](std::FILE* out) { write42(out); std::raise(sig); })
         );
     }
 }
@@ -111,9 +125,9 @@ TEST(isolatedProcess, signalsAreFailures)
 
 TEST(isolatedProcess, exceptionsAreFailures)
 {
-    EXPECT_FALSE
+    EXPECT_TRUE
     (
-        completes
+        fails
         (
             [](std::FILE* out)
             {
@@ -122,15 +136,15 @@ TEST(isolatedProcess, exceptionsAreFailures)
             }
         )
     );
-    EXPECT_FALSE(completes([](std::FILE*) { throw 1; }));
+    EXPECT_TRUE(fails([](std::FILE*) { throw 1; }));
 }
 
 
 TEST(isolatedProcess, fatalErrorsAreFailures)
 {
-    EXPECT_FALSE
+    EXPECT_TRUE
     (
-        completes
+        fails
         (
             [](std::FILE* out)
             {
@@ -144,18 +158,18 @@ TEST(isolatedProcess, fatalErrorsAreFailures)
 
 TEST(isolatedProcess, exitIsAFailure)
 {
-    EXPECT_FALSE
+    EXPECT_TRUE
     (
-        completes([](std::FILE* out) { write42(out); std::_Exit(3); })
+        fails([](std::FILE* out) { write42(out); std::_Exit(3); })
     );
-    EXPECT_FALSE(completes([](std::FILE*) { std::_Exit(0); }));
+    EXPECT_TRUE(fails([](std::FILE*) { std::_Exit(0); }));
 }
 
 
 TEST(isolatedProcess, readerThatRefusesIsAFailure)
 {
     // It leaves a child behind that has more to write
-    EXPECT_FALSE
+    EXPECT_EQ
     (
         isolatedProcess
         (
@@ -168,7 +182,8 @@ TEST(isolatedProcess, readerThatRefusesIsAFailure)
             },
             [](std::FILE*) { return false; },
             60
-        )
+        ),
+        processEnd::failed
     );
 }
 
