@@ -73,9 +73,6 @@ class stackImprovement
     //- Take back a column and those beside it
     void takeBack(label c);
 
-    //- Take columns back until all can be certified
-    void settle();
-
 public:
 
     stackImprovement
@@ -105,6 +102,9 @@ public:
 
     //- Give height back to columns that retreated
     void grow();
+
+    //- Take columns back until all can be certified
+    void settle();
 };
 
 
@@ -228,8 +228,6 @@ void stackImprovement::lean()
 
     const labelList leaned(columns_.lean(findIndices(leaning, true), fault));
     before_.retain(labelHashSet(leaned));
-
-    settle();
 }
 
 
@@ -239,6 +237,7 @@ void stackImprovement::grow()
     {
         return isForbidden(facei);
     };
+    boolList grown(barred_.size(), false);
 
     forAll(layers_.faces, facei)
     {
@@ -249,7 +248,7 @@ void stackImprovement::grow()
             if
             (
                 looking
-             && columns_.lowered(c) && !barred_[c] && !before_.found(c)
+             && columns_.lowered(c) && !barred_[c] && !grown[c]
             )
             {
                 const labelList all(columns_.columnsBeside(c));
@@ -263,14 +262,13 @@ void stackImprovement::grow()
                 {
                     forAll(all, i)
                     {
+                        grown[all[i]] = true;
                         before_.insert(all[i], own[i]);
                     }
                 }
             }
         }
     }
-
-    settle();
 }
 
 } // End namespace Foam
@@ -296,9 +294,11 @@ void Foam::improveStacks
     {
         improvement.lean();
         improvement.grow();
+        improvement.settle();
     }
 
     improvement.lean();
+    improvement.settle();
 }
 
 

@@ -260,7 +260,7 @@ Foam::labelList Foam::movingColumns::lean
 
     for (const labelUList& group : groups)
     {
-        #pragma omp parallel for schedule(dynamic, 4)
+        #pragma omp parallel for schedule(dynamic, 4) if (group.size() > 8)
         forAll(group, i)
         {
             leaned[group[i]] = lean(group[i], fault);

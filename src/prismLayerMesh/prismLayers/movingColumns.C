@@ -118,7 +118,8 @@ void Foam::movingColumns::touch(const label c)
 
 void Foam::movingColumns::rebuild(const labelUList& columns)
 {
-    #pragma omp parallel for schedule(static, 64)
+    #pragma omp parallel for schedule(static, 64) \
+        if (columns.size() > 128)
     forAll(columns, i)
     {
         build(columns[i]);
@@ -269,7 +270,8 @@ bool Foam::movingColumns::turn(const labelUList& columns)
     const labelList turning(findIndices(moved, true));
     vectorField turned(turning.size()*n);
 
-    #pragma omp parallel for schedule(static, 64)
+    #pragma omp parallel for schedule(static, 64) \
+        if (turned.size() > 512)
     forAll(turned, k)
     {
         const label c = turning[k/n];

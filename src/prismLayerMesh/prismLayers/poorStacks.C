@@ -54,7 +54,8 @@ static labelList selected(const labelUList& candidates, const Test& test)
 {
     boolList holds(candidates.size(), false);
 
-    #pragma omp parallel for schedule(dynamic, 64)
+    #pragma omp parallel for schedule(dynamic, 64) \
+        if (candidates.size() > 128)
     for (label i = 0; i < candidates.size(); ++i)
     {
         holds[i] = test(candidates[i]);

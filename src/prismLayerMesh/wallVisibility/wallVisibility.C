@@ -279,25 +279,6 @@ Foam::labelList Foam::wallVisibility::emptyCones() const
 }
 
 
-Foam::scalar Foam::wallVisibility::heightCosine
-(
-    const label p,
-    const vector& d
-) const
-{
-    scalar sumAngles = 0;
-    scalar sumHeights = 0;
-
-    forAll(cornerNormals[p], i)
-    {
-        sumAngles += cornerAngles[p][i];
-        sumHeights += cornerAngles[p][i]*(cornerNormals[p][i] & d);
-    }
-
-    return sumHeights/max(sumAngles, VSMALL);
-}
-
-
 Foam::vector Foam::wallVisibility::limited
 (
     const label p,
@@ -307,6 +288,12 @@ Foam::vector Foam::wallVisibility::limited
 {
     const visibilityCone& cone = cones[p];
     const scalar smallest = margin*cone.cosine;
+
+    // No d.n_f can be smaller by more than that
+    if (cone.cosine - mag(d - cone.axis) > smallest)
+    {
+        return d;
+    }
 
     // d + s*(axis - d) is no longer than 1, so what holds for it holds for
     // its unit vector
@@ -339,7 +326,7 @@ Foam::wallVisibility Foam::makeWallVisibility
 
     wallVisibility visibility;
     visibility.cornerNormals.setSize(nPoints);
-    visibility.cornerAngles.setSize(nPoints);
+    visibility.meanNormals.setSize(nPoints);
     visibility.polygonNormals.setSize(nPoints);
     visibility.cones.setSize(nPoints);
 
@@ -386,7 +373,8 @@ Foam::wallVisibility Foam::makeWallVisibility
 
         visibility.polygonNormals[p] = others;
         visibility.cornerNormals[p] = normals;
-        visibility.cornerAngles[p] = angles;
+        visibility.meanNormals[p] =
+            sum(angles*normals)/max(sum(angles), VSMALL);
         visibility.setCone(p);
     }
 

@@ -115,18 +115,19 @@ TEST(wallVisibility, conesOfCube)
 }
 
 
-TEST(wallVisibility, anglesOfCubeSumToThoseOfItsSides)
+TEST(wallVisibility, meanNormalsOfCubeAreThoseOfItsSides)
 {
     const wallSurface wall(testSurfaces::cube(4));
     const wallVisibility visibility(visibilityOf(wall));
 
     forAll(wall.points, p)
     {
-        const scalar degrees = nSides(wall.points[p]) == 3 ? 270 : 360;
-        EXPECT_NEAR
-        (
-            sum(visibility.cornerAngles[p]), degToRad(degrees), 1e-13
-        );
+        // However the sides are triangulated
+        const vector& mean = visibility.meanNormals[p];
+        const vector& axis = visibility.cones[p].axis;
+        const scalar length = 1/std::sqrt(scalar(nSides(wall.points[p])));
+
+        EXPECT_NEAR(mag(mean - length*axis), 0, 1e-14);
     }
 }
 
@@ -200,7 +201,10 @@ TEST(wallVisibility, reflexCornerHasItsFullAngle)
 {
     const wallVisibility visibility(visibilityOf(polygonalLBlock()));
 
-    EXPECT_NEAR(sum(visibility.cornerAngles[6]), degToRad(450.0), 1e-14);
+    // 270 degrees of the top and 90 of each side
+    const vector mean(vector(1, 1, 3)/5);
+
+    EXPECT_NEAR(mag(visibility.meanNormals[6] - mean), 0, 1e-14);
 }
 
 
