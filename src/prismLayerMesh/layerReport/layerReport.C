@@ -278,6 +278,17 @@ Foam::layerReport Foam::makeLayerReport
     report.nInvalidCells = certificate.nInvalidCells;
     report.nIntersectingPairs = certificate.nIntersectingPairs;
 
+    for (const label facei : certificate.outlyingCentres)
+    {
+        const face& columns = layers.faces[facei];
+        point mean(Zero);
+        for (const label c : columns)
+        {
+            mean += layers(c, 0)/columns.size();
+        }
+        report.outlyingCentres.append(mean);
+    }
+
     List<patchSample> samples
     (
         samplePatches(wall, spacing, layers, certificate)

@@ -219,6 +219,7 @@ Foam::dictionary Foam::toDictionary(const layerReport& report)
     certificate.add("cells", report.nCells);
     certificate.add("invalidCells", report.nInvalidCells);
     certificate.add("intersectingPairs", report.nIntersectingPairs);
+    certificate.add("outlyingCentres", report.outlyingCentres.size());
     certificate.add
     (
         "valid",
@@ -274,8 +275,19 @@ void Foam::write(Ostream& os, const layerReport& report)
     os  << table.text().c_str() << nl
         << "Cells " << report.nCells
         << ", not positive " << report.nInvalidCells
-        << ", intersecting pairs " << report.nIntersectingPairs << nl
-        << "Columns of full thickness " << report.columns[0]
+        << ", intersecting pairs " << report.nIntersectingPairs << nl;
+
+    for (const point& x : report.outlyingCentres)
+    {
+        std::ostringstream place;
+        place << '(' << x.x() << ' ' << x.y() << ' ' << x.z() << ')';
+
+        os  << "A cell's centre is outside of it, which checkMesh calls faces"
+            << " incorrectly oriented: on the wall at " << place.str().c_str()
+            << nl;
+    }
+
+    os  << "Columns of full thickness " << report.columns[0]
         << ", squeezed by";
 
     for (label cause = 1; cause < nSqueezeCauses; ++cause)

@@ -182,25 +182,36 @@ Foam::List<Foam::labelPair> Foam::findInvalidStacks
 
 Foam::layerCertificate Foam::certify(const prismLayers& layers)
 {
+    const label nFaces = layers.faces.size();
+    boolList outlying(nFaces, false);
+    label nInvalid = 0;
+
     layerCertificate certificate;
-    certificate.nCells = layers.faces.size()*layers.nLayers;
-    certificate.worstJacobian.setSize(layers.faces.size());
+    certificate.nCells = nFaces*layers.nLayers;
+    certificate.worstJacobian.setSize(nFaces);
 
-    stackHeights stack(layers);
-
-    forAll(layers.faces, facei)
+    #pragma omp parallel
     {
-        stack.compute(facei);
+        stackHeights stack(layers);
 
-        for (label i = 1; i <= layers.nLayers; ++i)
+        #pragma omp for schedule(dynamic, 64) reduction(+: nInvalid)
+        for (label facei = 0; facei < nFaces; ++facei)
         {
-            certificate.nInvalidCells +=
-                !isPositive(layers, facei, i) || stack.heights()[i - 1] <= 0;
-        }
+            stack.compute(facei);
 
-        certificate.worstJacobian[facei] = worstJacobian(layers, facei);
+            for (label i = 1; i <= layers.nLayers; ++i)
+            {
+                nInvalid += !isPositive(layers, facei, i)
+                    || stack.heights()[i - 1] <= 0;
+            }
+
+            certificate.worstJacobian[facei] = worstJacobian(layers, facei);
+            outlying[facei] = !hasPositivePyramids(layers, facei);
+        }
     }
 
+    certificate.nInvalidCells = nInvalid;
+    certificate.outlyingCentres = findIndices(outlying, true);
     certificate.nIntersectingPairs = findIntersections(layers).size();
 
     return certificate;

@@ -181,6 +181,7 @@ TEST(makeLayerReport, fullCoverage)
 
     EXPECT_EQ(report.nInvalidCells, 0);
     EXPECT_EQ(report.nIntersectingPairs, 0);
+    EXPECT_TRUE(report.outlyingCentres.empty());
     EXPECT_EQ(report.wall.layersAsked, n);
     EXPECT_EQ(report.wall.layersReached, n);
     EXPECT_NEAR(report.wall.fullLayersArea, 100, 1e-10);
@@ -354,6 +355,44 @@ TEST(writeLayerReport, oneRowForEachPatchAndAll)
 
     EXPECT_EQ(nRows, 2 + 6 + 1);
     EXPECT_NE(text.find("allPatches"), std::string::npos);
+}
+
+
+TEST(writeLayerReport, saysWhereCentresAreOutside)
+{
+    cubeRun run;
+    layerCertificate certificate(certify(run.layers));
+    certificate.outlyingCentres = {7};
+
+    const layerReport report
+    (
+        makeLayerReport
+        (
+            run.wall, run.spacing, run.layers, certificate, run.causes,
+            run.stages
+        )
+    );
+    OStringStream os;
+    write(os, report);
+
+    ASSERT_EQ(report.outlyingCentres.size(), 1);
+    EXPECT_NEAR
+    (
+        mag
+        (
+            report.outlyingCentres[0]
+          - run.wall.faces[7].centre(run.wall.points)
+        ),
+        0,
+        1e-14
+    );
+    EXPECT_NE(os.str().find("is outside of it"), std::string::npos);
+    EXPECT_EQ
+    (
+        toDictionary(report).subDict("certificate")
+       .get<label>("outlyingCentres"),
+        1
+    );
 }
 
 

@@ -92,6 +92,11 @@ TEST(facePyramids, agreeWithPolyMesh)
                 nOutlying += expected[facei];
                 nInside += !expected[facei];
             }
+
+            EXPECT_EQ
+            (
+                certify(layers).outlyingCentres, findIndices(expected, true)
+            );
         }
     }
 
