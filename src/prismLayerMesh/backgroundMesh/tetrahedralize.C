@@ -215,14 +215,10 @@ Foam::tetMesh Foam::tetrahedralize(const tetDomain& domain)
 {
     processEnd end = processEnd::failed;
 
-    for
-    (
-        label attempt = 0;
-        attempt < maxAttempts && end != processEnd::tooLong;
-        ++attempt
-    )
+    for (label attempt = 0; attempt < maxAttempts; ++attempt)
     {
         const tensor rotation(generalRotation(attempt));
+        const label seconds = 3 + domain.points.size()/16000;
         tetMesh mesh;
 
         end = isolatedProcess
@@ -232,7 +228,7 @@ Foam::tetMesh Foam::tetrahedralize(const tetDomain& domain)
             {
                 return read(domain, rotation, result, mesh);
             },
-            4 + domain.points.size()/16000
+            max(seconds >> attempt, 2)
         );
 
         if (end == processEnd::complete && keepsFacets(domain, mesh))
@@ -245,7 +241,7 @@ Foam::tetMesh Foam::tetrahedralize(const tetDomain& domain)
         << "TetGen "
         << (end == processEnd::tooLong ? "took too long" : "failed")
         << " on " << domain.facets.size() << " facets and "
-        << domain.points.size() << " points"
+        << domain.points.size() << " points, the last time of " << maxAttempts
         << exit(FatalError);
 
     return tetMesh();

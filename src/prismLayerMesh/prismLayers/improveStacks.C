@@ -103,6 +103,9 @@ public:
     //- Give height back to columns that retreated
     void grow();
 
+    //- Fit columns to what heights ask for
+    void fit();
+
     //- Take columns back until all can be certified
     void settle();
 };
@@ -271,6 +274,17 @@ void stackImprovement::grow()
     }
 }
 
+
+void stackImprovement::fit()
+{
+    forAll(barred_, c)
+    {
+        before_.insert(c, columns_.postureOf(c));
+    }
+
+    before_.retain(labelHashSet(columns_.fit(barred_)));
+}
+
 } // End namespace Foam
 
 
@@ -298,6 +312,8 @@ void Foam::improveStacks
     }
 
     improvement.lean();
+    improvement.settle();
+    improvement.fit();
     improvement.settle();
 }
 

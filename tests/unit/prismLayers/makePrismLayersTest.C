@@ -200,8 +200,9 @@ TEST(makePrismLayers, endAtTheirRoom)
                /s.mesh.columns.lengthFactors[(p + 1)*nLayers - 1];
 
             // Below the top, and on columns that stand straighter than their
-            // line, the smooth lengths are others
-            const scalar tolerance = 0.05;
+            // line, the smooth lengths are others; and faces have the height
+            // rather than columns
+            const scalar tolerance = 0.1;
 
             // Less where the bound on the stretch is reached
             EXPECT_LE(height, s.mesh.columns.room[p]*(1 + tolerance));

@@ -1,0 +1,263 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "movingColumns.H"
+#include "heightFit.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Error of the first height from which columns of a face are displaced, and
+//  how many rings around them
+static const scalar heightTolerance = 3e-3;
+static const label nRings = 2;
+
+//- Largest displacement of a column, over its height
+static const scalar maxDisplacement = 0.4;
+
+//- How often the mobilities of columns that would move further are lowered
+static const label maxLowerings = 3;
+
+
+//- Faces whose heights can be fitted: not those between columns, without area,
+//  nor with a column that is as long as it may be
+static labelList fittedFaces(const layerFront& front, const scalar maxStretch)
+{
+    const wallVisibility& visibility = front.visibility;
+    DynamicList<label> fitted(front.nWallFaces);
+
+    for (label facei = 0; facei < front.nWallFaces; ++facei)
+    {
+        const face& f = front.surface.faces[facei];
+
+        const bool stretched = std::any_of
+        (
+            f.begin(),
+            f.end(),
+            [&](const label c)
+            {
+                return visibility.heightCosine(c, visibility.cones[c].axis)
+                   *maxStretch < 1 - SMALL;
+            }
+        );
+
+        if (!stretched)
+        {
+            fitted.append(facei);
+        }
+    }
+
+    return labelList(std::move(fitted));
+}
+
+
+//- Mean length of the edges of a column's point on the wall [m]
+static scalar meanEdge(const layerFront& front, const label c)
+{
+    const pointField& points = front.surface.points;
+    const labelList& neighbours = front.addressing.pointPoints[c];
+
+    scalar sum = 0;
+    for (const label q : neighbours)
+    {
+        sum += mag(points[q] - points[c]);
+    }
+
+    return sum/neighbours.size();
+}
+
+
+//- Those of the faces that have mobile columns
+static labelList mobileFaces
+(
+    const faceList& faces,
+    const labelUList& candidates,
+    const scalarField& mobilities
+)
+{
+    DynamicList<label> mobile(candidates.size());
+
+    for (const label facei : candidates)
+    {
+        const face& f = faces[facei];
+
+        if (max(scalarField(mobilities, f)) > 0)
+        {
+            mobile.append(facei);
+        }
+    }
+
+    return labelList(std::move(mobile));
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::scalarField Foam::movingColumns::lackingHeights
+(
+    const labelUList& faces,
+    const label i
+)
+{
+    const pointField& wall = front_.surface.points;
+    scalarField lacking(faces.size(), 0);
+
+    forAll(faces, k)
+    {
+        const face& f = layers_.faces[faces[k]];
+        const vector n(normalised(f.areaNormal(wall)));
+
+        for (const label c : f)
+        {
+            lacking[k] +=
+            (
+                heightsOf(c)[i] - ((layers_(c, i) - wall[c]) & n)
+            )/f.size();
+        }
+    }
+
+    return lacking;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalarField Foam::movingColumns::mobilities
+(
+    const labelUList& faces,
+    const boolList& barred
+)
+{
+    const scalarField lacking(lackingHeights(faces, 1));
+    boolList mobile(barred.size(), false);
+
+    forAll(faces, k)
+    {
+        const face& f = layers_.faces[faces[k]];
+
+        if (mag(lacking[k]) > heightTolerance*heightsOf(f[0])[1])
+        {
+            UIndirectList<bool>(mobile, f) = true;
+        }
+    }
+
+    for (label ring = 0; ring < nRings; ++ring)
+    {
+        for (const label c : findIndices(mobile, true))
+        {
+            const labelList& neighbours = front_.addressing.pointPoints[c];
+            UIndirectList<bool>(mobile, neighbours) = true;
+        }
+    }
+
+    scalarField result(barred.size(), 0);
+    forAll(result, c)
+    {
+        result[c] = mobile[c] && !barred[c];
+    }
+
+    return result;
+}
+
+
+bool Foam::movingColumns::lowerMobilities
+(
+    const vectorField& displacements,
+    scalarField& mobilities
+)
+{
+    bool any = false;
+
+    forAll(mobilities, c)
+    {
+        const scalar excess =
+            mag(displacements[c])/(maxDisplacement*heightsOf(c)[1]);
+
+        if (excess > 1)
+        {
+            mobilities[c] /= sqr(excess);
+            any = true;
+        }
+    }
+
+    return any;
+}
+
+
+void Foam::movingColumns::displace
+(
+    const vectorField& displacements,
+    const label i
+)
+{
+    forAll(displacements, c)
+    {
+        const vector& d = displacements[c];
+
+        if (magSqr(d) == 0)
+        {
+            continue;
+        }
+
+        // The less, the longer the column: those are to be smooth
+        const scalar h = heightsOf(c)[i];
+        const scalar share = 1/(1 + sqr(h/meanEdge(front_, c)));
+        const scalar excess = mag(d)/(maxDisplacement*h);
+
+        layers_.points[layers_.index(c, i)] += share/max(excess, scalar(1))*d;
+    }
+}
+
+
+Foam::labelList Foam::movingColumns::fit(const boolList& barred)
+{
+    const labelList fitted(fittedFaces(front_, maxStretch_));
+    scalarField m(mobilities(fitted, barred));
+    heightFit heights
+    (
+        front_.surface, mobileFaces(layers_.faces, fitted, m)
+    );
+    const labelList& faces = heights.faces();
+
+    const scalarField lacking(lackingHeights(faces, 1));
+    bool lowered = true;
+
+    for (label k = 0; k < maxLowerings && lowered; ++k)
+    {
+        heights.setMobilities(m);
+        lowered = lowerMobilities(heights.displacements(lacking), m);
+    }
+
+    #pragma omp parallel for schedule(dynamic, 1)
+    for (label i = 1; i <= spacing_.nLayers; ++i)
+    {
+        displace(heights.displacements(lackingHeights(faces, i)), i);
+    }
+
+    DynamicList<label> moved(m.size());
+    forAll(m, c)
+    {
+        if (m[c] > 0)
+        {
+            moved.append(c);
+            touch(c);
+        }
+    }
+
+    return labelList(std::move(moved));
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,161 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "movableColumns.H"
+
+#include <gtest/gtest.h>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+using namespace Foam;
+
+//- Mean heights of the first layer on the wall's faces, over that asked for
+static scalarField firstHeights(const movableColumns& m)
+{
+    const wallSurface& surface = m.front.surface;
+    const vectorField normals(surface.faceNormals());
+    scalarField heights(m.front.nWallFaces, 0);
+
+    forAll(heights, facei)
+    {
+        const face& f = surface.faces[facei];
+
+        for (const label c : f)
+        {
+            heights[facei] +=
+            (
+                normals[facei]
+              & (m.moving.layers()(c, 1) - surface.points[c])
+            )/(f.size()*m.spacing.firstThickness[c]);
+        }
+    }
+
+    return heights;
+}
+
+
+//- A coarse ball, on which columns as high as the mean asks for make faces too
+//  low and too high
+static layerFront unevenBall()
+{
+    wallSurface wall(testSurfaces::sphere(4));
+
+    Random random(11);
+    for (point& p : wall.points)
+    {
+        p *= 1 + 0.15*random.sample01<scalar>();
+    }
+
+    return testSurfaces::frontOf(wall, 0);
+}
+
+
+static scalar largestError(const scalarField& heights)
+{
+    return max(mag(heights - 1));
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(fittingColumns, facesGetTheHeightAskedFor)
+{
+    movableColumns m(unevenBall());
+
+    EXPECT_GT(largestError(firstHeights(m)), 0.02);
+    EXPECT_GT(m.moving.fit(boolList(m.nColumns(), false)).size(), 0);
+    EXPECT_LT(largestError(firstHeights(m)), 0.01);
+}
+
+
+TEST(fittingColumns, thoseOfRightHeightOrFullLengthStay)
+{
+    // Full length: those on the corners of the cube
+    movableColumns m(testSurfaces::frontOf(testSurfaces::cube(8), 0));
+    const pointField before(m.moving.layers().points);
+
+    EXPECT_TRUE(m.moving.fit(boolList(m.nColumns(), false)).empty());
+    EXPECT_EQ(m.moving.layers().points, before);
+}
+
+
+TEST(fittingColumns, barredOnesStay)
+{
+    movableColumns m(unevenBall());
+    boolList barred(m.nColumns(), false);
+    UIndirectList<bool>(barred, someColumns(m, 30)) = true;
+
+    const pointField before(m.moving.layers().points);
+    m.moving.fit(barred);
+
+    for (const label c : movedColumns(m, before))
+    {
+        EXPECT_FALSE(barred[c]);
+    }
+    EXPECT_GT(movedColumns(m, before).size(), 20);
+}
+
+
+TEST(fittingColumns, facesAroundThoseDisplacedAreMoved)
+{
+    movableColumns m(unevenBall());
+    m.moving.takeCandidates();
+    m.moving.takeMoved();
+
+    const pointField before(m.moving.layers().points);
+    const labelList displaced(m.moving.fit(boolList(m.nColumns(), false)));
+    const labelList faces(facesOf(m, displaced));
+
+    EXPECT_EQ(m.moving.takeCandidates(), faces);
+    EXPECT_EQ(findIndices(m.moving.takeMoved(), true), faces);
+
+    for (const label c : movedColumns(m, before))
+    {
+        EXPECT_TRUE(displaced.found(c));
+    }
+}
+
+
+TEST(fittingColumns, noneGoesFar)
+{
+    for (const layerFront& front : fronts())
+    {
+        movableColumns m(front);
+        const pointField before(m.moving.layers().points);
+        m.moving.fit(boolList(m.nColumns(), false));
+
+        forAll(before, k)
+        {
+            const label n = m.spacing.nLayers + 1;
+            const scalar height = mag(before[k] - before[k - k % n]);
+
+            EXPECT_LE
+            (
+                mag(m.moving.layers().points[k] - before[k]),
+                0.4*height*(1 + SMALL)
+            );
+        }
+    }
+}
+
+
+TEST(fittingColumns, restoredOnesAreWhereTheyWere)
+{
+    movableColumns m(unevenBall());
+    const pointField before(m.moving.layers().points);
+    const movingColumns::posture own(m.moving.postureOf(5));
+
+    m.moving.fit(boolList(m.nColumns(), false));
+    m.moving.restore(5, own);
+
+    EXPECT_FALSE(movedColumns(m, before).found(5));
+}
+
+
+// ************************************************************************* //
