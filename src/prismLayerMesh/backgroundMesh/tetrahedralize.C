@@ -213,15 +213,13 @@ static bool keepsFacets(const tetDomain& domain, const tetMesh& mesh)
 
 Foam::tetMesh Foam::tetrahedralize(const tetDomain& domain)
 {
-    processEnd end = processEnd::failed;
-
     for (label attempt = 0; attempt < maxAttempts; ++attempt)
     {
         const tensor rotation(generalRotation(attempt));
         const label seconds = 3 + domain.points.size()/16000;
         tetMesh mesh;
 
-        end = isolatedProcess
+        const processEnd end = isolatedProcess
         (
             [&](std::FILE* result) { run(domain, rotation, result); },
             [&](std::FILE* result)
@@ -238,10 +236,9 @@ Foam::tetMesh Foam::tetrahedralize(const tetDomain& domain)
     }
 
     FatalErrorInFunction
-        << "TetGen "
-        << (end == processEnd::tooLong ? "took too long" : "failed")
-        << " on " << domain.facets.size() << " facets and "
-        << domain.points.size() << " points, the last time of " << maxAttempts
+        << "TetGen failed, or took too long, on "
+        << domain.facets.size() << " facets and "
+        << domain.points.size() << " points, " << maxAttempts << " times"
         << exit(FatalError);
 
     return tetMesh();
