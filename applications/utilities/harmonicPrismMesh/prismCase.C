@@ -235,7 +235,7 @@ void Foam::prismCase::write
     (
         makeLayerReport
         (
-            wall, m.spacing, m.layers, m.certificate, m.columns.causes,
+            wall, m.request, m.layers, m.certificate, m.columns.causes,
             UList<stageCost>()
         )
     );

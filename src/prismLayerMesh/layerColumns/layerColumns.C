@@ -8,7 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "layerColumns.H"
-#include "wallClearance.H"
+#include "limitGradient.H"
 #include "wallGraph.H"
 
 #include <algorithm>
@@ -200,6 +200,30 @@ Foam::vector Foam::columnOffset
     }
 
     return d/max(visibility.heightCosine(p, d), 1/maxStretch);
+}
+
+
+void Foam::nameTransitions
+(
+    const layerSpacing& asked,
+    const layerSpacing& graded,
+    layerColumns& columns
+)
+{
+    forAll(columns.causes, c)
+    {
+        if
+        (
+            columns.causes[c] == squeezeCause::none
+         && (
+                graded.thickness[c] < asked.thickness[c]
+             || graded.firstThickness[c] < asked.firstThickness[c]
+            )
+        )
+        {
+            columns.causes[c] = squeezeCause::transition;
+        }
+    }
 }
 
 

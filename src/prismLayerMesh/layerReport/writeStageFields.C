@@ -128,7 +128,7 @@ static vtkGrid layerGrid(const prismLayerMesh& mesh)
 
 static vtkGrid wallGrid(const wallSurface& wall, const prismLayerMesh& mesh)
 {
-    const layerSpacing& spacing = mesh.spacing;
+    const layerSpacing& spacing = mesh.request;
     const prismLayers& layers = mesh.layers;
 
     vtkGrid grid;

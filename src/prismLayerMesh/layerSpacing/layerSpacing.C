@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "layerSpacing.H"
+#include "limitGradient.H"
 #include "FlatOutput.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -77,6 +78,20 @@ static List<layerThickness> patchThicknesses
 } // End namespace Foam
 
 
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::layerSpacing Foam::layerSpacing::at(const labelUList& points) const
+{
+    return layerSpacing
+    {
+        nLayers,
+        scalarField(firstThickness, points),
+        scalarField(ratio, points),
+        scalarField(thickness, points)
+    };
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 Foam::layerSpacing Foam::makeLayerSpacing
@@ -122,6 +137,40 @@ Foam::layerSpacing Foam::makeLayerSpacing
     }
 
     return spacing;
+}
+
+
+Foam::layerSpacing Foam::gradedSpacing
+(
+    const layerSpacing& asked,
+    const wallAddressing& addressing,
+    const scalar growth
+)
+{
+    layerSpacing graded(asked);
+    const label n = asked.nLayers;
+
+    const labelList lower
+    (
+        limitRatio(addressing, growth, graded.firstThickness)
+    );
+    const labelList thinner(limitRatio(addressing, growth, graded.thickness));
+
+    for (const labelList* points : {&lower, &thinner})
+    {
+        for (const label p : *points)
+        {
+            if (n > 1)
+            {
+                graded.ratio[p] = fittedRatio
+                (
+                    n, graded.firstThickness[p], graded.thickness[p]
+                );
+            }
+        }
+    }
+
+    return graded;
 }
 
 

@@ -116,7 +116,11 @@ static layerControls readLayers(const dictionary& dict)
     (
         wordList
         ({
-            "nSurfaceLayers", "maxStretch", "multipleNormalsAngle", "patches"
+            "nSurfaceLayers",
+            "transitionRatio",
+            "maxStretch",
+            "multipleNormalsAngle",
+            "patches"
         })
     );
     checkKeys(dict, keys);
@@ -132,6 +136,11 @@ static layerControls readLayers(const dictionary& dict)
     }
 
     controls.thickness = readLayerThickness(dict, n);
+    readBounded
+    (
+        dict, "transitionRatio",
+        scalar(1.01), scalar(100), controls.transitionRatio
+    );
     readBounded
     (
         dict, "maxStretch", scalar(1), scalar(10), controls.maxStretch

@@ -46,43 +46,6 @@ static string numbersOf(const FixedList<label, nPointKinds>& counts)
 }
 
 
-//- Smallest of the values of the columns on each point of the wall
-static scalarField ofWallPoints
-(
-    const layerFront& front,
-    const scalarField& values
-)
-{
-    const label nPoints = values.size() - front.furtherRoots().size();
-    scalarField smallest(SubList<scalar>(values, nPoints));
-
-    for (label c = nPoints; c < values.size(); ++c)
-    {
-        scalar& s = smallest[front.wallPoints[c]];
-        s = min(s, values[c]);
-    }
-
-    return smallest;
-}
-
-
-//- Spacing of the points of the wall, for each column
-static layerSpacing ofColumns
-(
-    const layerFront& front,
-    const layerSpacing& spacing
-)
-{
-    return layerSpacing
-    {
-        spacing.nLayers,
-        front.ofColumns(spacing.firstThickness),
-        front.ofColumns(spacing.ratio),
-        front.ofColumns(spacing.thickness)
-    };
-}
-
-
 static void requireHomeomorphic
 (
     const surfaceTopology& levelSets,
@@ -100,6 +63,7 @@ static void requireHomeomorphic
     }
 }
 
+
 //- From the request to the room for it
 static void makeRoom
 (
@@ -112,7 +76,11 @@ static void makeRoom
 {
     observer.begin("layerSpacing");
     m.addressing = makeWallAddressing(wall);
-    m.spacing = makeLayerSpacing(wall, controls.layers);
+    m.request = makeLayerSpacing(wall, controls.layers);
+    m.spacing = gradedSpacing
+    (
+        m.request, m.addressing, controls.layers.transitionRatio
+    );
     observer.end
     (
         text(m.spacing.nLayers, " layers, total thickness ",
@@ -198,7 +166,7 @@ static void makeField
     m.envelope = makeOffsetEnvelope
     (
         wall, m.addressing, search, m.visibility,
-        ofWallPoints(m.front, m.clearance), m.spacing, controls.envelope,
+        m.front.smallest(m.clearance), m.spacing, controls.envelope,
         controls.backgroundMesh.radiusEdgeRatio
     );
     observer.end
@@ -267,7 +235,7 @@ static void makeLayers
 )
 {
     const layerFront& front = m.front;
-    const layerSpacing spacing(ofColumns(front, m.spacing));
+    const layerSpacing spacing(m.spacing.at(front.wallPoints));
 
     observer.begin("layerColumns");
     const scalarField heights(requestedHeights(spacing));
@@ -290,6 +258,7 @@ static void makeLayers
     (
         front, spacing, controls.layers.maxStretch, m.columns
     );
+    nameTransitions(m.request.at(front.wallPoints), spacing, m.columns);
     observer.end
     (
         text(m.layers.faces.size()*m.layers.nLayers, " cells; columns ",

@@ -8,8 +8,8 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "movingColumns.H"
+#include "limitGradient.H"
 #include "prismQuality.H"
-#include "wallClearance.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 

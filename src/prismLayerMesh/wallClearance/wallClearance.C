@@ -9,8 +9,6 @@ License
 
 #include "wallClearance.H"
 
-#include <queue>
-
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
@@ -145,62 +143,6 @@ Foam::scalarField Foam::makeWallClearance
     }
 
     return clearance;
-}
-
-
-Foam::labelList Foam::limitGradient
-(
-    const wallSurface& wall,
-    const wallAddressing& addressing,
-    const scalar slope,
-    scalarField& values
-)
-{
-    // Dijkstra: a value is final when it is the lowest of those left
-    typedef std::pair<scalar, label> entry;
-    std::priority_queue<entry, std::vector<entry>, std::greater<entry>> front;
-
-    auto bound = [&](const label from, const label to)
-    {
-        return values[from] + slope*mag(wall.points[to] - wall.points[from]);
-    };
-
-    for (const edge& e : addressing.edges)
-    {
-        const label low = values[e.start()] < values[e.end()]
-          ? e.start() : e.end();
-
-        if (bound(low, e.otherVertex(low)) < values[e.otherVertex(low)])
-        {
-            front.push(entry(values[low], low));
-        }
-    }
-
-    boolList lowered(values.size(), false);
-
-    while (!front.empty())
-    {
-        const entry lowest = front.top();
-        front.pop();
-        const label from = lowest.second;
-
-        if (lowest.first > values[from])
-        {
-            continue;
-        }
-
-        for (const label to : addressing.pointPoints[from])
-        {
-            if (bound(from, to) < values[to])
-            {
-                values[to] = bound(from, to);
-                lowered[to] = true;
-                front.push(entry(values[to], to));
-            }
-        }
-    }
-
-    return findIndices(lowered, true);
 }
 
 

@@ -337,6 +337,20 @@ public:
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+Foam::scalarField Foam::layerFront::smallest(const scalarField& values) const
+{
+    scalarField result(wallPoints.size() - furtherRoots().size(), GREAT);
+
+    forAll(values, c)
+    {
+        scalar& s = result[wallPoints[c]];
+        s = min(s, values[c]);
+    }
+
+    return result;
+}
+
+
 Foam::labelList Foam::layerFront::furtherRoots() const
 {
     // Each first column stands on the point of its own label

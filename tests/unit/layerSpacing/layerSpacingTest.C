@@ -300,4 +300,83 @@ TEST(makeLayerSpacing, entryWithoutPatchIsRefused)
 }
 
 
+TEST(gradedSpacing, leavesOneRequestAsItIs)
+{
+    const wallSurface wall(cubeWithPatches());
+    const layerSpacing asked(makeLayerSpacing(wall, controlsOf(20, 1e-4)));
+    const layerSpacing graded
+    (
+        gradedSpacing(asked, makeWallAddressing(wall), 1.2)
+    );
+
+    EXPECT_EQ(graded.firstThickness, asked.firstThickness);
+    EXPECT_EQ(graded.ratio, asked.ratio);
+    EXPECT_EQ(graded.thickness, asked.thickness);
+}
+
+
+TEST(gradedSpacing, growsByTheFactorAtMost)
+{
+    const wallSurface wall(cubeWithPatches());
+    const wallAddressing addressing(makeWallAddressing(wall));
+    layerControls controls(controlsOf(20, 1e-4));
+    controls.patches = List<patchLayers>
+    ({
+        patchOf(keyType("wingLeft"), 1e-3),
+        patchOf(keyType("wingRight"), 1e-5)
+    });
+
+    const layerSpacing asked(makeLayerSpacing(wall, controls));
+    const layerSpacing graded(gradedSpacing(asked, addressing, 1.2));
+    label nLower = 0;
+
+    for (const edge& e : addressing.edges)
+    {
+        for (const scalarField* h : {&graded.firstThickness, &graded.thickness})
+        {
+            const scalar a = (*h)[e.start()], b = (*h)[e.end()];
+            EXPECT_LE(max(a, b), 1.2*min(a, b)*(1 + SMALL));
+        }
+    }
+
+    forAll(wall.points, p)
+    {
+        const scalar h1 = graded.firstThickness[p];
+        const bool right = wall.points[p].x() > 1 - 1e-9;
+
+        EXPECT_LE(h1, asked.firstThickness[p]);
+        EXPECT_LE(graded.thickness[p], asked.thickness[p]);
+        EXPECT_TRUE(!right || h1 == asked.firstThickness[p]);
+        EXPECT_NEAR
+        (
+            totalThickness(20, h1, graded.ratio[p])/graded.thickness[p],
+            1,
+            1e-10
+        );
+        nLower += h1 < asked.firstThickness[p];
+    }
+
+    EXPECT_GT(nLower, 10);
+}
+
+
+TEST(gradedSpacing, oneLayer)
+{
+    const wallSurface wall(cubeWithPatches());
+    layerControls controls(controlsOf(1, 1e-4));
+    controls.patches = List<patchLayers>(1, patchOf(keyType("wingLeft"), 1));
+
+    const layerSpacing graded
+    (
+        gradedSpacing
+        (
+            makeLayerSpacing(wall, controls), makeWallAddressing(wall), 2
+        )
+    );
+
+    EXPECT_EQ(graded.firstThickness, graded.thickness);
+    EXPECT_EQ(min(graded.thickness), 1e-4);
+}
+
+
 // ************************************************************************* //

@@ -48,7 +48,8 @@ TEST(prismLayerControls, everyEntryIsRead)
             "surface { file a.stl; fluid inside; scale 0.001;"
             " mergeTolerance 1e-6; }"
             "layers { nSurfaceLayers 5; thickness 31; expansionRatio 2;"
-            " maxStretch 3; patches { \"wing.*\" { expansionRatio 1; }"
+            " maxStretch 3; transitionRatio 1.5;"
+            " patches { \"wing.*\" { expansionRatio 1; }"
             " tail { nSurfaceLayers 5; } } }"
             "envelope { scale 1.5; }"
             "backgroundMesh { radiusEdgeRatio 2; }"
@@ -66,6 +67,7 @@ TEST(prismLayerControls, everyEntryIsRead)
     EXPECT_NEAR(controls.layers.thickness.firstLayerThickness, 1, 1e-12);
     EXPECT_EQ(controls.layers.thickness.expansionRatio, 2);
     EXPECT_EQ(controls.layers.maxStretch, 3);
+    EXPECT_EQ(controls.layers.transitionRatio, 1.5);
     EXPECT_EQ(controls.envelope.scale, 1.5);
     EXPECT_EQ(controls.backgroundMesh.radiusEdgeRatio, 2);
     EXPECT_EQ(controls.field.tensor, "isotropic");
@@ -152,6 +154,10 @@ TEST(prismLayerControls, valuesOutOfBoundsAreRefused)
         {"fluid is around", "outside, inside"}
     );
     expectWords(errorOfLayers("maxStretch 0.5;"), {"maxStretch is 0.5"});
+    expectWords
+    (
+        errorOfLayers("transitionRatio 1;"), {"transitionRatio is 1", "1.01"}
+    );
     expectWords
     (
         errorOfLayers("expansionRatio 4;"),

@@ -7,7 +7,7 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "wallClearance.H"
+#include "limitGradient.H"
 #include "testSurfaces.H"
 #include "Random.H"
 
@@ -168,6 +168,41 @@ TEST(limitGradient, leavesWhatIsFlatEnough)
         ).empty()
     );
     EXPECT_EQ(values, before);
+}
+
+
+TEST(limitRatio, powersOfTheRatioAroundOneLowPoint)
+{
+    const wallSurface wall(testSurfaces::cube(6));
+    const wallAddressing addressing(makeWallAddressing(wall));
+
+    scalarField values(wall.points.size(), 100);
+    values[17] = 1;
+    const labelList lowered(limitRatio(addressing, 1.5, values));
+
+    // By breadth first search
+    labelList steps(values.size(), -1);
+    DynamicList<label> front(1, 17);
+    steps[17] = 0;
+    for (label i = 0; i < front.size(); ++i)
+    {
+        for (const label q : addressing.pointPoints[front[i]])
+        {
+            if (steps[q] < 0)
+            {
+                steps[q] = steps[front[i]] + 1;
+                front.append(q);
+            }
+        }
+    }
+
+    forAll(values, p)
+    {
+        const scalar expected = min(scalar(100), ::pow(1.5, steps[p]));
+
+        EXPECT_NEAR(values[p]/expected, 1, 1e-12);
+        EXPECT_EQ(lowered.found(p), expected < 100 && p != 17);
+    }
 }
 
 
