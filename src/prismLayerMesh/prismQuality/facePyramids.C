@@ -35,7 +35,12 @@ static bool hasPositivePyramids(const UList<faceGeometry>& faces)
         sum += v*(0.75*(f.centre - estimate));
     }
 
-    const point centre(estimate + sum/max(volume3, VSMALL));
+    if (volume3 <= VSMALL)
+    {
+        return false;
+    }
+
+    const point centre(estimate + sum/volume3);
 
     for (const faceGeometry& f : faces)
     {

@@ -125,4 +125,25 @@ TEST(facePyramids, areTheSameFarAway)
     }
 }
 
+
+TEST(facePyramids, noneInCellsWithoutVolume)
+{
+    for (const scalar height : {0.0, -0.05})
+    {
+        const prismLayers layers
+        (
+            testSurfaces::straightLayers
+            (
+                testSurfaces::cube(2), scalarList({0, height})
+            )
+        );
+
+        forAll(layers.faces, facei)
+        {
+            EXPECT_FALSE(hasPositivePyramids(layers, facei));
+        }
+    }
+}
+
+
 // ************************************************************************* //
