@@ -1,0 +1,390 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "layerFront.H"
+#include "normalSectors.H"
+#include "wallPointsError.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Points of which the cone is empty or narrow
+static boolList narrowCones
+(
+    const wallVisibility& visibility,
+    const scalar smallestAngle
+)
+{
+    const scalar smallest = ::sin(smallestAngle);
+    boolList narrow(visibility.cones.size());
+
+    forAll(narrow, p)
+    {
+        const visibilityCone& cone = visibility.cones[p];
+        narrow[p] = cone.empty() || cone.cosine < smallest;
+    }
+
+    return narrow;
+}
+
+
+//- Bound on the rounds in which neighbours agree on their divisions
+static const label maxRounds = 20;
+
+
+//- The front while it is divided
+class frontBuilder
+{
+    const wallSurface& wall_;
+    const wallAddressing& addressing_;
+    const wallVisibility& visibility_;
+    const boolList& narrow_;
+
+    //- Whether all narrow cones have been looked at once
+    bool searched_ = false;
+
+    //- Points with more than one column, and their sectors
+    DynamicList<label> points_;
+    DynamicList<normalSectors> sectors_;
+
+    //- Index in these of each point of the wall, or -1
+    labelList indices_;
+
+    //- The second column of each of these points
+    labelList secondColumns_;
+
+    layerFront& front_;
+
+
+    //- Column of face i around point p of the wall
+    label column(const label p, const label i) const
+    {
+        const label k = indices_[p];
+        const label s = k < 0 ? 0 : sectors_[k].sector(i);
+
+        return s ? secondColumns_[k] + s - 1 : p;
+    }
+
+
+    //- Column of the sector of point k
+    label sectorColumn(const label k, const label s) const
+    {
+        return s ? secondColumns_[k] + s - 1 : points_[k];
+    }
+
+
+    //- Sum of the normals of the faces of edge i of p
+    vector edgeNormal(const label p, const label i) const
+    {
+        const vectorField& corners = visibility_.cornerNormals[p];
+
+        return corners[i] + corners[corners.rcIndex(i)];
+    }
+
+
+    //- Direction of the column at the other end of edge i of p; where there are
+    //  two, or it is not known yet, the mean of the normals of the edge's faces
+    vector middle(const label p, const label i) const
+    {
+        const label q = addressing_.pointPoints[p][i];
+        const label k = indices_[q];
+
+        if (k < 0 && (!narrow_[q] || searched_))
+        {
+            return visibility_.cones[q].axis;
+        }
+
+        if (k >= 0)
+        {
+            const label back = addressing_.pointPoints[q].find(p);
+            const label s = sectors_[k].sector(back);
+            const label before = addressing_.pointFaces[q].rcIndex(back);
+
+            if (s == sectors_[k].sector(before))
+            {
+                return sectors_[k].axes[s];
+            }
+        }
+
+        return edgeNormal(p, i);
+    }
+
+
+    normalSectors sectorsOf(const label p) const
+    {
+        vectorField middles(addressing_.pointPoints[p].size());
+        forAll(middles, i)
+        {
+            middles[i] = middle(p, i);
+        }
+
+        normalSectors sectors
+        (
+            makeNormalSectors(wall_, addressing_, visibility_, middles, p)
+        );
+
+        // Cells may be positive all the same where there is no other choice
+        if (sectors.starts.empty() && visibility_.cones[p].empty())
+        {
+            forAll(middles, i)
+            {
+                middles[i] = edgeNormal(p, i);
+            }
+
+            sectors =
+                makeNormalSectors(wall_, addressing_, visibility_, middles, p);
+        }
+
+        return sectors;
+    }
+
+
+    //- Divide again the points beside others with narrow cones, until the
+    //  planes of each follow from the others' directions
+    void agree()
+    {
+        searched_ = true;
+        bool changed = true;
+
+        for (label round = 0; changed && round < maxRounds; ++round)
+        {
+            changed = false;
+
+            forAll(points_, k)
+            {
+                bool beside = false;
+                for (const label q : addressing_.pointPoints[points_[k]])
+                {
+                    beside = beside || narrow_[q];
+                }
+
+                if (beside)
+                {
+                    normalSectors sectors(sectorsOf(points_[k]));
+
+                    if (sectors.starts.size())
+                    {
+                        changed = changed
+                         || sectors.starts != sectors_[k].starts
+                         || max(mag(sectors.axes - sectors_[k].axes)) > 1e-6;
+                        sectors_[k] = sectors;
+                    }
+                }
+            }
+        }
+    }
+
+
+    //- Face that has no area on the wall
+    void addFace(const labelUList& columns)
+    {
+        front_.surface.faces.append(face(columns));
+        front_.surface.patchIDs.append(-1);
+    }
+
+
+    void addColumns()
+    {
+        forAll(points_, k)
+        {
+            secondColumns_[k] = front_.wallPoints.size();
+
+            for (label s = 1; s < sectors_[k].starts.size(); ++s)
+            {
+                front_.wallPoints.append(points_[k]);
+                front_.surface.points.append(wall_.points[points_[k]]);
+            }
+        }
+    }
+
+
+    //- The faces of the wall stand on the columns of their sectors
+    void moveFaces()
+    {
+        for (const label p : points_)
+        {
+            const labelList& pFaces = addressing_.pointFaces[p];
+
+            forAll(pFaces, i)
+            {
+                face& f = front_.surface.faces[pFaces[i]];
+                f[wall_.faces[pFaces[i]].find(p)] = column(p, i);
+            }
+        }
+    }
+
+
+    //- On the edges where sectors of point k meet
+    void addEdgeFaces(const label k)
+    {
+        const label p = points_[k];
+
+        for (const label i : sectors_[k].starts)
+        {
+            const label before = addressing_.pointFaces[p].rcIndex(i);
+            const label q = addressing_.pointPoints[p][i];
+
+            // Right of the edge from p to q is left of that from q to p
+            const label back = addressing_.pointPoints[q].find(p);
+            const label right = column(q, back);
+            const label left =
+                column(q, addressing_.pointFaces[q].rcIndex(back));
+
+            if (left == right)
+            {
+                addFace(labelList({left, column(p, i), column(p, before)}));
+            }
+            else if (p < q)
+            {
+                addFace
+                (
+                    labelList({column(p, before), right, left, column(p, i)})
+                );
+            }
+        }
+    }
+
+
+    //- Between three or more columns of point k
+    void addPointFaces(const label k)
+    {
+        for (face f : sectors_[k].triangles)
+        {
+            for (label& s : f)
+            {
+                s = sectorColumn(k, s);
+            }
+
+            addFace(f);
+        }
+    }
+
+
+    //- What the columns of a divided point must be in front of besides their
+    //  faces
+    void addPlanes()
+    {
+        wallVisibility& visibility = front_.visibility;
+
+        forAll(points_, k)
+        {
+            forAll(sectors_[k].starts, s)
+            {
+                const label c = sectorColumn(k, s);
+                visibility.polygonNormals[c].append(sectors_[k].planes[s]);
+                visibility.setCone(c);
+            }
+        }
+    }
+
+public:
+
+    frontBuilder
+    (
+        const wallSurface& wall,
+        const wallAddressing& addressing,
+        const wallVisibility& visibility,
+        const boolList& narrow,
+        layerFront& front
+    )
+    :
+        wall_(wall),
+        addressing_(addressing),
+        visibility_(visibility),
+        narrow_(narrow),
+        indices_(wall.points.size(), -1),
+        front_(front)
+    {
+        DynamicList<label> lost;
+
+        for (const label p : findIndices(narrow, true))
+        {
+            normalSectors sectors(sectorsOf(p));
+
+            if (sectors.starts.size())
+            {
+                indices_[p] = points_.size();
+                points_.append(p);
+                sectors_.append(std::move(sectors));
+            }
+            else if (visibility.cones[p].empty())
+            {
+                lost.append(p);
+            }
+        }
+
+        if (lost.size())
+        {
+            throw wallPointsError
+            (
+                wall,
+                lost,
+                "see no directions that are in front of all their faces, not"
+                " even with several columns",
+                "Round off these corners in the surface."
+            );
+        }
+
+        secondColumns_.setSize(points_.size());
+        agree();
+    }
+
+
+    void divide()
+    {
+        addColumns();
+        moveFaces();
+
+        forAll(points_, k)
+        {
+            addEdgeFaces(k);
+            addPointFaces(k);
+        }
+
+        front_.addressing = makeWallAddressing(front_.surface);
+        front_.visibility =
+            makeWallVisibility(front_.surface, front_.addressing);
+        addPlanes();
+    }
+};
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::layerFront Foam::makeLayerFront
+(
+    const wallSurface& wall,
+    const wallAddressing& addressing,
+    const wallVisibility& visibility,
+    const scalar smallestAngle
+)
+{
+    layerFront front;
+    front.surface = wall;
+    front.addressing = addressing;
+    front.visibility = visibility;
+    front.wallPoints = identity(wall.points.size());
+    front.nWallFaces = wall.faces.size();
+
+    const boolList narrow(narrowCones(visibility, smallestAngle));
+
+    if (narrow.found(true))
+    {
+        frontBuilder(wall, addressing, visibility, narrow, front).divide();
+    }
+
+    return front;
+}
+
+
+// ************************************************************************* //
