@@ -21,8 +21,9 @@ namespace Foam
 //- Share of the best scaled Jacobian that is good enough
 static const scalar goodShare = 0.3;
 
-//- Rounds over the stacks at most. No more of them once as many stacks were
-//  found not to be good as there are: where most are squeezed, they take long.
+//- Rounds over the stacks at most. No more of them once half as many stacks
+//  were found not to be good as there are: where many are squeezed, they take
+//  long.
 static const label maxRounds = 4;
 
 //- Fault of a stack that must not be
@@ -91,10 +92,10 @@ public:
         barred_(columns.room().size(), false)
     {}
 
-    //- Whether most stacks are not good, and had their turn
+    //- Whether many stacks are not good, and had their turn
     bool isEnough() const
     {
-        return nNotGood_ > layers_.faces.size();
+        return 2*nNotGood_ > layers_.faces.size();
     }
 
     //- Lean columns of stacks that are not good
