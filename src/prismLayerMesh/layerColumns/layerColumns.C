@@ -110,11 +110,7 @@ static void setRoom
         {
             columns.causes[p] = squeezeCause::gap;
         }
-        else if
-        (
-            visibility.heightCosine(p, visibility.cones[p].axis)*maxStretch
-          < 1 - SMALL
-        )
+        else if (isStretched(visibility, p, maxStretch))
         {
             columns.causes[p] = squeezeCause::stretch;
         }
@@ -200,6 +196,19 @@ Foam::vector Foam::columnOffset
     }
 
     return d/max(visibility.heightCosine(p, d), 1/maxStretch);
+}
+
+
+bool Foam::isStretched
+(
+    const wallVisibility& visibility,
+    const label p,
+    const scalar maxStretch
+)
+{
+    return
+        visibility.heightCosine(p, visibility.cones[p].axis)*maxStretch
+      < 1 - SMALL;
 }
 
 

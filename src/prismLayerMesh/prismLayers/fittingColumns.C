@@ -33,7 +33,6 @@ static const label maxLowerings = 3;
 //  nor with a column that is as long as it may be
 static labelList fittedFaces(const layerFront& front, const scalar maxStretch)
 {
-    const wallVisibility& visibility = front.visibility;
     DynamicList<label> fitted(front.nWallFaces);
 
     for (label facei = 0; facei < front.nWallFaces; ++facei)
@@ -46,8 +45,7 @@ static labelList fittedFaces(const layerFront& front, const scalar maxStretch)
             f.end(),
             [&](const label c)
             {
-                return visibility.heightCosine(c, visibility.cones[c].axis)
-                   *maxStretch < 1 - SMALL;
+                return isStretched(front.visibility, c, maxStretch);
             }
         );
 
@@ -131,8 +129,6 @@ Foam::scalarField Foam::movingColumns::lackingHeights
     return lacking;
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::scalarField Foam::movingColumns::mobilities
 (
@@ -220,6 +216,8 @@ void Foam::movingColumns::displace
     }
 }
 
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::labelList Foam::movingColumns::fit(const boolList& barred)
 {

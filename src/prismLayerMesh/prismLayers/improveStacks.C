@@ -53,15 +53,6 @@ class stackImprovement
     Map<movingColumns::posture> before_;
 
 
-    //- Whether the face has to be looked at; no more after that
-    static bool take(boolList& faces, const label facei)
-    {
-        const bool taken = faces[facei];
-        faces[facei] = false;
-
-        return taken;
-    }
-
     bool isForbidden(const label facei) const
     {
         return isPoor(layers_, facei, bestJacobians_[facei])
@@ -243,17 +234,14 @@ void stackImprovement::grow()
     };
     boolList grown(barred_.size(), false);
 
-    forAll(layers_.faces, facei)
-    {
-        const bool looking = take(toGrow_, facei);
+    const labelList looking(findIndices(toGrow_, true));
+    toGrow_ = false;
 
+    for (const label facei : looking)
+    {
         for (const label c : layers_.faces[facei])
         {
-            if
-            (
-                looking
-             && columns_.lowered(c) && !barred_[c] && !grown[c]
-            )
+            if (columns_.lowered(c) && !barred_[c] && !grown[c])
             {
                 const labelList all(columns_.columnsBeside(c));
                 List<movingColumns::posture> own(all.size());
