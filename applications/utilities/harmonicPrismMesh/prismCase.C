@@ -235,8 +235,8 @@ void Foam::prismCase::write
     (
         makeLayerReport
         (
-            wall, m.request, m.layers, m.certificate, m.columns.causes,
-            UList<stageCost>()
+            wall, m.addressing, m.request, m.layers, m.certificate,
+            m.columns.causes
         )
     );
     report.noField = m.noField;

@@ -9,8 +9,8 @@ License
 
 
 #include "layerReport.H"
+#include "faceHeights.H"
 #include "prismPolyMesh.H"
-#include "stackHeights.H"
 #include "DynamicField.H"
 
 #include <algorithm>
@@ -22,20 +22,6 @@ License
 
 namespace Foam
 {
-
-//- Mean over the points of a face
-static scalar faceMean(const scalarField& field, const face& f)
-{
-    scalar sum = 0;
-
-    for (const label p : f)
-    {
-        sum += field[p];
-    }
-
-    return sum/f.size();
-}
-
 
 //- What is known of the faces of a patch, from which its report is made
 struct patchSample
@@ -53,15 +39,14 @@ struct patchSample
     DynamicField<scalar> growth;
 
 
-    //- Add the face whose heights were computed last. Its cells are positive
-    //  up to layersHere.
+    //- Add a face. Its cells are positive up to layersHere, of nLayers
     void add
     (
-        const stackHeights& stack,
-        const layerSpacing& spacing,
-        const face& wallFace,
-        const label layersHere,
-        const scalar jacobian
+        const faceHeights& heights,
+        label facei,
+        label nLayers,
+        label layersHere,
+        scalar jacobian
     );
 
     void add(const patchSample& other);
@@ -73,33 +58,25 @@ struct patchSample
 
 void patchSample::add
 (
-    const stackHeights& stack,
-    const layerSpacing& spacing,
-    const face& wallFace,
+    const faceHeights& heights,
+    const label facei,
+    const label nLayers,
     const label layersHere,
     const scalar jacobian
 )
 {
-    const scalarField& heights = stack.heights();
-    const scalar ratio = faceMean(spacing.ratio, wallFace);
-    const scalar thickness =
-        sum(heights)/faceMean(spacing.thickness, wallFace);
+    const label n = nLayers - 1;
+    const scalar faceArea = heights.areas[facei];
+    const scalar thickness = heights.totalOverRequest[facei];
 
-    firstHeight.append
-    (
-        heights[0]/faceMean(spacing.firstThickness, wallFace)
-    );
+    firstHeight.append(heights.firstOverRequest[facei]);
     totalThickness.append(thickness);
-
-    for (label i = 1; i < heights.size(); ++i)
-    {
-        growth.append(heights[i]/(ratio*max(heights[i - 1], VSMALL)));
-    }
+    growth.append(SubList<scalar>(heights.growthOverRequest, n, facei*n));
 
     ++nFaces;
-    area += stack.wallArea();
-    fullLayersArea += layersHere == heights.size() ? stack.wallArea() : 0;
-    fullThicknessArea += thickness >= 0.99 ? stack.wallArea() : 0;
+    area += faceArea;
+    fullLayersArea += layersHere == nLayers ? faceArea : 0;
+    fullThicknessArea += thickness >= 0.99 ? faceArea : 0;
 
     layersReached = min(layersReached, layersHere);
     worstJacobian = min(worstJacobian, jacobian);
@@ -170,7 +147,7 @@ static labelList validLayers
 static List<patchSample> samplePatches
 (
     const wallSurface& wall,
-    const layerSpacing& spacing,
+    const faceHeights& heights,
     const prismLayers& layers,
     const layerCertificate& certificate
 )
@@ -178,17 +155,14 @@ static List<patchSample> samplePatches
     List<patchSample> samples(wall.patchNames.size());
 
     const labelList valid(validLayers(layers, certificate));
-    stackHeights stack(layers);
 
     forAll(wall.faces, facei)
     {
-        stack.compute(facei);
-
         samples[wall.patchIDs[facei]].add
         (
-            stack,
-            spacing,
-            wall.faces[facei],
+            heights,
+            facei,
+            layers.nLayers,
             valid[facei],
             certificate.worstJacobian[facei]
         );
@@ -264,11 +238,11 @@ Foam::percentiles Foam::makePercentiles(scalarField& values)
 Foam::layerReport Foam::makeLayerReport
 (
     const wallSurface& wall,
+    const wallAddressing& addressing,
     const layerSpacing& spacing,
     const prismLayers& layers,
     const layerCertificate& certificate,
-    const UList<squeezeCause>& causes,
-    const UList<stageCost>& stages
+    const UList<squeezeCause>& causes
 )
 {
     layerReport report;
@@ -289,10 +263,13 @@ Foam::layerReport Foam::makeLayerReport
         report.outlyingCentres.append(mean);
     }
 
+    const faceHeights heights(makeFaceHeights(wall, spacing, layers));
     List<patchSample> samples
     (
-        samplePatches(wall, spacing, layers, certificate)
+        samplePatches(wall, heights, layers, certificate)
     );
+    scalarField changes(changesOverEdges(addressing, heights.first));
+    report.firstHeightChange = makePercentiles(changes);
 
     patchSample all;
     for (const patchSample& sample : samples)
@@ -315,8 +292,6 @@ Foam::layerReport Foam::makeLayerReport
     {
         ++report.columns[int(cause)];
     }
-
-    report.stages = stages;
 
     return report;
 }

@@ -236,6 +236,7 @@ Foam::dictionary Foam::toDictionary(const layerReport& report)
     dict.add("wall", wall);
     dict.add("certificate", certificate);
     dict.add("allPatches", toDictionary(report.wall));
+    dict.add("firstHeightChange", toDictionary(report.firstHeightChange));
     dict.add("patches", patches);
     dict.add("field", report.noField.empty() ? "followed" : report.noField);
     dict.add("columns", columnsDictionary(report));
@@ -275,7 +276,11 @@ void Foam::write(Ostream& os, const layerReport& report)
     os  << table.text().c_str() << nl
         << "Cells " << report.nCells
         << ", not positive " << report.nInvalidCells
-        << ", intersecting pairs " << report.nIntersectingPairs << nl;
+        << ", intersecting pairs " << report.nIntersectingPairs << nl
+        << "First height from face to face changes by a factor of"
+        << " (p50, p99, max) " << report.firstHeightChange.p50 << ", "
+        << report.firstHeightChange.p99 << ", "
+        << report.firstHeightChange.max << nl;
 
     for (const point& x : report.outlyingCentres)
     {

@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "writeStageFields.H"
+#include "faceHeights.H"
 #include "harmonicField.H"
 #include "OSspecific.H"
 #include "unitConversion.H"
@@ -126,9 +127,31 @@ static vtkGrid layerGrid(const prismLayerMesh& mesh)
 }
 
 
+//- The largest value on the edges of each face
+static scalarField largestOfFaces
+(
+    const label nFaces,
+    const wallAddressing& addressing,
+    const scalarField& ofEdges
+)
+{
+    scalarField largest(nFaces, 0);
+
+    forAll(ofEdges, edgei)
+    {
+        for (const label facei : addressing.edgeFaces[edgei])
+        {
+            largest[facei] = max(largest[facei], ofEdges[edgei]);
+        }
+    }
+
+    return largest;
+}
+
+
 static vtkGrid wallGrid(const wallSurface& wall, const prismLayerMesh& mesh)
 {
-    const layerSpacing& spacing = mesh.request;
+    const layerSpacing& request = mesh.request;
     const prismLayers& layers = mesh.layers;
 
     vtkGrid grid;
@@ -139,30 +162,38 @@ static vtkGrid wallGrid(const wallSurface& wall, const prismLayerMesh& mesh)
     }
 
     const label nPoints = wall.points.size();
-    scalarField first(nPoints), total(nPoints), causes(nPoints);
-    scalarField angles(nPoints);
+    scalarField causes(nPoints), angles(nPoints);
 
     for (label p = 0; p < nPoints; ++p)
     {
-        const vector step = layers(p, 1) - layers(p, 0);
-        first[p] = mag(step)
-           *mesh.visibility.heightCosine(p, normalised(step))
-           /spacing.firstThickness[p];
-        const vector column = layers(p, layers.nLayers) - layers(p, 0);
-        total[p] = mag(column)
-           *mesh.visibility.heightCosine(p, normalised(column))
-           /spacing.thickness[p];
         causes[p] = scalar(int(mesh.columns.causes[p]));
         angles[p] = radToDeg(::acos(min(mesh.visibility.cones[p].cosine, 1.0)));
     }
 
-    grid.pointFields.add("firstHeightOverRequest", first);
-    grid.pointFields.add("thicknessOverRequest", total);
     grid.pointFields.add("squeezeCause", causes);
     grid.pointFields.add("visibilityAngle", angles);
+    grid.pointFields.add("firstHeightRequest", request.firstThickness);
+    grid.pointFields.add("thicknessRequest", request.thickness);
     grid.pointFields.add
     (
         "clearance", scalarField(SubList<scalar>(mesh.clearance, nPoints))
+    );
+
+    const faceHeights heights(makeFaceHeights(wall, request, layers));
+    grid.cellFields.add("firstHeight", heights.first);
+    grid.cellFields.add("firstHeightOverRequest", heights.firstOverRequest);
+    grid.cellFields.add("thicknessOverRequest", heights.totalOverRequest);
+    grid.cellFields.add
+    (
+        "firstHeightChange", largestOfFaces
+        (
+            wall.faces.size(), mesh.addressing,
+            changesOverEdges(mesh.addressing, heights.first)
+        )
+    );
+    grid.cellFields.add
+    (
+        "layers", scalarField(wall.faces.size(), layers.nLayers)
     );
     grid.cellFields.add
     (

@@ -74,10 +74,17 @@ public:
 
     layerReport report() const
     {
-        return makeLayerReport
+        layerReport made
         (
-            wall, spacing, layers, certify(layers), causes, stages
+            makeLayerReport
+            (
+                wall, makeWallAddressing(wall), spacing, layers,
+                certify(layers), causes
+            )
         );
+        made.stages = stages;
+
+        return made;
     }
 
     //- The point in the middle of side z = 1, and its faces
@@ -368,8 +375,8 @@ TEST(writeLayerReport, saysWhereCentresAreOutside)
     (
         makeLayerReport
         (
-            run.wall, run.spacing, run.layers, certificate, run.causes,
-            run.stages
+            run.wall, makeWallAddressing(run.wall), run.spacing, run.layers,
+            certificate, run.causes
         )
     );
     OStringStream os;

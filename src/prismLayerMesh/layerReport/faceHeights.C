@@ -1,0 +1,100 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "faceHeights.H"
+#include "stackHeights.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Mean over the points of a face
+static scalar faceMean(const scalarField& field, const face& f)
+{
+    scalar sum = 0;
+
+    for (const label p : f)
+    {
+        sum += field[p];
+    }
+
+    return sum/f.size();
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::faceHeights Foam::makeFaceHeights
+(
+    const wallSurface& wall,
+    const layerSpacing& request,
+    const prismLayers& layers
+)
+{
+    const label nFaces = wall.faces.size();
+    const label n = layers.nLayers;
+
+    faceHeights result;
+    result.areas.setSize(nFaces);
+    result.first.setSize(nFaces);
+    result.firstOverRequest.setSize(nFaces);
+    result.totalOverRequest.setSize(nFaces);
+    result.growthOverRequest.setSize(nFaces*(n - 1));
+
+    stackHeights stack(layers);
+
+    forAll(wall.faces, facei)
+    {
+        const face& f = wall.faces[facei];
+        stack.compute(facei);
+        const scalarField& heights = stack.heights();
+        const scalar ratio = faceMean(request.ratio, f);
+
+        result.areas[facei] = stack.wallArea();
+        result.first[facei] = heights[0];
+        result.firstOverRequest[facei] =
+            heights[0]/faceMean(request.firstThickness, f);
+        result.totalOverRequest[facei] =
+            sum(heights)/faceMean(request.thickness, f);
+
+        for (label i = 1; i < n; ++i)
+        {
+            result.growthOverRequest[facei*(n - 1) + i - 1] =
+                heights[i]/(ratio*max(heights[i - 1], VSMALL));
+        }
+    }
+
+    return result;
+}
+
+
+Foam::scalarField Foam::changesOverEdges
+(
+    const wallAddressing& addressing,
+    const scalarField& ofFaces
+)
+{
+    scalarField changes(addressing.edges.size());
+
+    forAll(changes, edgei)
+    {
+        const scalar a = ofFaces[addressing.edgeFaces[edgei].first()];
+        const scalar b = ofFaces[addressing.edgeFaces[edgei].second()];
+
+        changes[edgei] = max(a, b)/max(min(a, b), VSMALL);
+    }
+
+    return changes;
+}
+
+
+// ************************************************************************* //
