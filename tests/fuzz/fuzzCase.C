@@ -55,6 +55,7 @@ static void mesh
         (
             wall,
             controls,
+            localHeights(),
             stageObserver
             {
                 [&](const word& stage) { tell("stage", stage); },
@@ -77,7 +78,7 @@ static void mesh
     {
         tell("failed", "the certificate is not valid");
     }
-    else if (m.layers.nLayers != controls.layers.nSurfaceLayers)
+    else if (m.layers.nLayers != controls.layers.heights.nSurfaceLayers)
     {
         tell("failed", "the number of layers is not what was asked for");
     }
@@ -291,9 +292,9 @@ bool Foam::writeSurface(const fuzzCase& one, const fileName& file)
                 out,
                 "# nSurfaceLayers %d; firstLayerThickness %.17g;"
                 " expansionRatio %.17g;\n",
-                layers.nSurfaceLayers,
-                layers.thickness.firstLayerThickness,
-                layers.thickness.expansionRatio
+                layers.heights.nSurfaceLayers,
+                layers.heights.firstLayerThickness,
+                layers.heights.expansionRatio
             );
 
             for (const patchLayers& other : layers.patches)
@@ -303,7 +304,7 @@ bool Foam::writeSurface(const fuzzCase& one, const fileName& file)
                     out,
                     "# patches { %s { firstLayerThickness %.17g; } }\n",
                     other.patches.c_str(),
-                    other.thickness.firstLayerThickness
+                    other.heights.firstLayerThickness
                 );
             }
 

@@ -54,9 +54,8 @@ static void splitPatches
 
     patchLayers other;
     other.patches = word("other");
-    other.thickness = controls.thickness;
-    other.thickness.firstLayerThickness *=
-        randomSurfaces::logUniform(random, 0.2, 5);
+    other.heights.firstLayerThickness = controls.heights.firstLayerThickness
+       *randomSurfaces::logUniform(random, 0.2, 5);
     controls.patches = List<patchLayers>(1, other);
 }
 
@@ -80,10 +79,10 @@ void Foam::fuzzCase::make
     const scalar ratio = random.position<scalar>(1, 1.5);
     layerControls& layers = controls.layers;
 
-    layers.nSurfaceLayers = random.position<label>(1, 20);
-    layers.thickness.expansionRatio = ratio;
-    layers.thickness.firstLayerThickness =
-        total/totalThickness(layers.nSurfaceLayers, 1, ratio);
+    layers.heights.nSurfaceLayers = random.position<label>(1, 20);
+    layers.heights.expansionRatio = ratio;
+    layers.heights.firstLayerThickness =
+        total/totalThickness(layers.heights.nSurfaceLayers, 1, ratio);
 
     if (randomSurfaces::chance(random, 0.2))
     {

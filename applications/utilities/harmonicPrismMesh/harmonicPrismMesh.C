@@ -46,6 +46,7 @@ Usage
 #include "polyMesh.H"
 #include "prismLayerMesh.H"
 #include "prismPolyMesh.H"
+#include "readLocalHeights.H"
 #include "readWallSurface.H"
 #include "stageLog.H"
 #include "wallDefects.H"
@@ -151,18 +152,46 @@ static bool checkWall
 }
 
 
+//- What is asked for in parts of the wall, looked up and reported
+static localHeights readLocal
+(
+    const prismCase& files,
+    const wallSurface& wall,
+    const prismLayerControls& controls,
+    const Time& time,
+    stageLog& log
+)
+{
+    log.begin("localHeights");
+    string found;
+    const localHeights local
+    (
+        readLocalHeights
+        (
+            wall, controls,
+            [&](const fileName& file) { return files.surfaceFile(file); },
+            time, found
+        )
+    );
+    log.end(found);
+
+    return local;
+}
+
+
 //- The points where no layers are possible are named and written
 static prismLayerMesh makeMesh
 (
     const prismCase& files,
     const wallSurface& wall,
     const prismLayerControls& controls,
+    const localHeights& local,
     stageLog& log
 )
 {
     try
     {
-        return makePrismLayerMesh(wall, controls, log.observer());
+        return makePrismLayerMesh(wall, controls, local, log.observer());
     }
     catch (const wallPointsError& failure)
     {
@@ -218,7 +247,8 @@ int main(int argc, char *argv[])
 
     files.checkOverwrite(controls.surface.file);
 
-    prismLayerMesh result(makeMesh(files, wall, controls, log));
+    const localHeights local(readLocal(files, wall, controls, runTime, log));
+    prismLayerMesh result(makeMesh(files, wall, controls, local, log));
 
     if (args.found("writeFields"))
     {

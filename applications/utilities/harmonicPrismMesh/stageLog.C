@@ -11,6 +11,8 @@ License
 #include "IOmanip.H"
 #include "IOstreams.H"
 
+#include <sstream>
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::stageLog::begin(const word& stage)
@@ -31,8 +33,24 @@ void Foam::stageLog::end(const string& sizes)
     cost.seconds = clock_.timeIncrement();
     cost.peakMemory = peakMemory();
 
-    Info<< sizes.c_str() << "  " << setprecision(3) << cost.seconds << " s"
-        << setprecision(IOstream::defaultPrecision()) << endl;
+    // The seconds are on the first line
+    const auto lineEnd = sizes.find('\n');
+
+    Info<< sizes.substr(0, lineEnd).c_str() << "  "
+        << setprecision(3) << cost.seconds << " s"
+        << setprecision(IOstream::defaultPrecision()) << nl;
+
+    if (lineEnd != std::string::npos)
+    {
+        std::istringstream lines(sizes.substr(lineEnd + 1));
+
+        for (std::string line; std::getline(lines, line);)
+        {
+            Info<< "    " << line.c_str() << nl;
+        }
+    }
+
+    Info<< flush;
 }
 
 

@@ -31,6 +31,8 @@ struct patchSample
     scalar fullLayersArea = 0;
     scalar fullThicknessArea = 0;
 
+    layerRequest request;
+    label layersAsked = 0;
     label layersReached = labelMax;
     scalar worstJacobian = GREAT;
 
@@ -52,7 +54,7 @@ struct patchSample
     void add(const patchSample& other);
 
     //- The values are reordered
-    patchReport report(const word& name, label layersAsked);
+    patchReport report(const word& name);
 };
 
 
@@ -90,6 +92,8 @@ void patchSample::add(const patchSample& other)
     fullLayersArea += other.fullLayersArea;
     fullThicknessArea += other.fullThicknessArea;
 
+    request.add(other.request);
+    layersAsked = max(layersAsked, other.layersAsked);
     layersReached = min(layersReached, other.layersReached);
     worstJacobian = min(worstJacobian, other.worstJacobian);
 
@@ -99,12 +103,13 @@ void patchSample::add(const patchSample& other)
 }
 
 
-patchReport patchSample::report(const word& name, const label layersAsked)
+patchReport patchSample::report(const word& name)
 {
     patchReport patch;
     patch.name = name;
     patch.nFaces = nFaces;
     patch.area = area;
+    patch.request = request;
     patch.layersAsked = layersAsked;
 
     if (nFaces)
@@ -147,6 +152,7 @@ static labelList validLayers
 static List<patchSample> samplePatches
 (
     const wallSurface& wall,
+    const layerSpacing& spacing,
     const faceHeights& heights,
     const prismLayers& layers,
     const layerCertificate& certificate
@@ -158,7 +164,10 @@ static List<patchSample> samplePatches
 
     forAll(wall.faces, facei)
     {
-        samples[wall.patchIDs[facei]].add
+        patchSample& sample = samples[wall.patchIDs[facei]];
+        const face& f = wall.faces[facei];
+
+        sample.add
         (
             heights,
             facei,
@@ -166,12 +175,39 @@ static List<patchSample> samplePatches
             valid[facei],
             certificate.worstJacobian[facei]
         );
+
+        // Between patches, the thinner one's count
+        sample.layersAsked =
+            max(sample.layersAsked, min(labelList(spacing.layersAsked, f)));
+
+        for (const label p : f)
+        {
+            sample.request.add(spacing, p);
+        }
     }
 
     return samples;
 }
 
 } // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::layerRequest::add(const layerSpacing& spacing, const label p)
+{
+    firstThickness.add(spacing.firstThickness[p]);
+    ratio.add(spacing.ratio[p]);
+    thickness.add(spacing.thickness[p]);
+}
+
+
+void Foam::layerRequest::add(const layerRequest& other)
+{
+    firstThickness.add(other.firstThickness);
+    ratio.add(other.ratio);
+    thickness.add(other.thickness);
+}
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
@@ -266,7 +302,7 @@ Foam::layerReport Foam::makeLayerReport
     const faceHeights heights(makeFaceHeights(wall, spacing, layers));
     List<patchSample> samples
     (
-        samplePatches(wall, heights, layers, certificate)
+        samplePatches(wall, spacing, heights, layers, certificate)
     );
     scalarField changes(changesOverEdges(addressing, heights.first));
     report.firstHeightChange = makePercentiles(changes);
@@ -276,14 +312,13 @@ Foam::layerReport Foam::makeLayerReport
     {
         all.add(sample);
     }
-    report.wall = all.report("allPatches", spacing.nLayers);
+    report.wall = all.report("allPatches");
 
     const wordList names(prismPatchNames(wall.patchNames));
     report.patches.setSize(names.size());
     forAll(samples, patchi)
     {
-        report.patches[patchi] =
-            samples[patchi].report(names[patchi], spacing.nLayers);
+        report.patches[patchi] = samples[patchi].report(names[patchi]);
     }
 
     report.points = Zero;

@@ -36,11 +36,33 @@ static dictionary toDictionary(const percentiles& spread)
 }
 
 
+static dictionary toDictionary(const MinMax<scalar>& range)
+{
+    dictionary dict;
+    dict.add("min", range.valid() ? range.min() : 0);
+    dict.add("max", range.valid() ? range.max() : 0);
+
+    return dict;
+}
+
+
+static dictionary toDictionary(const layerRequest& request)
+{
+    dictionary dict;
+    dict.add("firstLayerThickness", toDictionary(request.firstThickness));
+    dict.add("expansionRatio", toDictionary(request.ratio));
+    dict.add("thickness", toDictionary(request.thickness));
+
+    return dict;
+}
+
+
 static dictionary toDictionary(const patchReport& patch)
 {
     dictionary dict;
     dict.add("faces", patch.nFaces);
     dict.add("area", patch.area);
+    dict.add("request", toDictionary(patch.request));
     dict.add("layersAsked", patch.layersAsked);
     dict.add("layersReached", patch.layersReached);
     dict.add("fullLayersAreaPercent", patch.fullLayersArea);
@@ -102,6 +124,16 @@ static dictionary stagesDictionary(const UList<stageCost>& stages)
     }
 
     return dict;
+}
+
+
+//- With three decimals
+static std::string fixed(const scalar value)
+{
+    std::ostringstream text;
+    text << std::fixed << std::setprecision(3) << value;
+
+    return text.str();
 }
 
 
@@ -277,10 +309,9 @@ void Foam::write(Ostream& os, const layerReport& report)
         << "Cells " << report.nCells
         << ", not positive " << report.nInvalidCells
         << ", intersecting pairs " << report.nIntersectingPairs << nl
-        << "First height from face to face changes by a factor of"
-        << " (p50, p99, max) " << report.firstHeightChange.p50 << ", "
-        << report.firstHeightChange.p99 << ", "
-        << report.firstHeightChange.max << nl;
+        << "First height from face to face changes by a factor of at most "
+        << fixed(report.firstHeightChange.max).c_str() << ", on 99 % of edges "
+        << fixed(report.firstHeightChange.p99).c_str() << nl;
 
     for (const point& x : report.outlyingCentres)
     {

@@ -9,7 +9,6 @@ License
 
 #include "layerSpacing.H"
 #include "limitGradient.H"
-#include "FlatOutput.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -39,42 +38,6 @@ static scalar logGeometricSum(const label n, const scalar x, scalar& slope)
       + (x > 0 ? (n - 1)*x : 0);
 }
 
-
-//- Thickness of the layers of each patch
-static List<layerThickness> patchThicknesses
-(
-    const wordList& patchNames,
-    const layerControls& controls
-)
-{
-    List<layerThickness> result(patchNames.size(), controls.thickness);
-
-    for (const patchLayers& entry : controls.patches)
-    {
-        bool used = false;
-
-        forAll(patchNames, patchi)
-        {
-            if (entry.patches.match(patchNames[patchi]))
-            {
-                result[patchi] = entry.thickness;
-                used = true;
-            }
-        }
-
-        if (!used)
-        {
-            FatalErrorInFunction
-                << "The entry " << entry.patches << " of layers.patches"
-                << " matches no patch of the surface" << nl
-                << "Its patches: " << flatOutput(patchNames)
-                << exit(FatalError);
-        }
-    }
-
-    return result;
-}
-
 } // End namespace Foam
 
 
@@ -87,58 +50,13 @@ Foam::layerSpacing Foam::layerSpacing::at(const labelUList& points) const
         nLayers,
         scalarField(firstThickness, points),
         scalarField(ratio, points),
-        scalarField(thickness, points)
+        scalarField(thickness, points),
+        labelList(layersAsked, points)
     };
 }
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
-Foam::layerSpacing Foam::makeLayerSpacing
-(
-    const wallSurface& wall,
-    const layerControls& controls
-)
-{
-    const List<layerThickness> ofPatch
-    (
-        patchThicknesses(wall.patchNames, controls)
-    );
-    const label nPoints = wall.points.size();
-
-    layerSpacing spacing;
-    spacing.nLayers = controls.nSurfaceLayers;
-    spacing.firstThickness.setSize(nPoints, VGREAT);
-    spacing.ratio.setSize(nPoints, controls.thickness.expansionRatio);
-
-    forAll(wall.faces, facei)
-    {
-        const layerThickness& thickness = ofPatch[wall.patchIDs[facei]];
-
-        for (const label p : wall.faces[facei])
-        {
-            if (thickness.firstLayerThickness < spacing.firstThickness[p])
-            {
-                spacing.firstThickness[p] = thickness.firstLayerThickness;
-                spacing.ratio[p] = thickness.expansionRatio;
-            }
-        }
-    }
-
-    spacing.thickness.setSize(nPoints);
-    forAll(spacing.thickness, p)
-    {
-        spacing.thickness[p] = totalThickness
-        (
-            spacing.nLayers,
-            spacing.firstThickness[p],
-            spacing.ratio[p]
-        );
-    }
-
-    return spacing;
-}
-
 
 Foam::layerSpacing Foam::gradedSpacing
 (

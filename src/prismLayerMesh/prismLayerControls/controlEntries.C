@@ -117,6 +117,45 @@ void Foam::checkKeys(const dictionary& dict, const wordList& validKeys)
 }
 
 
+const Foam::dictionary& Foam::optionalDict
+(
+    const dictionary& dict,
+    const word& key
+)
+{
+    if (!dict.found(key, keyType::LITERAL))
+    {
+        return dictionary::null;
+    }
+
+    if (!dict.isDict(key, keyType::LITERAL))
+    {
+        entryError(dict, key)
+            << "The entry " << key << " of " << dict.dictName()
+            << " must be a dictionary" << exit(FatalIOError);
+    }
+
+    return dict.subDict(key, keyType::LITERAL);
+}
+
+
+const Foam::dictionary& Foam::mandatoryDict
+(
+    const dictionary& dict,
+    const word& key
+)
+{
+    if (!dict.found(key, keyType::LITERAL))
+    {
+        entryError(dict, key)
+            << "The dictionary " << key << " is missing"
+            << exit(FatalIOError);
+    }
+
+    return optionalDict(dict, key);
+}
+
+
 template<class Type>
 bool Foam::readBounded
 (

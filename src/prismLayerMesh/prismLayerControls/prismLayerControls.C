@@ -10,44 +10,12 @@ License
 #include "prismLayerControls.H"
 #include "controlEntries.H"
 #include "diffusionTensor.H"
-#include "readLayerThickness.H"
+#include "readLayerControls.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
-
-//- The sub-dictionary, or an empty one
-static const dictionary& optional(const dictionary& dict, const word& key)
-{
-    if (!dict.found(key, keyType::LITERAL))
-    {
-        return dictionary::null;
-    }
-
-    if (!dict.isDict(key, keyType::LITERAL))
-    {
-        entryError(dict, key)
-            << "The entry " << key << " of " << dict.dictName()
-            << " must be a dictionary" << exit(FatalIOError);
-    }
-
-    return dict.subDict(key, keyType::LITERAL);
-}
-
-
-static const dictionary& mandatory(const dictionary& dict, const word& key)
-{
-    if (!dict.found(key, keyType::LITERAL))
-    {
-        entryError(dict, key)
-            << "The dictionary " << key << " is missing"
-            << exit(FatalIOError);
-    }
-
-    return optional(dict, key);
-}
-
 
 static wallSurfaceControls readSurface(const dictionary& dict)
 {
@@ -73,101 +41,6 @@ static wallSurfaceControls readSurface(const dictionary& dict)
         dict, "mergeTolerance",
         scalar(0), scalar(1e-3), controls.mergeTolerance
     );
-
-    return controls;
-}
-
-
-static patchLayers readPatch
-(
-    const dictionary& dict,
-    const keyType& patches,
-    const layerControls& layers
-)
-{
-    wordList keys(layerThicknessKeys);
-    keys.append("nSurfaceLayers");
-    checkKeys(dict, keys);
-
-    label n = layers.nSurfaceLayers;
-    readBounded(dict, "nSurfaceLayers", label(0), label(1000), n);
-
-    if (n != layers.nSurfaceLayers)
-    {
-        entryError(dict, "nSurfaceLayers")
-            << "Value of nSurfaceLayers for the patches " << patches << " is "
-            << n << "; numbers of layers that differ between patches are not"
-            << " available yet, it must be " << layers.nSurfaceLayers
-            << exit(FatalIOError);
-    }
-
-    patchLayers entry;
-    entry.patches = patches;
-    entry.thickness = readLayerThickness(dict, n, layers.thickness);
-
-    return entry;
-}
-
-
-static layerControls readLayers(const dictionary& dict)
-{
-    wordList keys(layerThicknessKeys);
-    keys.append
-    (
-        wordList
-        ({
-            "nSurfaceLayers",
-            "transitionRatio",
-            "maxStretch",
-            "multipleNormalsAngle",
-            "patches"
-        })
-    );
-    checkKeys(dict, keys);
-
-    layerControls controls;
-    label& n = controls.nSurfaceLayers;
-
-    if (!readBounded(dict, "nSurfaceLayers", label(1), label(1000), n))
-    {
-        entryError(dict, "nSurfaceLayers")
-            << "The entry nSurfaceLayers of " << dict.dictName()
-            << " is missing" << exit(FatalIOError);
-    }
-
-    controls.thickness = readLayerThickness(dict, n);
-    readBounded
-    (
-        dict, "transitionRatio",
-        scalar(1.01), scalar(100), controls.transitionRatio
-    );
-    readBounded
-    (
-        dict, "maxStretch", scalar(1), scalar(10), controls.maxStretch
-    );
-    readBounded
-    (
-        dict, "multipleNormalsAngle", scalar(0), scalar(90),
-        controls.multipleNormalsAngle
-    );
-
-    DynamicList<patchLayers> patches;
-
-    const dictionary& entries = optional(dict, "patches");
-
-    for (const entry& e : entries)
-    {
-        if (!e.isDict())
-        {
-            entryError(entries, e.keyword())
-                << "The entry " << e.keyword() << " of patches must be a"
-                << " dictionary" << exit(FatalIOError);
-        }
-
-        patches.append(readPatch(e.dict(), e.keyword(), controls));
-    }
-
-    controls.patches.transfer(patches);
 
     return controls;
 }
@@ -224,7 +97,7 @@ static fieldControls readField(const dictionary& dict)
     );
 
     // Its coefficients are checked here, not when they are used in mid-run
-    controls.tensorCoeffs = optional(dict, controls.tensor + "Coeffs");
+    controls.tensorCoeffs = optionalDict(dict, controls.tensor + "Coeffs");
     diffusionTensor::New(controls.tensor, controls.tensorCoeffs);
 
     return controls;
@@ -262,13 +135,13 @@ Foam::prismLayerControls Foam::readPrismLayerControls(const dictionary& dict)
     );
 
     prismLayerControls controls;
-    controls.surface = readSurface(mandatory(dict, "surface"));
-    controls.layers = readLayers(mandatory(dict, "layers"));
-    controls.envelope = readEnvelope(optional(dict, "envelope"));
+    controls.surface = readSurface(mandatoryDict(dict, "surface"));
+    controls.layers = readLayerControls(mandatoryDict(dict, "layers"));
+    controls.envelope = readEnvelope(optionalDict(dict, "envelope"));
     controls.backgroundMesh =
-        readBackgroundMesh(optional(dict, "backgroundMesh"));
-    controls.field = readField(optional(dict, "field"));
-    controls.farFieldType = readFarField(optional(dict, "farField"));
+        readBackgroundMesh(optionalDict(dict, "backgroundMesh"));
+    controls.field = readField(optionalDict(dict, "field"));
+    controls.farFieldType = readFarField(optionalDict(dict, "farField"));
 
     return controls;
 }

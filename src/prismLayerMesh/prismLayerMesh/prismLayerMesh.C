@@ -70,27 +70,31 @@ static void makeRoom
     const wallSurface& wall,
     const wallSearch& search,
     const prismLayerControls& controls,
+    const localHeights& local,
     const stageObserver& observer,
     prismLayerMesh& m
 )
 {
     observer.begin("layerSpacing");
     m.addressing = makeWallAddressing(wall);
-    m.request = makeLayerSpacing(wall, controls.layers);
+    m.request = makeLayerSpacing(wall, m.addressing, controls.layers, local);
     m.spacing = gradedSpacing
     (
         m.request, m.addressing, controls.layers.transitionRatio
     );
     observer.end
     (
-        text(m.spacing.nLayers, " layers, total thickness ",
-            min(m.spacing.thickness), " to ", max(m.spacing.thickness), " m")
+        text
+        (
+            m.spacing.nLayers, " layers\n",
+            describe(m.request, wall, controls.layers).c_str()
+        )
     );
 
     observer.begin("wallVisibility");
     m.visibility = makeWallVisibility(wall, m.addressing);
     m.pointKinds = countKinds(wall, m.addressing, m.visibility);
-    observer.end(text("cones of points:", numbersOf(m.pointKinds)));
+    observer.end(text("cones of points:", numbersOf(m.pointKinds).c_str()));
 
     observer.begin("layerFront");
     m.front = makeLayerFront
@@ -286,11 +290,12 @@ static void makeAll
     const wallSurface& wall,
     const wallSearch& search,
     const prismLayerControls& controls,
+    const localHeights& local,
     const stageObserver& observer,
     prismLayerMesh& m
 )
 {
-    makeRoom(wall, search, controls, observer, m);
+    makeRoom(wall, search, controls, local, observer, m);
     makeField(wall, search, controls, observer, m);
     makeLayers(controls, observer, m);
 }
@@ -303,6 +308,7 @@ static bool tryAll
     const wallSurface& wall,
     const wallSearch& search,
     const prismLayerControls& controls,
+    const localHeights& local,
     const stageObserver& observer,
     prismLayerMesh& m
 )
@@ -312,7 +318,7 @@ static bool tryAll
 
     try
     {
-        makeAll(wall, search, controls, observer, m);
+        makeAll(wall, search, controls, local, observer, m);
     }
     catch (const Foam::error& e)
     {
@@ -339,6 +345,7 @@ Foam::prismLayerMesh Foam::makePrismLayerMesh
 (
     const wallSurface& wall,
     const prismLayerControls& controls,
+    const localHeights& local,
     const stageObserver& observer
 )
 {
@@ -348,7 +355,7 @@ Foam::prismLayerMesh Foam::makePrismLayerMesh
     {
         prismLayerMesh m;
 
-        if (tryAll(wall, search, controls, observer, m))
+        if (tryAll(wall, search, controls, local, observer, m))
         {
             return m;
         }
@@ -358,7 +365,7 @@ Foam::prismLayerMesh Foam::makePrismLayerMesh
     needed.layers.multipleNormalsAngle = 0;
 
     prismLayerMesh m;
-    makeAll(wall, search, needed, observer, m);
+    makeAll(wall, search, needed, local, observer, m);
 
     return m;
 }

@@ -63,13 +63,16 @@ TEST(requestedHeights, areGeometricSums)
 {
     const wallSurface wall(testSurfaces::cube(1));
     layerControls controls;
-    controls.nSurfaceLayers = 12;
-    controls.thickness.firstLayerThickness = 1e-3;
-    controls.thickness.expansionRatio = 1.3;
+    controls.heights.nSurfaceLayers = 12;
+    controls.heights.firstLayerThickness = 1e-3;
+    controls.heights.expansionRatio = 1.3;
 
     const scalarField heights
     (
-        requestedHeights(makeLayerSpacing(wall, controls))
+        requestedHeights
+        (
+            makeLayerSpacing(wall, makeWallAddressing(wall), controls)
+        )
     );
 
     ASSERT_EQ(heights.size(), 12*wall.points.size());

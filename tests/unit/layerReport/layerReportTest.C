@@ -62,6 +62,7 @@ public:
         spacing.firstThickness = scalarField(nPoints, h1);
         spacing.ratio = scalarField(nPoints, ratio);
         spacing.thickness = scalarField(nPoints, heights.last());
+        spacing.layersAsked = labelList(nPoints, n);
 
         layers = testSurfaces::straightLayers(wall, heights);
         causes.setSize(nPoints, squeezeCause::none);
@@ -383,16 +384,8 @@ TEST(writeLayerReport, saysWhereCentresAreOutside)
     write(os, report);
 
     ASSERT_EQ(report.outlyingCentres.size(), 1);
-    EXPECT_NEAR
-    (
-        mag
-        (
-            report.outlyingCentres[0]
-          - run.wall.faces[7].centre(run.wall.points)
-        ),
-        0,
-        1e-14
-    );
+    const point centre(run.wall.faces[7].centre(run.wall.points));
+    EXPECT_NEAR(mag(report.outlyingCentres[0] - centre), 0, 1e-14);
     EXPECT_NE(os.str().find("is outside of it"), std::string::npos);
     EXPECT_EQ
     (

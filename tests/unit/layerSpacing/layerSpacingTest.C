@@ -50,8 +50,8 @@ static scalarField heights
 static layerControls controlsOf(const label n, const scalar h1)
 {
     layerControls controls;
-    controls.nSurfaceLayers = n;
-    controls.thickness.firstLayerThickness = h1;
+    controls.heights.nSurfaceLayers = n;
+    controls.heights.firstLayerThickness = h1;
 
     return controls;
 }
@@ -61,10 +61,21 @@ static patchLayers patchOf(const keyType& patches, const scalar h1)
 {
     patchLayers entry;
     entry.patches = patches;
-    entry.thickness.firstLayerThickness = h1;
-    entry.thickness.expansionRatio = 1.5;
+    entry.heights.firstLayerThickness = h1;
+    entry.heights.expansionRatio = 1.5;
 
     return entry;
+}
+
+
+static layerSpacing spacingOf
+(
+    const wallSurface& wall,
+    const layerControls& controls,
+    const localHeights& local = localHeights()
+)
+{
+    return makeLayerSpacing(wall, makeWallAddressing(wall), controls, local);
 }
 
 
@@ -221,7 +232,7 @@ TEST(makeLayerSpacing, isUniformWithoutPatches)
 {
     const layerSpacing spacing
     (
-        makeLayerSpacing(cubeWithPatches(), controlsOf(20, 1e-4))
+        spacingOf(cubeWithPatches(), controlsOf(20, 1e-4))
     );
 
     EXPECT_EQ(spacing.nLayers, 20);
@@ -242,7 +253,7 @@ TEST(makeLayerSpacing, thinnestPatchCountsAtAPoint)
         patchOf(keyType("wingRight"), 1e-5)
     });
 
-    const layerSpacing spacing(makeLayerSpacing(wall, controls));
+    const layerSpacing spacing(spacingOf(wall, controls));
 
     forAll(wall.points, p)
     {
@@ -271,7 +282,7 @@ TEST(makeLayerSpacing, lastMatchWins)
         patchOf(keyType(".*", keyType::REGEX), 1e-6)
     });
 
-    const layerSpacing spacing(makeLayerSpacing(wall, controls));
+    const layerSpacing spacing(spacingOf(wall, controls));
     EXPECT_EQ(max(spacing.firstThickness), 1e-6);
 }
 
@@ -288,7 +299,7 @@ TEST(makeLayerSpacing, entryWithoutPatchIsRefused)
     std::string message;
     try
     {
-        makeLayerSpacing(cubeWithPatches(), controls);
+        spacingOf(cubeWithPatches(), controls);
     }
     catch (const Foam::error& e)
     {
@@ -303,7 +314,7 @@ TEST(makeLayerSpacing, entryWithoutPatchIsRefused)
 TEST(gradedSpacing, leavesOneRequestAsItIs)
 {
     const wallSurface wall(cubeWithPatches());
-    const layerSpacing asked(makeLayerSpacing(wall, controlsOf(20, 1e-4)));
+    const layerSpacing asked(spacingOf(wall, controlsOf(20, 1e-4)));
     const layerSpacing graded
     (
         gradedSpacing(asked, makeWallAddressing(wall), 1.2)
@@ -326,7 +337,7 @@ TEST(gradedSpacing, growsByTheFactorAtMost)
         patchOf(keyType("wingRight"), 1e-5)
     });
 
-    const layerSpacing asked(makeLayerSpacing(wall, controls));
+    const layerSpacing asked(spacingOf(wall, controls));
     const layerSpacing graded(gradedSpacing(asked, addressing, 1.2));
     label nLower = 0;
 
@@ -370,7 +381,7 @@ TEST(gradedSpacing, oneLayer)
     (
         gradedSpacing
         (
-            makeLayerSpacing(wall, controls), makeWallAddressing(wall), 2
+            spacingOf(wall, controls), makeWallAddressing(wall), 2
         )
     );
 

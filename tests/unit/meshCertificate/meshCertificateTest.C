@@ -87,6 +87,7 @@ static prismLayers multipleNormals(const wallSurface& wall)
     (
         wall,
         controls,
+        localHeights(),
         stageObserver{[](const word&) {}, [](const string&) {}}
     ).layers;
 }

@@ -93,6 +93,10 @@ TEST(annotatedDict, hasEveryKey)
     };
 
     const std::string other("zzz 1;");
+    const auto inLayers = [](const std::string& entries)
+    {
+        return "layers { nSurfaceLayers 1; thickness 1; " + entries + " }";
+    };
     const std::string yPlus
     (
         "layers { nSurfaceLayers 1; yPlus { " + other + " } }"
@@ -106,6 +110,11 @@ TEST(annotatedDict, hasEveryKey)
             "surface { " + other + " }",
             surface + "layers { " + other + " }",
             surface + yPlus,
+            surface + inLayers("patches { wing { " + other + " } }"),
+            surface
+          + inLayers("regions { wake { geometry {} " + other + " } }"),
+            surface + inLayers("fields { " + other + " }"),
+            surface + inLayers("fields { thickness { " + other + " } }"),
             surface + layers + "envelope { " + other + " }",
             surface + layers + "backgroundMesh { " + other + " }",
             surface + layers + "field { " + other + " }",

@@ -30,8 +30,8 @@ TEST(prismLayerControls, minimalDictionaryHasTheDefaults)
 {
     prismLayerControls defaults;
     defaults.surface.file = "body.obj";
-    defaults.layers.nSurfaceLayers = 20;
-    defaults.layers.thickness.firstLayerThickness = 1e-4;
+    defaults.layers.heights.nSurfaceLayers = 20;
+    defaults.layers.heights.firstLayerThickness = 1e-4;
 
     expectEqual(readControls(surface + layers), defaults);
 }
@@ -63,9 +63,9 @@ TEST(prismLayerControls, everyEntryIsRead)
     EXPECT_FALSE(controls.surface.fluidOutside);
     EXPECT_EQ(controls.surface.scale, 0.001);
     EXPECT_EQ(controls.surface.mergeTolerance, 1e-6);
-    EXPECT_EQ(controls.layers.nSurfaceLayers, 5);
-    EXPECT_NEAR(controls.layers.thickness.firstLayerThickness, 1, 1e-12);
-    EXPECT_EQ(controls.layers.thickness.expansionRatio, 2);
+    EXPECT_EQ(controls.layers.heights.nSurfaceLayers, 5);
+    EXPECT_EQ(controls.layers.heights.thickness, 31);
+    EXPECT_EQ(controls.layers.heights.expansionRatio, 2);
     EXPECT_EQ(controls.layers.maxStretch, 3);
     EXPECT_EQ(controls.layers.transitionRatio, 1.5);
     EXPECT_EQ(controls.envelope.scale, 1.5);
@@ -77,9 +77,10 @@ TEST(prismLayerControls, everyEntryIsRead)
     ASSERT_EQ(controls.layers.patches.size(), 2);
     EXPECT_TRUE(controls.layers.patches[0].patches.isPattern());
     EXPECT_TRUE(controls.layers.patches[0].patches.match("wingLeft"));
-    EXPECT_EQ(controls.layers.patches[0].thickness.expansionRatio, 1);
+    EXPECT_EQ(controls.layers.patches[0].heights.expansionRatio, 1);
     EXPECT_EQ(controls.layers.patches[1].patches, "tail");
-    EXPECT_EQ(controls.layers.patches[1].thickness.expansionRatio, 2);
+    EXPECT_EQ(controls.layers.patches[1].heights.expansionRatio, 0);
+    EXPECT_EQ(controls.layers.patches[1].heights.nSurfaceLayers, 5);
 }
 
 
@@ -222,16 +223,6 @@ TEST(prismLayerControls, unknownModelsAreRefused)
     (
         errorOf(surface + layers + "farField { type tet; }"),
         {"type is tet", "not available", "Valid values: none"}
-    );
-}
-
-
-TEST(prismLayerControls, numbersOfLayersDoNotDifferBetweenPatches)
-{
-    expectWords
-    (
-        errorOfLayers("patches { symmetry { nSurfaceLayers 0; } }"),
-        {"symmetry", "nSurfaceLayers", "is 0", "not available yet", "20"}
     );
 }
 

@@ -79,6 +79,7 @@ TEST(makePrismLayerMesh, stagesAreToldInTheirOrder)
     (
         testSurfaces::cube(2),
         controls,
+        localHeights(),
         stageObserver
         {
             [&](const word& stage)
@@ -183,7 +184,10 @@ TEST(makePrismLayerMesh, bothSolversGiveTheLayers)
     const stageObserver unheard{[](const word&) {}, [](const string&) {}};
 
     controls.field.solver = "krylov";
-    const prismLayerMesh a(makePrismLayerMesh(wall, controls, unheard));
+    const prismLayerMesh a
+    (
+        makePrismLayerMesh(wall, controls, localHeights(), unheard)
+    );
     controls.field.solver = "iteration";
     controls.field.tensor = "anisotropic";
 

@@ -48,6 +48,7 @@ struct dividedMesh
         (
             wall,
             controls,
+            localHeights(),
             stageObserver{[](const word&) {}, [](const string&) {}}
         ).layers;
         mesh.reset(new memoryMesh(layers));

@@ -61,7 +61,7 @@ Foam::testSurfaces::stages::stages
     addressing(makeWallAddressing(wall)),
     search(wall),
     visibility(makeWallVisibility(wall, addressing)),
-    spacing(makeLayerSpacing(wall, layersOf(n, thickness))),
+    spacing(makeLayerSpacing(wall, addressing, layersOf(n, thickness))),
     clearance
     (
         makeWallClearance
@@ -106,9 +106,9 @@ Foam::layerControls Foam::testSurfaces::layersOf
 )
 {
     layerControls controls;
-    controls.nSurfaceLayers = n;
-    controls.thickness.expansionRatio = 1.2;
-    controls.thickness.firstLayerThickness =
+    controls.heights.nSurfaceLayers = n;
+    controls.heights.expansionRatio = 1.2;
+    controls.heights.firstLayerThickness =
         thickness/totalThickness(n, 1, 1.2);
 
     return controls;
@@ -190,6 +190,7 @@ Foam::prismLayerMesh Foam::testSurfaces::layeredMesh
     (
         wall,
         controls,
+        localHeights(),
         stageObserver{[](const word&) {}, [](const string&) {}}
     );
 }

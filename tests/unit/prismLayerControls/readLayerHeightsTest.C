@@ -8,7 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "layerSpacing.H"
-#include "readLayerThickness.H"
+#include "readLayerHeights.H"
 #include "thrownMessage.H"
 
 using namespace Foam;
@@ -54,9 +54,25 @@ static std::string ratioEntry()
 }
 
 
-static layerThickness read(const std::string& text, const label nLayers = n)
+//- What entries make of heights, and the general ones of none
+static heightSeries read
+(
+    const std::string& text,
+    const label nLayers = n,
+    const heightSeries& before = heightSeries()
+)
 {
-    return readLayerThickness(dictionaryOf(text), nLayers);
+    const dictionary dict(dictionaryOf(text));
+    heightEntries given(readLayerHeights(dict));
+    given.nSurfaceLayers = nLayers;
+    heightSeries result;
+
+    atEntriesOf
+    (
+        dict, [&]() { result = changedHeights(before, given, 1); }
+    );
+
+    return result;
 }
 
 
@@ -68,7 +84,7 @@ static std::string errorOf(const std::string& text, const label nLayers = n)
 
 static void expectThickness
 (
-    const layerThickness& thickness,
+    const heightSeries& thickness,
     const scalar first,
     const scalar ratio
 )
@@ -79,7 +95,7 @@ static void expectThickness
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
-TEST(readLayerThickness, anyPairDeterminesTheLayers)
+TEST(readLayerHeights, anyPairDeterminesTheLayers)
 {
     expectThickness(read(firstEntry() + finalEntry()), h1, alpha);
     expectThickness(read(firstEntry() + totalEntry()), h1, alpha);
@@ -90,7 +106,7 @@ TEST(readLayerThickness, anyPairDeterminesTheLayers)
 }
 
 
-TEST(readLayerThickness, layersMayBecomeThinner)
+TEST(readLayerHeights, layersMayBecomeThinner)
 {
     expectThickness
     (
@@ -99,9 +115,9 @@ TEST(readLayerThickness, layersMayBecomeThinner)
 }
 
 
-TEST(readLayerThickness, ratioHasADefault)
+TEST(readLayerHeights, ratioHasADefault)
 {
-    const scalar ratio = layerThickness().expansionRatio;
+    const scalar ratio = heightSeries().expansionRatio;
 
     expectThickness(read(firstEntry()), h1, ratio);
     EXPECT_NEAR
@@ -120,18 +136,7 @@ TEST(readLayerThickness, ratioHasADefault)
 }
 
 
-TEST(readLayerThickness, saysWhatIsMissing)
-{
-    expectWords
-    (
-        errorOf(ratioEntry()),
-        {"missing", "given: expansionRatio", "firstLayerThickness", "yPlus"}
-    );
-    expectWords(errorOf(""), {"missing", "given: none"});
-}
-
-
-TEST(readLayerThickness, saysWhatIsTooMuch)
+TEST(readLayerHeights, saysWhatIsTooMuch)
 {
     expectWords
     (
@@ -149,7 +154,7 @@ TEST(readLayerThickness, saysWhatIsTooMuch)
 }
 
 
-TEST(readLayerThickness, determinedRatioIsBounded)
+TEST(readLayerHeights, determinedRatioIsBounded)
 {
     expectWords
     (
@@ -164,7 +169,7 @@ TEST(readLayerThickness, determinedRatioIsBounded)
 }
 
 
-TEST(readLayerThickness, determinedThicknessIsBounded)
+TEST(readLayerHeights, determinedThicknessIsBounded)
 {
     expectWords
     (
@@ -179,7 +184,7 @@ TEST(readLayerThickness, determinedThicknessIsBounded)
 }
 
 
-TEST(readLayerThickness, heightsBeyondNumbersAreRefused)
+TEST(readLayerHeights, heightsBeyondNumbersAreRefused)
 {
     expectWords
     (
@@ -189,7 +194,7 @@ TEST(readLayerThickness, heightsBeyondNumbersAreRefused)
 }
 
 
-TEST(readLayerThickness, thicknessMustHoldTheLayer)
+TEST(readLayerHeights, thicknessMustHoldTheLayer)
 {
     expectWords
     (
@@ -204,7 +209,7 @@ TEST(readLayerThickness, thicknessMustHoldTheLayer)
 }
 
 
-TEST(readLayerThickness, oneLayerHasOneThickness)
+TEST(readLayerHeights, oneLayerHasOneThickness)
 {
     expectThickness(read("thickness 0.5;", 1), 0.5, 1.2);
     expectThickness
@@ -219,7 +224,7 @@ TEST(readLayerThickness, oneLayerHasOneThickness)
 }
 
 
-TEST(readLayerThickness, yPlusIsThatOfAFlatPlate)
+TEST(readLayerHeights, yPlusIsThatOfAFlatPlate)
 {
     // Water at 1 m/s, Re = 1e6
     const scalar skinFriction = 0.026/std::pow(1e6, 1.0/7);
@@ -232,7 +237,7 @@ TEST(readLayerThickness, yPlusIsThatOfAFlatPlate)
 }
 
 
-TEST(readLayerThickness, yPlusNeedsAllItsEntries)
+TEST(readLayerHeights, yPlusNeedsAllItsEntries)
 {
     expectWords
     (
@@ -252,15 +257,15 @@ TEST(readLayerThickness, yPlusNeedsAllItsEntries)
 }
 
 
-TEST(readLayerThickness, patchInheritsWhatItDoesNotSay)
+TEST(readLayerHeights, patchInheritsWhatItDoesNotSay)
 {
-    layerThickness general;
+    heightSeries general;
     general.firstLayerThickness = h1;
     general.expansionRatio = alpha;
 
     const auto readPatch = [&](const std::string& text)
     {
-        return readLayerThickness(dictionaryOf(text), n, general);
+        return read(text, n, general);
     };
 
     expectThickness(readPatch(""), h1, alpha);
@@ -270,6 +275,81 @@ TEST(readLayerThickness, patchInheritsWhatItDoesNotSay)
     expectThickness
     (
         readPatch("firstLayerThickness 1; expansionRatio 1.1;"), 1, 1.1
+    );
+}
+
+
+TEST(readLayerHeights, relativeSizesAreMultiplesOfTheUnit)
+{
+    heightEntries given
+    (
+        readLayerHeights
+        (
+            dictionaryOf
+            (
+                "relativeSizes yes; finalLayerThickness 0.5;"
+                " expansionRatio 1.1;"
+            )
+        )
+    );
+    given.nSurfaceLayers = n;
+
+    EXPECT_TRUE(given.relativeSizes);
+    expectThickness
+    (
+        changedHeights(heightSeries(), given, 0.02),
+        0.01/std::pow(1.1, n - 1),
+        1.1
+    );
+
+    // Metres on top of them, and alpha alone, have no unit
+    heightSeries before;
+    before.n = n;
+    before.firstLayerThickness = h1;
+    before.expansionRatio = alpha;
+    heightEntries ratioAlone;
+    ratioAlone.relativeSizes = true;
+    ratioAlone.expansionRatio = 1.1;
+
+    expectThickness(changedHeights(before, ratioAlone, 0.02), h1, 1.1);
+}
+
+
+TEST(readLayerHeights, yPlusIsNotRelative)
+{
+    expectWords
+    (
+        errorOf("relativeSizes yes; yPlus { target 1; U 1; nu 1e-6; L 1; }"),
+        {"yPlus gives a height in metres", "relativeSizes"}
+    );
+}
+
+
+TEST(readLayerHeights, partsInheritRelativeSizes)
+{
+    EXPECT_TRUE(readLayerHeights(dictionaryOf(""), true).relativeSizes);
+    EXPECT_FALSE
+    (
+        readLayerHeights(dictionaryOf("relativeSizes no;"), true).relativeSizes
+    );
+}
+
+
+TEST(readLayerHeights, reynoldsNumberIsKept)
+{
+    const heightEntries given
+    (
+        readLayerHeights
+        (
+            dictionaryOf("yPlus { target 30; U 50; nu 1.5e-5; L 4; }")
+        )
+    );
+
+    EXPECT_EQ(given.yPlus, 30);
+    EXPECT_NEAR(given.Re/(200/1.5e-5), 1, 1e-14);
+    EXPECT_EQ
+    (
+        given.firstLayerThickness, flatPlateThickness(30, 50, 1.5e-5, 4)
     );
 }
 

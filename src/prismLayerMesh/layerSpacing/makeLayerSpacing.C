@@ -1,0 +1,307 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "layerSpacing.H"
+#include "limitGradient.H"
+#include "pointHeights.H"
+#include "HashSet.H"
+#include "OStringStream.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Share of the area of the wall on which an automatic number of layers is
+//  enough for the last of them to be as high as asked for
+static const scalar automaticShare = 0.95;
+
+
+static bool hasRelativeSizes(const layerControls& controls)
+{
+    bool relative = controls.heights.relativeSizes;
+
+    for (const patchLayers& entry : controls.patches)
+    {
+        relative = relative || entry.heights.relativeSizes;
+    }
+    for (const layerRegion& region : controls.regions)
+    {
+        relative = relative || region.heights.relativeSizes;
+    }
+
+    return relative;
+}
+
+
+//- Number of layers until the last one is as high as asked for, at points that
+//  have a share of the area of the wall
+static label automaticNumber
+(
+    const wallSurface& wall,
+    const List<heightSeries>& heights,
+    const scalarField& finalHeights
+)
+{
+    scalarField areas(heights.size(), 0);
+
+    for (const face& f : wall.faces)
+    {
+        const scalar share = f.mag(wall.points)/f.size();
+
+        for (const label p : f)
+        {
+            areas[p] += share;
+        }
+    }
+
+    List<std::pair<scalar, label>> numbers(heights.size());
+
+    forAll(heights, p)
+    {
+        const heightSeries& here = heights[p];
+
+        if (here.expansionRatio <= 1)
+        {
+            FatalErrorInFunction
+                << "With nSurfaceLayers auto the expansionRatio must be more"
+                << " than 1; it is " << here.expansionRatio
+                << " at the point " << wall.points[p] << exit(FatalError);
+        }
+
+        const scalar growth =
+            max(finalHeights[p]/here.firstLayerThickness, 1.0);
+
+        numbers[p].first = 1 + ::log(growth)/::log(here.expansionRatio);
+        numbers[p].second = p;
+    }
+
+    std::sort(numbers.begin(), numbers.end());
+
+    scalar left = automaticShare*sum(areas);
+    label i = 0;
+    while (i + 1 < numbers.size() && (left -= areas[numbers[i].second]) > 0)
+    {
+        ++i;
+    }
+
+    // Rounded up, so that ratios are lowered rather than raised
+    return min(label(::ceil(numbers[i].first - 1e-6)), label(1000));
+}
+
+
+//- Lower the ratio where the last of n layers would be higher than asked for
+static void limitFinalHeight
+(
+    const label n,
+    const scalar finalHeight,
+    heightSeries& heights
+)
+{
+    heights.n = n;
+
+    if (n > 1)
+    {
+        const scalar growth =
+            max(finalHeight/heights.firstLayerThickness, 1.0);
+
+        heights.expansionRatio =
+            min(heights.expansionRatio, ::pow(growth, 1.0/(n - 1)));
+    }
+}
+
+
+//- The ratio with which n layers have first height and thickness of fewer, or
+//  are uniform
+static scalar ratioOfMore(const label n, const heightSeries& fewer)
+{
+    const scalar h1 = fewer.firstLayerThickness;
+    const scalar thickness = totalThickness(fewer.n, h1, fewer.expansionRatio);
+
+    return thickness > n*h1
+      ? fittedRatio(n, h1, thickness)
+      : min(fewer.expansionRatio, scalar(1));
+}
+
+
+//- "1e-05", or "1e-05 to 3e-05"
+template<class Type>
+static string range(const UList<Type>& values)
+{
+    const Type low = *std::min_element(values.begin(), values.end());
+    const Type high = *std::max_element(values.begin(), values.end());
+
+    OStringStream os;
+    os.precision(4);
+    os  << low;
+
+    if (high - low > 1e-9*high)
+    {
+        os  << " to " << high;
+    }
+
+    return os.str();
+}
+
+
+
+//- Empty where the height is not from y+
+static std::string yPlusLine
+(
+    const std::string& name,
+    const heightEntries& given
+)
+{
+    if (!(given.yPlus > 0))
+    {
+        return std::string();
+    }
+
+    OStringStream os;
+    os  << name.c_str() << ": y+ " << given.yPlus
+        << " of a turbulent flat plate at Re " << given.Re
+        << " is the first height " << given.firstLayerThickness << " m" << nl;
+
+    return os.str();
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::scalarField Foam::localEdgeLengths
+(
+    const wallSurface& wall,
+    const wallAddressing& addressing,
+    const scalar growth
+)
+{
+    scalarField lengths(wall.points.size());
+
+    forAll(lengths, p)
+    {
+        const labelList& neighbours = addressing.pointPoints[p];
+        scalar sum = 0;
+
+        for (const label q : neighbours)
+        {
+            sum += mag(wall.points[q] - wall.points[p]);
+        }
+
+        lengths[p] = sum/neighbours.size();
+    }
+
+    limitRatio(addressing, growth, lengths);
+
+    return lengths;
+}
+
+
+Foam::layerSpacing Foam::makeLayerSpacing
+(
+    const wallSurface& wall,
+    const wallAddressing& addressing,
+    const layerControls& controls,
+    const localHeights& local
+)
+{
+    scalarField edges;
+    if (controls.automatic() || hasRelativeSizes(controls))
+    {
+        edges = localEdgeLengths(wall, addressing, controls.transitionRatio);
+    }
+
+    const pointHeights asked(wall, addressing, controls, local, edges);
+    List<heightSeries> heights(wall.points.size());
+    label n = 1;
+
+    forAll(heights, p)
+    {
+        heights[p] = asked.of(p);
+        n = max(n, heights[p].n);
+    }
+
+    if (controls.automatic())
+    {
+        const scalarField finalHeights(controls.finalAspect*edges);
+        n = automaticNumber(wall, heights, finalHeights);
+
+        forAll(heights, p)
+        {
+            limitFinalHeight(n, finalHeights[p], heights[p]);
+        }
+    }
+
+    layerSpacing spacing;
+    spacing.nLayers = n;
+    spacing.firstThickness.setSize(heights.size());
+    spacing.ratio.setSize(heights.size());
+    spacing.thickness.setSize(heights.size());
+    spacing.layersAsked.setSize(heights.size());
+
+    forAll(heights, p)
+    {
+        const heightSeries& here = heights[p];
+        const scalar h1 = here.firstLayerThickness;
+        const scalar ratio =
+            here.n < n ? ratioOfMore(n, here) : here.expansionRatio;
+
+        spacing.firstThickness[p] = h1;
+        spacing.ratio[p] = ratio;
+        spacing.thickness[p] = totalThickness(n, h1, ratio);
+        spacing.layersAsked[p] = here.n;
+    }
+
+    return spacing;
+}
+
+
+Foam::string Foam::describe
+(
+    const layerSpacing& asked,
+    const wallSurface& wall,
+    const layerControls& controls
+)
+{
+    List<labelHashSet> points(wall.patchNames.size());
+
+    forAll(wall.faces, facei)
+    {
+        points[wall.patchIDs[facei]].insert(wall.faces[facei]);
+    }
+
+    std::string text(yPlusLine("layers", controls.heights));
+    for (const patchLayers& entry : controls.patches)
+    {
+        text += yPlusLine(entry.patches, entry.heights);
+    }
+    for (const layerRegion& region : controls.regions)
+    {
+        text += yPlusLine(region.name, region.heights);
+    }
+
+    forAll(points, patchi)
+    {
+        const layerSpacing here(asked.at(points[patchi].sortedToc()));
+
+        text += (patchi ? "\n" : "") + wall.patchNames[patchi]
+          + ": layers " + range(here.layersAsked)
+          + ", first height " + range(here.firstThickness)
+          + " m, ratio " + range(here.ratio)
+          + ", thickness " + range(here.thickness) + " m";
+    }
+
+    return text;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,145 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "readLocalHeights.H"
+#include "regionPoints.H"
+#include "surfaceValues.H"
+#include "boundBox.H"
+#include "OStringStream.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Of a surface with values from the wall, over the diagonal of its bounding
+//  box
+static const scalar maxDistance = 0.01;
+
+
+static void checkHeights
+(
+    const heightField& field,
+    const pointField& points,
+    const scalarField& heights
+)
+{
+    forAll(heights, p)
+    {
+        // Written so that a value that is not a number fails
+        if
+        (
+           !(
+                heights[p] >= heightSeries::minThickness
+             && heights[p] <= heightSeries::maxThickness
+            )
+        )
+        {
+            FatalErrorInFunction
+                << "The value of " << field.file << " at the point "
+                << points[p] << " of the wall is " << heights[p]
+                << "; it must be from " << heightSeries::minThickness << " to "
+                << heightSeries::maxThickness << exit(FatalError);
+        }
+    }
+}
+
+
+static scalarField readHeights
+(
+    const heightField& field,
+    const wallSurface& wall,
+    const wallSurfaceControls& surface,
+    const std::function<fileName(const fileName&)>& file,
+    const Time& time,
+    string& found
+)
+{
+    scalarField heights;
+
+    if (!field.isGiven())
+    {
+        return heights;
+    }
+
+    const surfaceValues source
+    (
+        field.field.size()
+      ? readVtkValues(file(field.file), field.field, time)
+      : readListValues(file(field.file), file(surface.file), surface.scale)
+    );
+    const scalar distance = interpolate(source, wall.points, heights);
+    const scalar diagonal = boundBox(wall.points, false).mag();
+
+    if (distance > maxDistance*diagonal)
+    {
+        FatalErrorInFunction
+            << "The surface with values " << field.file << " is " << distance
+            << " m away from a point of the wall; is it that of another body,"
+            << " or in other units?" << exit(FatalError);
+    }
+
+    checkHeights(field, wall.points, heights);
+
+    OStringStream os;
+    os  << nl << field.file.c_str() << ' ' << field.field << ": "
+        << min(heights) << " to " << max(heights)
+        << " m, farthest point of the wall " << distance << " m";
+    found += os.str();
+
+    return heights;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::localHeights Foam::readLocalHeights
+(
+    const wallSurface& wall,
+    const prismLayerControls& controls,
+    const std::function<fileName(const fileName&)>& file,
+    const Time& time,
+    string& found
+)
+{
+    const layerControls& layers = controls.layers;
+    localHeights local;
+    found = name(layers.regions.size()) + " regions, "
+      + name
+        (
+            label(layers.firstLayerField.isGiven())
+          + label(layers.thicknessField.isGiven())
+        )
+      + " fields";
+
+    local.firstThickness = readHeights
+    (
+        layers.firstLayerField, wall, controls.surface, file, time, found
+    );
+    local.thickness = readHeights
+    (
+        layers.thicknessField, wall, controls.surface, file, time, found
+    );
+
+    for (const layerRegion& region : layers.regions)
+    {
+        local.inRegion.append(regionPoints(region, wall.points, time));
+
+        found += "\nregion " + region.name + ": "
+          + name(findIndices(local.inRegion.last(), true).size())
+          + " points of the wall";
+    }
+
+    return local;
+}
+
+
+// ************************************************************************* //

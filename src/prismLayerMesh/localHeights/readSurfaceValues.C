@@ -1,0 +1,238 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "surfaceValues.H"
+#include "surfaceFile.H"
+#include "FlatOutput.H"
+#include "IFstream.H"
+#include "scalarIOField.H"
+#include "labelIOField.H"
+#include "vtkUnstructuredReader.H"
+
+#include <map>
+#include <tuple>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- The smallest value of the faces around each point, or at the same place
+static scalarField smallestOfFaces
+(
+    const wallSurface& surface,
+    const scalarField& ofFaces
+)
+{
+    typedef std::tuple<scalar, scalar, scalar> place;
+    std::map<place, scalar> smallest;
+
+    const auto placeOf = [&](const label p)
+    {
+        const point& x = surface.points[p];
+
+        return place(x.x(), x.y(), x.z());
+    };
+
+    forAll(surface.faces, facei)
+    {
+        for (const label p : surface.faces[facei])
+        {
+            const auto found =
+                smallest.emplace(placeOf(p), ofFaces[facei]).first;
+            found->second = min(found->second, ofFaces[facei]);
+        }
+    }
+
+    scalarField ofPoints(surface.points.size(), 0);
+
+    for (const face& f : surface.faces)
+    {
+        for (const label p : f)
+        {
+            ofPoints[p] = smallest[placeOf(p)];
+        }
+    }
+
+    return ofPoints;
+}
+
+
+//- The values of a field that may have been written as integers. Returns
+//  whether the registry has it.
+static bool findValues
+(
+    const objectRegistry& fields,
+    const word& name,
+    scalarField& values
+)
+{
+    if (fields.foundObject<scalarIOField>(name))
+    {
+        values = fields.lookupObject<scalarIOField>(name);
+
+        return true;
+    }
+
+    if (fields.foundObject<labelIOField>(name))
+    {
+        const labelIOField& labels = fields.lookupObject<labelIOField>(name);
+        values.setSize(labels.size());
+
+        forAll(labels, i)
+        {
+            values[i] = labels[i];
+        }
+
+        return true;
+    }
+
+    return false;
+}
+
+
+static scalarField readList(const fileName& file)
+{
+    IFstream is(file);
+    token first(is);
+    is.putBack(first);
+
+    if (first.isWord() && first.wordToken() == "FoamFile")
+    {
+        is.read(first);
+        const dictionary header(is);
+        is.format(header.lookupOrDefault<word>("format", "ascii"));
+    }
+
+    return scalarField(is);
+}
+
+
+static void checkFile(const fileName& file)
+{
+    if (!isFile(file))
+    {
+        FatalErrorInFunction
+            << "Cannot read the values " << file << ": there is no such file"
+            << exit(FatalError);
+    }
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::surfaceValues Foam::readVtkValues
+(
+    const fileName& file,
+    const word& field,
+    const Time& time
+)
+{
+    checkFile(file);
+
+    {
+        // The reader's message does not say what to do
+        IFstream is(file);
+        string line;
+        is.getLine(line);
+        is.getLine(line);
+        is.getLine(line);
+
+        if (line != "ASCII")
+        {
+            FatalErrorInFunction
+                << "Cannot read the values " << file << ": it is not a legacy"
+                << " VTK file in ascii; ParaView saves a surface as one"
+                << exit(FatalError);
+        }
+    }
+
+    // It tells all of its steps otherwise
+    vtkUnstructuredReader::debug = 0;
+    IFstream is(file);
+    const vtkUnstructuredReader reader(time, is);
+
+    surfaceValues result;
+    result.surface.points = reader.points();
+    result.surface.faces = reader.faces();
+
+    if (result.surface.faces.empty())
+    {
+        FatalErrorInFunction
+            << "Cannot read the values " << file << ": it has no triangles,"
+            << " quadrilaterals or polygons" << exit(FatalError);
+    }
+
+    scalarField ofCells;
+
+    if (findValues(reader.pointData(), field, result.values))
+    {
+        return result;
+    }
+
+    if (!findValues(reader.cellData(), field, ofCells))
+    {
+        FatalErrorInFunction
+            << "Cannot read the values " << file << ": it has no field "
+            << field << nl << "Fields of points: "
+            << flatOutput(reader.pointData().sortedToc())
+            << ", of cells: " << flatOutput(reader.cellData().sortedToc())
+            << exit(FatalError);
+    }
+
+    result.values = smallestOfFaces
+    (
+        result.surface, scalarField(ofCells, reader.faceMap())
+    );
+
+    return result;
+}
+
+
+Foam::surfaceValues Foam::readListValues
+(
+    const fileName& file,
+    const fileName& surfaceFile,
+    const scalar scale
+)
+{
+    checkFile(file);
+
+    bool separateFaces = false;
+    surfaceValues result;
+    result.surface = readSurfaceFile(surfaceFile, separateFaces);
+    result.surface.points *= scale;
+    result.values = readList(file);
+
+    const label nPoints = result.surface.points.size();
+    const label nFaces = result.surface.faces.size();
+    const label n = result.values.size();
+
+    if ((n == nPoints) == (n == nFaces) || (n == nPoints && separateFaces))
+    {
+        FatalErrorInFunction
+            << "The list " << file << " has " << n << " values, the surface "
+            << surfaceFile << " has " << nPoints << " points and " << nFaces
+            << " faces: it is not clear what the values are of"
+            << exit(FatalError);
+    }
+
+    if (n == nFaces)
+    {
+        result.values =
+            smallestOfFaces(result.surface, scalarField(result.values));
+    }
+
+    return result;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,87 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "surfaceValues.H"
+#include "triSurfaceSearch.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static barycentric2D coordinates
+(
+    const pointField& points,
+    const face& triangle,
+    const point& x
+)
+{
+    // triangle takes small ones for degenerate: as if it were of length 1
+    const point& origin = points[triangle[0]];
+    const vector a(points[triangle[1]] - origin);
+    const vector b(points[triangle[2]] - origin);
+    const scalar length = max(max(mag(a), mag(b)), VSMALL);
+
+    return triPointRef(Zero, a/length, b/length)
+       .pointToBarycentric((x - origin)/length);
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::scalar Foam::interpolate
+(
+    const surfaceValues& source,
+    const pointField& points,
+    scalarField& values
+)
+{
+    labelList triangleFace;
+    const faceList triangles(wallTriangles(source.surface, triangleFace));
+
+    List<labelledTri> labelled(triangles.size());
+    forAll(triangles, i)
+    {
+        const face& f = triangles[i];
+        labelled[i] = labelledTri(f[0], f[1], f[2], 0);
+    }
+
+    const triSurface surface(labelled, source.surface.points);
+    const triSurfaceSearch search(surface);
+
+    List<pointIndexHit> hits;
+    search.findNearest(points, scalarField(points.size(), GREAT), hits);
+
+    values.setSize(points.size());
+    scalar farthest = 0;
+
+    forAll(points, p)
+    {
+        const face& f = triangles[hits[p].index()];
+        const barycentric2D weights
+        (
+            coordinates(source.surface.points, f, hits[p].hitPoint())
+        );
+
+        values[p] = 0;
+        for (direction i = 0; i < 3; ++i)
+        {
+            values[p] += weights[i]*source.values[f[i]];
+        }
+
+        farthest = max(farthest, mag(hits[p].hitPoint() - points[p]));
+    }
+
+    return farthest;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,335 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "readLayerControls.H"
+#include "controlEntries.H"
+#include "DynamicList.H"
+#include "readLayerHeights.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Numbers of layers that the general entries leave to patches and regions
+static label readNumber(const dictionary& dict, const layerControls& general)
+{
+    label n = 0;
+    readBounded(dict, "nSurfaceLayers", label(1), label(1000), n);
+
+    if (n && general.automatic())
+    {
+        entryError(dict, "nSurfaceLayers")
+            << "Value of nSurfaceLayers for " << dict.dictName() << " is " << n
+            << ", but the number of layers is auto, for all of the wall"
+            << exit(FatalIOError);
+    }
+
+    return n;
+}
+
+
+//- An automatic number of layers follows from h1 and alpha
+static void checkAutomatic(const dictionary& dict, const heightEntries& given)
+{
+    if (given.finalLayerThickness > 0 || given.thickness > 0)
+    {
+        entryError(dict, dict.dictName())
+            << "With nSurfaceLayers auto, " << dict.dictName() << " may have"
+            << " firstLayerThickness, or yPlus, and expansionRatio; given: "
+            << givenKeys(given).c_str() << exit(FatalIOError);
+    }
+}
+
+
+//- Entries for a part of the wall, tried on the general ones
+static heightEntries readPart
+(
+    const dictionary& dict,
+    const layerControls& general
+)
+{
+    heightEntries given
+    (
+        readLayerHeights(dict, general.heights.relativeSizes)
+    );
+    given.nSurfaceLayers = readNumber(dict, general);
+
+    if (general.automatic())
+    {
+        checkAutomatic(dict, given);
+    }
+
+    // In other units they are tried on each point
+    if (given.relativeSizes == general.heights.relativeSizes)
+    {
+        atEntriesOf(dict, [&]()
+        {
+            const heightSeries before
+            (
+                changedHeights(heightSeries(), general.heights, 1)
+            );
+            changedHeights(before, given, 1);
+        });
+    }
+
+    return given;
+}
+
+
+static layerRegion readRegion
+(
+    const dictionary& dict,
+    const layerControls& general
+)
+{
+    wordList keys({"geometry", "mode", "distance"});
+    keys.append(layerHeightKeys);
+    checkKeys(dict, keys);
+
+    layerRegion region;
+    region.name = dict.dictName();
+    region.geometry = mandatoryDict(dict, "geometry");
+
+    word mode("inside");
+    readChoice(dict, "mode", {"inside", "outside", "distance"}, mode);
+    region.mode =
+        mode == "inside" ? layerRegion::modes::inside
+      : mode == "outside" ? layerRegion::modes::outside
+      : layerRegion::modes::distance;
+
+    const bool hasDistance =
+        readBounded(dict, "distance", SMALL, GREAT, region.distance);
+
+    if (hasDistance != (region.mode == layerRegion::modes::distance))
+    {
+        entryError(dict, hasDistance ? "distance" : "mode")
+            << "The region " << region.name << " has mode " << mode
+            << (hasDistance ? " with a distance" : " without a distance")
+            << exit(FatalIOError);
+    }
+
+    region.heights = readPart(dict, general);
+
+    return region;
+}
+
+
+static heightField readHeightField(const dictionary& dict)
+{
+    checkKeys(dict, {"file", "field"});
+
+    heightField field;
+    dict.readEntry("file", field.file);
+    dict.readIfPresent("field", field.field);
+
+    if (field.file.empty())
+    {
+        entryError(dict, "file")
+            << "Value of file is empty; it must be the name of a file of values"
+            << exit(FatalIOError);
+    }
+
+    return field;
+}
+
+
+//- Sub-dictionaries, each given to read
+template<class Read>
+static void forEntries
+(
+    const dictionary& dict,
+    const word& key,
+    const Read& read
+)
+{
+    const dictionary& entries = optionalDict(dict, key);
+
+    for (const entry& e : entries)
+    {
+        if (!e.isDict())
+        {
+            entryError(entries, e.keyword())
+                << "The entry " << e.keyword() << " of " << key
+                << " must be a dictionary" << exit(FatalIOError);
+        }
+
+        read(e.keyword(), e.dict());
+    }
+}
+
+
+static void readFields(const dictionary& dict, layerControls& controls)
+{
+    checkKeys
+    (
+        optionalDict(dict, "fields"), {"firstLayerThickness", "thickness"}
+    );
+
+    forEntries
+    (
+        dict, "fields",
+        [&](const keyType& key, const dictionary& values)
+        {
+            heightField& field = key == "thickness"
+              ? controls.thicknessField : controls.firstLayerField;
+            field = readHeightField(values);
+        }
+    );
+
+    if (controls.automatic() && controls.thicknessField.isGiven())
+    {
+        entryError(dict, "fields")
+            << "With nSurfaceLayers auto, fields may have firstLayerThickness"
+            << " alone" << exit(FatalIOError);
+    }
+}
+
+
+//- n, or auto
+static void readGeneralNumber(const dictionary& dict, layerControls& controls)
+{
+    label& n = controls.heights.nSurfaceLayers;
+    ITstream* is = nullptr;
+
+    if (!dict.found("nSurfaceLayers", keyType::LITERAL))
+    {
+        entryError(dict, "nSurfaceLayers")
+            << "The entry nSurfaceLayers of " << dict.dictName()
+            << " is missing" << exit(FatalIOError);
+    }
+
+    is = &dict.lookup("nSurfaceLayers", keyType::LITERAL);
+
+    if (is->size() && (*is)[0].isWord())
+    {
+        word value;
+        readChoice(dict, "nSurfaceLayers", {"auto"}, value);
+    }
+    else
+    {
+        readBounded(dict, "nSurfaceLayers", label(1), label(1000), n);
+    }
+
+    const bool hasAspect = readBounded
+    (
+        dict, "finalAspect", scalar(0.01), scalar(100), controls.finalAspect
+    );
+
+    if (hasAspect && !controls.automatic())
+    {
+        entryError(dict, "finalAspect")
+            << "finalAspect is for nSurfaceLayers auto, but there are to be "
+            << n << " layers" << exit(FatalIOError);
+    }
+}
+
+
+static void readGeneralHeights(const dictionary& dict, layerControls& controls)
+{
+    controls.heights = readLayerHeights(dict);
+    heightEntries& given = controls.heights;
+    readGeneralNumber(dict, controls);
+
+    if (controls.automatic())
+    {
+        checkAutomatic(dict, given);
+    }
+
+    if
+    (
+        !(given.firstLayerThickness > 0)
+     && !(given.finalLayerThickness > 0)
+     && !(given.thickness > 0)
+    )
+    {
+        entryError(dict, dict.dictName())
+            << "The height of the layers of " << dict.dictName()
+            << " is missing; given: " << givenKeys(given).c_str() << nl
+            << "Give firstLayerThickness, yPlus, finalLayerThickness or"
+            << " thickness" << exit(FatalIOError);
+    }
+
+    atEntriesOf(dict, [&]()
+    {
+        heightSeries one;
+        one.n = 1;
+        changedHeights(one, given, 1);
+    });
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::layerControls Foam::readLayerControls(const dictionary& dict)
+{
+    wordList keys(layerHeightKeys);
+    keys.append
+    (
+        wordList
+        ({
+            "finalAspect",
+            "transitionRatio",
+            "maxStretch",
+            "multipleNormalsAngle",
+            "fields",
+            "patches",
+            "regions"
+        })
+    );
+    checkKeys(dict, keys);
+
+    layerControls controls;
+    readGeneralHeights(dict, controls);
+    readFields(dict, controls);
+    readBounded
+    (
+        dict, "transitionRatio",
+        scalar(1.01), scalar(100), controls.transitionRatio
+    );
+    readBounded
+    (
+        dict, "maxStretch", scalar(1), scalar(10), controls.maxStretch
+    );
+    readBounded
+    (
+        dict, "multipleNormalsAngle", scalar(0), scalar(90),
+        controls.multipleNormalsAngle
+    );
+
+    DynamicList<patchLayers> patches;
+    forEntries
+    (
+        dict, "patches",
+        [&](const keyType& key, const dictionary& entries)
+        {
+            checkKeys(entries, layerHeightKeys);
+            patches.append(patchLayers{key, readPart(entries, controls)});
+        }
+    );
+    controls.patches.transfer(patches);
+
+    DynamicList<layerRegion> regions;
+    forEntries
+    (
+        dict, "regions",
+        [&](const keyType&, const dictionary& entries)
+        {
+            regions.append(readRegion(entries, controls));
+        }
+    );
+    controls.regions.transfer(regions);
+
+    return controls;
+}
+
+
+// ************************************************************************* //

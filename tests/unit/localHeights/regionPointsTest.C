@@ -1,0 +1,134 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "regionPoints.H"
+#include "testSurfaces.H"
+#include "StringStream.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+static layerRegion regionOf(const std::string& geometry)
+{
+    layerRegion region;
+    region.name = "part";
+    region.geometry = dictionary(IStringStream(geometry)());
+
+    return region;
+}
+
+
+//- Number of points on which the region and a criterion differ
+template<class Criterion>
+static label nDifferent(const layerRegion& region, const Criterion& isIn)
+{
+    const pointField points(testSurfaces::cube(7).points);
+    const autoPtr<Time> time(Time::New());
+    const boolList in(regionPoints(region, points, time()));
+    label n = 0;
+
+    forAll(points, p)
+    {
+        n += in[p] != isIn(points[p]);
+    }
+
+    return n;
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(regionPoints, insideAndOutsideOfABox)
+{
+    layerRegion region
+    (
+        regionOf("type searchableBox; min (-1 -1 -1); max (2 0.5 0.5);")
+    );
+    const auto inBox = [](const point& x)
+    {
+        return x.y() < 0.5 && x.z() < 0.5;
+    };
+
+    EXPECT_EQ(nDifferent(region, inBox), 0);
+
+    region.mode = layerRegion::modes::outside;
+    EXPECT_EQ
+    (
+        nDifferent(region, [&](const point& x) { return !inBox(x); }), 0
+    );
+}
+
+
+TEST(regionPoints, insideOfASphereAndACylinder)
+{
+    EXPECT_EQ
+    (
+        nDifferent
+        (
+            regionOf("type searchableSphere; centre (1 1 1); radius 0.6;"),
+            [](const point& x) { return mag(x - point(1, 1, 1)) < 0.6; }
+        ),
+        0
+    );
+    EXPECT_EQ
+    (
+        nDifferent
+        (
+            regionOf
+            (
+                "type searchableCylinder; point1 (0 0 -1); point2 (0 0 2);"
+                " radius 0.7;"
+            ),
+            [](const point& x) { return ::hypot(x.x(), x.y()) < 0.7; }
+        ),
+        0
+    );
+}
+
+
+TEST(regionPoints, nearASurfaceWithoutInside)
+{
+    layerRegion region
+    (
+        regionOf
+        (
+            "type searchablePlate; origin (0 0 0.5); span (1 1 0);"
+        )
+    );
+    region.mode = layerRegion::modes::distance;
+    region.distance = 0.3;
+
+    EXPECT_EQ
+    (
+        nDifferent
+        (
+            region, [](const point& x) { return mag(x.z() - 0.5) < 0.3; }
+        ),
+        0
+    );
+
+    region.mode = layerRegion::modes::inside;
+    std::string message;
+    try
+    {
+        nDifferent(region, [](const point&) { return true; });
+    }
+    catch (const Foam::error& e)
+    {
+        message = e.message();
+    }
+    EXPECT_NE(message.find("region part"), std::string::npos) << message;
+    EXPECT_NE(message.find("not closed"), std::string::npos) << message;
+}
+
+
+// ************************************************************************* //

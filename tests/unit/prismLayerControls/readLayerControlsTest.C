@@ -1,0 +1,193 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "minimalControls.H"
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Of layers with one more entry
+static std::string errorOfLayers(const std::string& entry)
+{
+    return errorOf
+    (
+        surface
+      + "layers { nSurfaceLayers 20; firstLayerThickness 1e-4; " + entry
+      + " }"
+    );
+}
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(readLayerControls, everyPatchHasLayers)
+{
+    expectWords
+    (
+        errorOfLayers("patches { symmetry { nSurfaceLayers 0; } }"),
+        {"nSurfaceLayers is 0", "1 to 1000"}
+    );
+}
+
+
+TEST(readLayerControls, heightsMustBeGiven)
+{
+    expectWords
+    (
+        errorOf(surface + "layers { nSurfaceLayers 2; expansionRatio 1.1; }"),
+        {"missing", "given: expansionRatio", "firstLayerThickness", "yPlus"}
+    );
+    expectWords
+    (
+        errorOf(surface + "layers { nSurfaceLayers 2; }"),
+        {"missing", "given: none"}
+    );
+}
+
+
+TEST(readLayerControls, automaticNumberOfLayers)
+{
+    const auto read = [](const std::string& text)
+    {
+        return readControls
+        (
+            surface + "layers { nSurfaceLayers auto; " + text + " }"
+        ).layers;
+    };
+    const layerControls controls
+    (
+        read("firstLayerThickness 1e-3; finalAspect 0.5;")
+    );
+
+    EXPECT_TRUE(controls.automatic());
+    EXPECT_EQ(controls.finalAspect, 0.5);
+
+    expectWords
+    (
+        thrownMessage([&]() { read("thickness 1;"); }),
+        {"nSurfaceLayers auto", "given: thickness"}
+    );
+    expectWords
+    (
+        thrownMessage([&]()
+        {
+            read("firstLayerThickness 1; patches { a { nSurfaceLayers 2; } }");
+        }),
+        {"nSurfaceLayers for a is 2", "auto"}
+    );
+    expectWords
+    (
+        thrownMessage([&]()
+        {
+            read("firstLayerThickness 1; fields { thickness { file f; } }");
+        }),
+        {"auto", "fields may have firstLayerThickness"}
+    );
+    expectWords
+    (
+        errorOfLayers("finalAspect 1;"),
+        {"finalAspect is for nSurfaceLayers auto", "20 layers"}
+    );
+    expectWords
+    (
+        errorOf(surface + "layers { nSurfaceLayers many; thickness 1; }"),
+        {"nSurfaceLayers is many", "auto"}
+    );
+}
+
+
+TEST(readLayerControls, regions)
+{
+    const layerControls controls
+    (
+        readControls
+        (
+            surface
+          + "layers { nSurfaceLayers 20; firstLayerThickness 1e-4; regions {"
+            " wake { geometry { type searchableSphere; } mode distance;"
+            " distance 0.1; firstLayerThickness 1e-5; }"
+            " nose { geometry { type searchableBox; } nSurfaceLayers 7; } } }"
+        ).layers
+    );
+
+    ASSERT_EQ(controls.regions.size(), 2);
+    EXPECT_EQ(controls.regions[0].name, "wake");
+    EXPECT_EQ(controls.regions[0].mode, layerRegion::modes::distance);
+    EXPECT_EQ(controls.regions[0].distance, 0.1);
+    EXPECT_EQ(controls.regions[0].heights.firstLayerThickness, 1e-5);
+    EXPECT_EQ
+    (
+        controls.regions[0].geometry.get<word>("type"), "searchableSphere"
+    );
+    EXPECT_EQ(controls.regions[1].mode, layerRegion::modes::inside);
+    EXPECT_EQ(controls.regions[1].heights.nSurfaceLayers, 7);
+}
+
+
+TEST(readLayerControls, regionsAreChecked)
+{
+    expectWords(errorOfLayers("regions { a {} }"), {"geometry", "missing"});
+    expectWords
+    (
+        errorOfLayers("regions { a { geometry {} mode near; } }"),
+        {"mode is near", "inside, outside, distance"}
+    );
+    expectWords
+    (
+        errorOfLayers("regions { a { geometry {} mode distance; } }"),
+        {"region a", "mode distance without a distance"}
+    );
+    expectWords
+    (
+        errorOfLayers("regions { a { geometry {} distance 1; } }"),
+        {"region a", "mode inside with a distance"}
+    );
+    expectWords
+    (
+        errorOfLayers
+        (
+            "regions { a { geometry {} firstLayerThickness 2; thickness 1; } }"
+        ),
+        {"thickness is 1", "more than 2"}
+    );
+}
+
+
+TEST(readLayerControls, fieldsOfHeights)
+{
+    const layerControls controls
+    (
+        readControls
+        (
+            surface
+          + "layers { nSurfaceLayers 20; firstLayerThickness 1e-4; fields {"
+            " firstLayerThickness { file \"h.vtk\"; field h1; }"
+            " thickness { file delta; } } }"
+        ).layers
+    );
+
+    EXPECT_EQ(controls.firstLayerField.file, "h.vtk");
+    EXPECT_EQ(controls.firstLayerField.field, "h1");
+    EXPECT_EQ(controls.thicknessField.file, "delta");
+    EXPECT_TRUE(controls.thicknessField.field.empty());
+
+    expectWords
+    (
+        errorOfLayers("fields { expansionRatio { file f; } }"),
+        {"Unknown key expansionRatio", "firstLayerThickness, thickness"}
+    );
+    expectWords
+    (
+        errorOfLayers("fields { thickness { file \"\"; } }"),
+        {"file is empty"}
+    );
+}
+
+
+// ************************************************************************* //
