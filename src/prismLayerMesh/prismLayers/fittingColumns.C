@@ -59,19 +59,36 @@ static labelList fittedFaces(const layerFront& front, const scalar maxStretch)
 }
 
 
-//- Mean length of the edges of a column's point on the wall [m]
-static scalar meanEdge(const layerFront& front, const label c)
+//- Mean length of the edges of the points of columns on the wall [m]
+static scalarField meanEdges(const layerFront& front)
 {
     const pointField& points = front.surface.points;
-    const labelList& neighbours = front.addressing.pointPoints[c];
+    scalarField means(points.size(), 0);
 
-    scalar sum = 0;
-    for (const label q : neighbours)
+    forAll(means, c)
     {
-        sum += mag(points[q] - points[c]);
+        const labelList& neighbours = front.addressing.pointPoints[c];
+
+        for (const label q : neighbours)
+        {
+            means[c] += mag(points[q] - points[c])/neighbours.size();
+        }
     }
 
-    return sum/neighbours.size();
+    return means;
+}
+
+
+static vectorField unitNormals(const wallSurface& wall, const labelUList& faces)
+{
+    vectorField normals(faces.size());
+
+    forAll(normals, k)
+    {
+        normals[k] = normalised(wall.faces[faces[k]].areaNormal(wall.points));
+    }
+
+    return normals;
 }
 
 
@@ -106,6 +123,7 @@ static labelList mobileFaces
 Foam::scalarField Foam::movingColumns::lackingHeights
 (
     const labelUList& faces,
+    const vectorField& normals,
     const label i
 )
 {
@@ -115,13 +133,12 @@ Foam::scalarField Foam::movingColumns::lackingHeights
     forAll(faces, k)
     {
         const face& f = layers_.faces[faces[k]];
-        const vector n(normalised(f.areaNormal(wall)));
 
         for (const label c : f)
         {
             lacking[k] +=
             (
-                heightsOf(c)[i] - ((layers_(c, i) - wall[c]) & n)
+                heightsOf(c)[i] - ((layers_(c, i) - wall[c]) & normals[k])
             )/f.size();
         }
     }
@@ -133,11 +150,10 @@ Foam::scalarField Foam::movingColumns::lackingHeights
 Foam::scalarField Foam::movingColumns::mobilities
 (
     const labelUList& faces,
-    const boolList& barred
+    const scalarField& lacking
 )
 {
-    const scalarField lacking(lackingHeights(faces, 1));
-    boolList mobile(barred.size(), false);
+    boolList mobile(front_.wallPoints.size(), false);
 
     forAll(faces, k)
     {
@@ -158,10 +174,10 @@ Foam::scalarField Foam::movingColumns::mobilities
         }
     }
 
-    scalarField result(barred.size(), 0);
+    scalarField result(mobile.size(), 0);
     forAll(result, c)
     {
-        result[c] = mobile[c] && !barred[c];
+        result[c] = mobile[c];
     }
 
     return result;
@@ -195,6 +211,7 @@ bool Foam::movingColumns::lowerMobilities
 void Foam::movingColumns::displace
 (
     const vectorField& displacements,
+    const scalarField& reach,
     const label i
 )
 {
@@ -209,7 +226,7 @@ void Foam::movingColumns::displace
 
         // The less, the longer the column: those are to be smooth
         const scalar h = heightsOf(c)[i];
-        const scalar share = 1/(1 + sqr(h/meanEdge(front_, c)));
+        const scalar share = 1/(1 + sqr(h/reach[c]));
         const scalar excess = mag(d)/(maxDisplacement*h);
 
         layers_.points[layers_.index(c, i)] += share/max(excess, scalar(1))*d;
@@ -219,17 +236,31 @@ void Foam::movingColumns::displace
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::labelList Foam::movingColumns::fit(const boolList& barred)
+void Foam::movingColumns::fit
+(
+    const scalar reach,
+    const std::function<void(label c)>& moving
+)
 {
     const labelList fitted(fittedFaces(front_, maxStretch_));
-    scalarField m(mobilities(fitted, barred));
+    scalarField m
+    (
+        mobilities
+        (
+            fitted,
+            lackingHeights(fitted, unitNormals(front_.surface, fitted), 1)
+        )
+    );
+
     heightFit heights
     (
         front_.surface, mobileFaces(layers_.faces, fitted, m)
     );
     const labelList& faces = heights.faces();
+    const vectorField normals(unitNormals(front_.surface, faces));
+    const scalarField reaches(reach*meanEdges(front_));
 
-    const scalarField lacking(lackingHeights(faces, 1));
+    const scalarField lacking(lackingHeights(faces, normals, 1));
     bool lowered = true;
 
     for (label k = 0; k < maxLowerings && lowered; ++k)
@@ -238,23 +269,25 @@ Foam::labelList Foam::movingColumns::fit(const boolList& barred)
         lowered = lowerMobilities(heights.displacements(lacking), m);
     }
 
-    #pragma omp parallel for schedule(dynamic, 1)
-    for (label i = 1; i <= spacing_.nLayers; ++i)
-    {
-        displace(heights.displacements(lackingHeights(faces, i)), i);
-    }
-
-    DynamicList<label> moved(m.size());
     forAll(m, c)
     {
         if (m[c] > 0)
         {
-            moved.append(c);
+            moving(c);
             touch(c);
         }
     }
 
-    return labelList(std::move(moved));
+    #pragma omp parallel for schedule(dynamic, 1)
+    for (label i = 1; i <= spacing_.nLayers; ++i)
+    {
+        displace
+        (
+            heights.displacements(lackingHeights(faces, normals, i)),
+            reaches,
+            i
+        );
+    }
 }
 
 

@@ -26,6 +26,13 @@ static const scalar goodShare = 0.3;
 //  long.
 static const label maxRounds = 4;
 
+//- Heights up to which columns are fitted, over the length of their edges
+static const scalarList reaches({1, 0.3, 0.1});
+
+//- How often first heights are made even: what has to be taken back may leave
+//  neighbours that are lower
+static const label maxEvenings = 3;
+
 //- Fault of a stack that must not be
 static const scalar forbidden = 1e3;
 
@@ -95,8 +102,12 @@ public:
     //- Give height back to columns that retreated
     void grow();
 
-    //- Fit columns to what heights ask for
+    //- Fit columns to what heights ask for, those that have to be taken back
+    //  again nearer to the wall
     void fit();
+
+    //- No first heights that are too high, or change too much along the wall
+    void even();
 
     //- Take columns back until all can be certified
     void settle();
@@ -266,12 +277,29 @@ void stackImprovement::grow()
 
 void stackImprovement::fit()
 {
-    forAll(barred_, c)
+    for (const scalar reach : reaches)
+    {
+        columns_.fit
+        (
+            reach,
+            [&](const label c) { before_.insert(c, columns_.postureOf(c)); }
+        );
+        settle();
+    }
+}
+
+
+void stackImprovement::even()
+{
+    const auto moving = [&](const label c)
     {
         before_.insert(c, columns_.postureOf(c));
-    }
+    };
 
-    before_.retain(labelHashSet(columns_.fit(barred_)));
+    for (label i = 0; i < maxEvenings && columns_.even(moving); ++i)
+    {
+        settle();
+    }
 }
 
 } // End namespace Foam
@@ -303,7 +331,7 @@ void Foam::improveStacks
     improvement.lean();
     improvement.settle();
     improvement.fit();
-    improvement.settle();
+    improvement.even();
 }
 
 

@@ -133,7 +133,7 @@ void Foam::movingColumns::resume(const label c, const posture& before)
     straightened_[c] = before.straightened;
     columns_.room[c] = before.room;
     columns_.causes[c] = before.cause;
-    build(c);
+    SubList<point>(layers_.points, n, layers_.index(c, 1)) = before.points;
 }
 
 
@@ -223,6 +223,7 @@ Foam::movingColumns::posture Foam::movingColumns::postureOf
     return posture
     {
         vectorField(SubList<vector>(columns_.offsets, n, c*n)),
+        pointField(SubList<point>(layers_.points, n, layers_.index(c, 1))),
         straightened_[c],
         columns_.room[c],
         columns_.causes[c]

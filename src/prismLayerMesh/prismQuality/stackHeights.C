@@ -110,11 +110,17 @@ void Foam::stackHeights::collect
 
 void Foam::stackHeights::compute(const label facei)
 {
+    compute(facei, layers_.nLayers);
+}
+
+
+void Foam::stackHeights::compute(const label facei, const label nLayers)
+{
     collect(facei, 0, lower_);
     faceGeometry lowerFace(lower_);
     wallArea_ = mag(lowerFace.area);
 
-    for (label i = 1; i <= layers_.nLayers; ++i)
+    for (label i = 1; i <= nLayers; ++i)
     {
         collect(facei, i, upper_);
         const faceGeometry upperFace(upper_);

@@ -56,6 +56,16 @@ static layerFront unevenBall()
 }
 
 
+//- The columns that fit moves
+static labelList fitted(movableColumns& m, const scalar reach = 1)
+{
+    DynamicList<label> moved;
+    m.moving.fit(reach, [&](const label c) { moved.append(c); });
+
+    return labelList(std::move(moved));
+}
+
+
 static scalar largestError(const scalarField& heights)
 {
     return max(mag(heights - 1));
@@ -69,7 +79,7 @@ TEST(fittingColumns, facesGetTheHeightAskedFor)
     movableColumns m(unevenBall());
 
     EXPECT_GT(largestError(firstHeights(m)), 0.02);
-    EXPECT_GT(m.moving.fit(boolList(m.nColumns(), false)).size(), 0);
+    EXPECT_GT(fitted(m).size(), 0);
     EXPECT_LT(largestError(firstHeights(m)), 0.01);
 }
 
@@ -80,25 +90,25 @@ TEST(fittingColumns, thoseOfRightHeightOrFullLengthStay)
     movableColumns m(testSurfaces::frontOf(testSurfaces::cube(8), 0));
     const pointField before(m.moving.layers().points);
 
-    EXPECT_TRUE(m.moving.fit(boolList(m.nColumns(), false)).empty());
+    EXPECT_TRUE(fitted(m).empty());
     EXPECT_EQ(m.moving.layers().points, before);
 }
 
 
-TEST(fittingColumns, barredOnesStay)
+TEST(fittingColumns, reachIsWhereDisplacementsFade)
 {
-    movableColumns m(unevenBall());
-    boolList barred(m.nColumns(), false);
-    UIndirectList<bool>(barred, someColumns(m, 30)) = true;
-
-    const pointField before(m.moving.layers().points);
-    m.moving.fit(barred);
-
-    for (const label c : movedColumns(m, before))
+    const auto displacements = [](const scalar reach)
     {
-        EXPECT_FALSE(barred[c]);
-    }
-    EXPECT_GT(movedColumns(m, before).size(), 20);
+        movableColumns m(unevenBall());
+        const pointField before(m.moving.layers().points);
+        fitted(m, reach);
+
+        return scalarField(mag(m.moving.layers().points - before));
+    };
+    const scalarField far(displacements(1)), near(displacements(0.05));
+
+    EXPECT_LT(sum(near), 0.5*sum(far));
+    EXPECT_GT(sum(near), 0);
 }
 
 
@@ -109,7 +119,7 @@ TEST(fittingColumns, facesAroundThoseDisplacedAreMoved)
     m.moving.takeMoved();
 
     const pointField before(m.moving.layers().points);
-    const labelList displaced(m.moving.fit(boolList(m.nColumns(), false)));
+    const labelList displaced(fitted(m));
     const labelList faces(facesOf(m, displaced));
 
     EXPECT_EQ(m.moving.takeCandidates(), faces);
@@ -128,7 +138,7 @@ TEST(fittingColumns, noneGoesFar)
     {
         movableColumns m(front);
         const pointField before(m.moving.layers().points);
-        m.moving.fit(boolList(m.nColumns(), false));
+        fitted(m);
 
         forAll(before, k)
         {
@@ -151,7 +161,7 @@ TEST(fittingColumns, restoredOnesAreWhereTheyWere)
     const pointField before(m.moving.layers().points);
     const movingColumns::posture own(m.moving.postureOf(5));
 
-    m.moving.fit(boolList(m.nColumns(), false));
+    fitted(m);
     m.moving.restore(5, own);
 
     EXPECT_FALSE(movedColumns(m, before).found(5));

@@ -260,7 +260,7 @@ TEST(makePrismLayers, heightsAscend)
 }
 
 
-TEST(makePrismLayers, roomIsAllExactlyWithoutCauseOrAtTheBoundOnStretch)
+TEST(makePrismLayers, whatIsShorterThanAskedForHasACause)
 {
     for (const layeredShape& s : shapes())
     {
@@ -269,10 +269,18 @@ TEST(makePrismLayers, roomIsAllExactlyWithoutCauseOrAtTheBoundOnStretch)
         {
             const squeezeCause cause = s.mesh.columns.causes[p];
 
-            EXPECT_EQ
+            const bool full =
+                s.mesh.columns.room[p] == s.mesh.spacing.thickness[p];
+
+            // Beside lower ones the first layer alone may be lower
+            EXPECT_TRUE
             (
-                cause == squeezeCause::none || cause == squeezeCause::stretch,
-                s.mesh.columns.room[p] == s.mesh.spacing.thickness[p]
+                cause == squeezeCause::neighbour
+             || full
+             == (
+                    cause == squeezeCause::none
+                 || cause == squeezeCause::stretch
+                )
             );
         }
     }

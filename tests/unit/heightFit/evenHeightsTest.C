@@ -1,0 +1,171 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "evenHeights.H"
+#include "testSurfaces.H"
+#include "Random.H"
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Faces of a wall on columns of these heights
+static evenHeights given(const wallSurface& wall, const scalarField& columns)
+{
+    evenHeights heights;
+    heights.faces = wall.faces;
+    heights.neighbours = makeWallAddressing(wall).edgeFaces;
+    heights.largest.setSize(wall.faces.size(), 10);
+    heights.heights.setSize(wall.faces.size());
+
+    forAll(wall.faces, facei)
+    {
+        heights.heights[facei] =
+            scalarList(UIndirectList<scalar>(columns, wall.faces[facei])());
+    }
+
+    return heights;
+}
+
+
+static scalarField faceHeights
+(
+    const evenHeights& heights,
+    const scalarField& factors
+)
+{
+    scalarField result(heights.faces.size(), 0);
+
+    forAll(result, facei)
+    {
+        const face& f = heights.faces[facei];
+        forAll(f, k)
+        {
+            result[facei] += heights.heights[facei][k]*factors[f[k]]/f.size();
+        }
+    }
+
+    return result;
+}
+
+
+static scalar largestChange
+(
+    const evenHeights& heights,
+    const scalarField& factors
+)
+{
+    const scalarField h(faceHeights(heights, factors));
+    scalar largest = 1;
+
+    for (const labelPair& pair : heights.neighbours)
+    {
+        const scalar a = h[pair.first()], b = h[pair.second()];
+        largest = max(largest, max(a, b)/min(a, b));
+    }
+
+    return largest;
+}
+
+
+static label nEqualToOne(const scalarField& factors)
+{
+    return std::count(factors.begin(), factors.end(), 1.0);
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(evenHeights, evenOnesStay)
+{
+    const wallSurface wall(testSurfaces::sphere(6));
+    const label n = wall.points.size();
+
+    EXPECT_EQ
+    (
+        given(wall, scalarField(n, 1.0)).factors(n), scalarField(n, 1.0)
+    );
+}
+
+
+TEST(evenHeights, changesAreBoundedAroundLowColumns)
+{
+    for
+    (
+        const wallSurface& wall
+      : {testSurfaces::sphere(8), testSurfaces::quadCube(10)}
+    )
+    {
+        const label n = wall.points.size();
+
+        for (const scalar low : {0.5, 0.1, 0.001})
+        {
+            scalarField columns(n, 1.0);
+            columns[17] = low;
+            const evenHeights heights(given(wall, columns));
+            const scalarField factors(heights.factors(n));
+
+            EXPECT_LT(largestChange(heights, factors), 1.302);
+
+            // It is not lowered itself, nor what is far away
+            EXPECT_EQ(factors[17], 1);
+            EXPECT_GT(nEqualToOne(factors), n/2);
+        }
+    }
+}
+
+
+TEST(evenHeights, roughColumnsBecomeEven)
+{
+    const wallSurface wall(testSurfaces::sphere(10));
+    const label n = wall.points.size();
+    Random random(5);
+    scalarField columns(n);
+
+    for (scalar& h : columns)
+    {
+        h = std::exp(3*random.sample01<scalar>());
+    }
+
+    evenHeights heights(given(wall, columns));
+    heights.largest = 100;
+    const scalarField factors(heights.factors(n));
+
+    EXPECT_GT(largestChange(heights, scalarField(n, 1.0)), 2);
+    EXPECT_LT(largestChange(heights, factors), 1.302);
+    EXPECT_LE(max(factors), 1);
+    EXPECT_GT(min(factors), 0.02);
+}
+
+
+TEST(evenHeights, tallestColumnsOfFacesTooHighComeDown)
+{
+    evenHeights heights;
+    heights.faces = faceList({face({0, 1, 2})});
+    heights.heights = List<scalarList>({scalarList({1, 2, 3})});
+    heights.largest = scalarField(1, 1.5);
+
+    // 1 + 1.75 + 1.75 = 3*1.5
+    const scalarField factors(heights.factors(3));
+    EXPECT_EQ(factors[0], 1);
+    EXPECT_NEAR(factors[1], 1.75/2, 1e-12);
+    EXPECT_NEAR(factors[2], 1.75/3, 1e-12);
+
+    heights.largest = 0.3;
+    const scalarField all(heights.factors(3));
+    EXPECT_NEAR(all[0], 0.3, 1e-12);
+    EXPECT_NEAR(all[2], 0.1, 1e-12);
+}
+
+
+// ************************************************************************* //
