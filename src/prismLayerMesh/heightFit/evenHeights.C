@@ -20,8 +20,13 @@ namespace Foam
 //  least one face further
 static const label maxSweeps = 100;
 
-//- What is left of the height of a column at least
-static const scalar smallestFactor = 0.02;
+//- What is left of the height of a column at least: a first height that is
+//  right counts for more than one that is even beside a place that is not
+static const scalar smallestFactor = 0.5;
+
+//- Height to which columns are lowered at least, over that of the neighbour for
+//  which they are
+static const scalar lowestShare = 0.8;
 
 //- Excess of a face that is let be
 static const scalar slack = 1e-3;
@@ -155,22 +160,29 @@ bool heightSweeps::lowerTallest(const label facei)
 bool heightSweeps::lowerBeside(const label facei, const label other)
 {
     const face& f = given_.faces[facei];
-    const scalar sum =
-        f.size()*given_.maxChange*faceHeights_[other];
+    const scalar bound = given_.maxChange*faceHeights_[other];
     scalar shared = 0, own = 0;
+    label nOwn = 0;
 
     forAll(f, k)
     {
         const bool isShared = given_.faces[other].found(f[k]);
         (isShared ? shared : own) += height(facei, k);
+        nOwn += !isShared;
     }
 
-    const scalar factor = (sum - shared)/max(own, VSMALL);
+    // Not so low that they would be the low ones
+    const scalar lowered = max
+    (
+        f.size()*bound - shared, nOwn*lowestShare*faceHeights_[other]
+    );
     bool any = false;
 
     for (const label c : f)
     {
-        any |= !given_.faces[other].found(c) && lower(c, factor);
+        any |=
+            !given_.faces[other].found(c)
+         && lower(c, lowered/max(own, VSMALL));
     }
 
     return any;

@@ -32,6 +32,11 @@ static const label maxPasses = 4;
 static const scalar lengthSmoothing = 0.25;
 static const label maxLengthPasses = 10;
 
+//- Bound on the length of a column over its height at the wall, and the height
+//  over the length of edges where it is on half of its way to maxStretch
+static const scalar nearWallStretch = 10;
+static const scalar nearWallHeight = 0.05;
+
 //- Smallest angle to a face, as a share of what the axis of the cone has
 static const scalar coneMargin = 0.2;
 
@@ -95,7 +100,6 @@ static void setRoom
     const wallVisibility& visibility,
     const scalarField& clearance,
     const layerSpacing& spacing,
-    const scalar maxStretch,
     layerColumns& columns
 )
 {
@@ -110,7 +114,7 @@ static void setRoom
         {
             columns.causes[p] = squeezeCause::gap;
         }
-        else if (isStretched(visibility, p, maxStretch))
+        else if (isStretched(visibility, p, columns.stretch(p, asked[p])))
         {
             columns.causes[p] = squeezeCause::stretch;
         }
@@ -133,6 +137,34 @@ static void setRoom
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::scalar Foam::layerColumns::stretch
+(
+    const label p,
+    const scalar height
+) const
+{
+    // The length is height*(maxStretch + ...), which always grows with it
+    const scalar excess = max(nearWallStretch - maxStretch, scalar(0));
+
+    return maxStretch + excess/(1 + height/(nearWallHeight*edges[p]));
+}
+
+
+Foam::vector Foam::layerColumns::axisOffset
+(
+    const wallVisibility& visibility,
+    const label p,
+    const scalar height
+) const
+{
+    const vector& axis = visibility.cones[p].axis;
+
+    return axis
+       /max(visibility.heightCosine(p, axis), 1/stretch(p, height));
+}
+
+
 
 Foam::label Foam::layerColumns::layerAt
 (
@@ -177,7 +209,7 @@ Foam::vector Foam::columnOffset
     const wallVisibility& visibility,
     const label p,
     const vector& direction,
-    const scalar maxStretch
+    const scalar stretch
 )
 {
     const vector& axis = visibility.cones[p].axis;
@@ -185,7 +217,7 @@ Foam::vector Foam::columnOffset
 
     // Not so far over that the stretch would take height away
     const scalar smallest =
-        min(1/maxStretch, visibility.heightCosine(p, axis));
+        min(1/stretch, visibility.heightCosine(p, axis));
     const scalar cosine = visibility.heightCosine(p, d);
 
     if (cosine < smallest)
@@ -195,7 +227,7 @@ Foam::vector Foam::columnOffset
         d = normalised(d + min(s, scalar(1))*(axis - d));
     }
 
-    return d/max(visibility.heightCosine(p, d), 1/maxStretch);
+    return d/max(visibility.heightCosine(p, d), 1/stretch);
 }
 
 
@@ -203,11 +235,11 @@ bool Foam::isStretched
 (
     const wallVisibility& visibility,
     const label p,
-    const scalar maxStretch
+    const scalar stretch
 )
 {
     return
-        visibility.heightCosine(p, visibility.cones[p].axis)*maxStretch
+        visibility.heightCosine(p, visibility.cones[p].axis)*stretch
       < 1 - SMALL;
 }
 
@@ -278,10 +310,9 @@ Foam::layerColumns Foam::makeLayerColumns
     columns.heights = requestedHeights(spacing);
     columns.offsets.setSize(nPoints*n);
     columns.lengthFactors.setSize(nPoints*n, 1);
-    setRoom
-    (
-        wall, addressing, visibility, clearance, spacing, maxStretch, columns
-    );
+    columns.edges = meanEdges(wall, addressing);
+    columns.maxStretch = maxStretch;
+    setRoom(wall, addressing, visibility, clearance, spacing, columns);
 
     // From layer to layer the smoothed directions take up what the lines turn,
     // and are spread by what the square of the height grows
@@ -308,8 +339,11 @@ Foam::layerColumns Foam::makeLayerColumns
 
         for (label p = 0; p < nPoints; ++p)
         {
-            columns.offsets[p*n + i] =
-                columnOffset(visibility, p, smoothed[p], maxStretch);
+            columns.offsets[p*n + i] = columnOffset
+            (
+                visibility, p, smoothed[p],
+                columns.stretch(p, columns.heights[p*n + i])
+            );
         }
 
         if (i > 0)

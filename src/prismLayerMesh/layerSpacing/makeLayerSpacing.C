@@ -185,21 +185,7 @@ Foam::scalarField Foam::localEdgeLengths
     const scalar growth
 )
 {
-    scalarField lengths(wall.points.size());
-
-    forAll(lengths, p)
-    {
-        const labelList& neighbours = addressing.pointPoints[p];
-        scalar sum = 0;
-
-        for (const label q : neighbours)
-        {
-            sum += mag(wall.points[q] - wall.points[p]);
-        }
-
-        lengths[p] = sum/neighbours.size();
-    }
-
+    scalarField lengths(meanEdges(wall, addressing));
     limitRatio(addressing, growth, lengths);
 
     return lengths;

@@ -258,10 +258,7 @@ static void makeLayers
     observer.end(text(m.columns.room.size(), " columns"));
 
     observer.begin("prismLayers");
-    m.layers = makePrismLayers
-    (
-        front, spacing, controls.layers.maxStretch, m.columns
-    );
+    m.layers = makePrismLayers(front, spacing, m.columns);
     nameTransitions(m.request.at(front.wallPoints), spacing, m.columns);
     observer.end
     (

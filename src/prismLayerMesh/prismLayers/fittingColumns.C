@@ -30,8 +30,13 @@ static const label maxLowerings = 3;
 
 
 //- Faces whose heights can be fitted: not those between columns, without area,
-//  nor with a column that is as long as it may be
-static labelList fittedFaces(const layerFront& front, const scalar maxStretch)
+//  nor with a column that is as long as it may be at its first layer
+static labelList fittedFaces
+(
+    const layerFront& front,
+    const layerSpacing& spacing,
+    const layerColumns& columns
+)
 {
     DynamicList<label> fitted(front.nWallFaces);
 
@@ -45,7 +50,11 @@ static labelList fittedFaces(const layerFront& front, const scalar maxStretch)
             f.end(),
             [&](const label c)
             {
-                return isStretched(front.visibility, c, maxStretch);
+                return isStretched
+                (
+                    front.visibility, c,
+                    columns.stretch(c, spacing.firstThickness[c])
+                );
             }
         );
 
@@ -56,26 +65,6 @@ static labelList fittedFaces(const layerFront& front, const scalar maxStretch)
     }
 
     return labelList(std::move(fitted));
-}
-
-
-//- Mean length of the edges of the points of columns on the wall [m]
-static scalarField meanEdges(const layerFront& front)
-{
-    const pointField& points = front.surface.points;
-    scalarField means(points.size(), 0);
-
-    forAll(means, c)
-    {
-        const labelList& neighbours = front.addressing.pointPoints[c];
-
-        for (const label q : neighbours)
-        {
-            means[c] += mag(points[q] - points[c])/neighbours.size();
-        }
-    }
-
-    return means;
 }
 
 
@@ -242,7 +231,7 @@ void Foam::movingColumns::fit
     const std::function<void(label c)>& moving
 )
 {
-    const labelList fitted(fittedFaces(front_, maxStretch_));
+    const labelList fitted(fittedFaces(front_, spacing_, columns_));
     scalarField m
     (
         mobilities
@@ -258,7 +247,7 @@ void Foam::movingColumns::fit
     );
     const labelList& faces = heights.faces();
     const vectorField normals(unitNormals(front_.surface, faces));
-    const scalarField reaches(reach*meanEdges(front_));
+    const scalarField reaches(reach*columns_.edges);
 
     const scalarField lacking(lackingHeights(faces, normals, 1));
     bool lowered = true;

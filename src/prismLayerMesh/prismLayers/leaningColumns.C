@@ -33,17 +33,16 @@ static const label nLeans = 8;
 Foam::vectorField Foam::movingColumns::standing(const label c) const
 {
     const label n = spacing_.nLayers;
-    const vector& axis = front_.visibility.cones[c].axis;
     const scalar s = straightened_[c];
-    const vector straight
-    (
-        columnOffset(front_.visibility, c, axis, maxStretch_)
-    );
 
     vectorField offsets(n);
     for (label i = 0; i < n; ++i)
     {
-        offsets[i] = (1 - s)*columns_.offsets[c*n + i] + s*straight;
+        offsets[i] = (1 - s)*columns_.offsets[c*n + i]
+          + s*columns_.axisOffset
+            (
+                front_.visibility, c, columns_.heights[c*n + i]
+            );
     }
 
     return offsets;
@@ -117,7 +116,8 @@ void Foam::movingColumns::stand
     {
         columns_.offsets[c*n + i] = columnOffset
         (
-            front_.visibility, c, directions[i], maxStretch_
+            front_.visibility, c, directions[i],
+            columns_.stretch(c, columns_.heights[c*n + i])
         )*columns_.lengthFactors[c*n + i];
     }
 

@@ -263,11 +263,10 @@ Foam::prismLayers Foam::makePrismLayers
 (
     const layerFront& front,
     const layerSpacing& spacing,
-    const scalar maxStretch,
     layerColumns& columns
 )
 {
-    movingColumns moving(front, spacing, maxStretch, columns);
+    movingColumns moving(front, spacing, columns);
     const scalarField best(bestJacobians(front.surface, front.visibility));
     labelList patience(front.surface.faces.size(), maxPatience);
 

@@ -91,17 +91,16 @@ void Foam::movingColumns::build(const label c, label i)
     const wallVisibility& visibility = front_.visibility;
     const scalar* heights = heightsOf(c);
 
-    const vector axis
-    (
-        columnOffset(visibility, c, visibility.cones[c].axis, maxStretch_)
-    );
     const scalar s = straightened_[c];
 
     for (; i <= n; ++i)
     {
         layers_.points[layers_.index(c, i)] = front_.surface.points[c]
           + heights[i]
-           *((1 - s)*columns_.offset(c, heights[i]) + s*axis);
+           *(
+                (1 - s)*columns_.offset(c, heights[i])
+              + s*columns_.axisOffset(visibility, c, heights[i])
+            );
     }
 }
 
@@ -145,13 +144,11 @@ Foam::movingColumns::movingColumns
 (
     const layerFront& front,
     const layerSpacing& spacing,
-    const scalar maxStretch,
     layerColumns& columns
 )
 :
     front_(front),
     spacing_(spacing),
-    maxStretch_(maxStretch),
     columns_(columns),
     firstRoom_(columns.room),
     firstCauses_(columns.causes),
@@ -286,7 +283,8 @@ bool Foam::movingColumns::turn(const labelUList& columns)
 
         turned[k] = columnOffset
         (
-            front_.visibility, c, own + share*(mean - own), maxStretch_
+            front_.visibility, c, own + share*(mean - own),
+            columns_.stretch(c, columns_.heights[c*n + k % n])
         )*columns_.lengthFactors[c*n + k % n];
     }
 

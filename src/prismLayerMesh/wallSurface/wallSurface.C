@@ -182,6 +182,28 @@ Foam::wallAddressing Foam::makeWallAddressing(const wallSurface& wall)
 }
 
 
+Foam::scalarField Foam::meanEdges
+(
+    const wallSurface& wall,
+    const wallAddressing& addressing
+)
+{
+    scalarField means(wall.points.size(), 0);
+
+    forAll(means, p)
+    {
+        const labelList& neighbours = addressing.pointPoints[p];
+
+        for (const label q : neighbours)
+        {
+            means[p] += mag(wall.points[q] - wall.points[p])/neighbours.size();
+        }
+    }
+
+    return means;
+}
+
+
 Foam::faceList Foam::wallTriangles
 (
     const wallSurface& wall,
