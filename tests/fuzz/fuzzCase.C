@@ -42,10 +42,35 @@ static std::string oneLine(const std::string& text)
 }
 
 
+//- Layers that there must be: the most that any part of the wall asks for
+static label nAsked(const layerControls& controls, const layerSpacing& asked)
+{
+    if (controls.automatic())
+    {
+        return asked.nLayers;
+    }
+
+    label n = controls.heights.nSurfaceLayers;
+
+    for (const patchLayers& entry : controls.patches)
+    {
+        n = max(n, entry.heights.nSurfaceLayers);
+    }
+    for (const layerRegion& region : controls.regions)
+    {
+        n = max(n, region.heights.nSurfaceLayers);
+    }
+
+    // It may be that no point is left to those who ask for the most
+    return min(n, max(asked.layersAsked));
+}
+
+
 static void mesh
 (
     const wallSurface& wall,
     const prismLayerControls& controls,
+    const localHeights& local,
     const listener& tell
 )
 {
@@ -55,7 +80,7 @@ static void mesh
         (
             wall,
             controls,
-            localHeights(),
+            local,
             stageObserver
             {
                 [&](const word& stage) { tell("stage", stage); },
@@ -78,7 +103,7 @@ static void mesh
     {
         tell("failed", "the certificate is not valid");
     }
-    else if (m.layers.nLayers != controls.layers.heights.nSurfaceLayers)
+    else if (m.layers.nLayers != nAsked(controls.layers, m.request))
     {
         tell("failed", "the number of layers is not what was asked for");
     }
@@ -96,11 +121,12 @@ static void makeAndMesh(const fuzzCase& one, const listener& tell)
 
     wallSurface wall;
     prismLayerControls controls;
+    localHeights local;
 
     try
     {
         tell("stage", "surface");
-        one.make(wall, controls);
+        one.make(wall, controls, local);
         const List<wallDefect> defects(findWallDefects(wall));
 
         if (defects.size())
@@ -118,7 +144,7 @@ static void makeAndMesh(const fuzzCase& one, const listener& tell)
 
     try
     {
-        mesh(wall, controls, tell);
+        mesh(wall, controls, local, tell);
     }
     catch (const Foam::error& e)
     {
@@ -282,7 +308,8 @@ bool Foam::writeSurface(const fuzzCase& one, const fileName& file)
         {
             wallSurface wall;
             prismLayerControls controls;
-            one.make(wall, controls);
+            localHeights local;
+            one.make(wall, controls, local);
 
             const layerControls& layers = controls.layers;
             std::FILE* out = std::fopen(file.c_str(), "w");

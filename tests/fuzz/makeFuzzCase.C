@@ -59,6 +59,58 @@ static void splitPatches
     controls.patches = List<patchLayers>(1, other);
 }
 
+//- A region on one side of a plane, of other layers
+static void addRegion
+(
+    const wallSurface& wall,
+    layerControls& controls,
+    localHeights& local,
+    Random& random
+)
+{
+    const vector normal(randomSurfaces::unitVector(random));
+    const point& origin =
+        wall.points[random.position<label>(0, wall.points.size() - 1)];
+
+    layerRegion region;
+    region.name = "region";
+    region.heights.nSurfaceLayers = random.position<label>(1, 20);
+    region.heights.expansionRatio = random.position<scalar>(1, 1.4);
+    region.heights.relativeSizes = randomSurfaces::chance(random, 0.3);
+    region.heights.firstLayerThickness =
+        region.heights.relativeSizes
+      ? randomSurfaces::logUniform(random, 0.001, 0.1)
+      : controls.heights.firstLayerThickness
+       *randomSurfaces::logUniform(random, 0.2, 5);
+    controls.regions = List<layerRegion>(1, region);
+
+    boolList in(wall.points.size());
+    forAll(in, p)
+    {
+        in[p] = (normal & (wall.points[p] - origin)) >= 0;
+    }
+    local.inRegion = List<boolList>(1, in);
+}
+
+
+//- First heights that are rough along the wall
+static void addValues
+(
+    const wallSurface& wall,
+    const layerControls& controls,
+    localHeights& local,
+    Random& random
+)
+{
+    local.firstThickness.setSize(wall.points.size());
+
+    for (scalar& h : local.firstThickness)
+    {
+        h = controls.heights.firstLayerThickness
+           *randomSurfaces::logUniform(random, 0.3, 3);
+    }
+}
+
 } // End namespace Foam
 
 
@@ -67,7 +119,8 @@ static void splitPatches
 void Foam::fuzzCase::make
 (
     wallSurface& wall,
-    prismLayerControls& controls
+    prismLayerControls& controls,
+    localHeights& local
 ) const
 {
     Random random(mixed(seed, index));
@@ -93,6 +146,33 @@ void Foam::fuzzCase::make
     if (randomSurfaces::chance(random, 0.3))
     {
         layers.multipleNormalsAngle = random.position<scalar>(0, 60);
+    }
+
+    // Other numbers, so that these leave those above as they are
+    Random more(mixed(seed, index) + 1);
+
+    if (randomSurfaces::chance(more, 0.15))
+    {
+        addRegion(wall, layers, local, more);
+    }
+    if (randomSurfaces::chance(more, 0.1))
+    {
+        addValues(wall, layers, local, more);
+    }
+    if (randomSurfaces::chance(more, 0.1) && layers.patches.size())
+    {
+        layers.patches[0].heights.nSurfaceLayers = more.position<label>(1, 20);
+    }
+    if (randomSurfaces::chance(more, 0.05) && layers.regions.empty())
+    {
+        layers.heights.nSurfaceLayers = 0;
+        layers.heights.expansionRatio = max(ratio, scalar(1.1));
+        layers.finalAspect = more.position<scalar>(0.05, 1);
+
+        for (patchLayers& entry : layers.patches)
+        {
+            entry.heights.nSurfaceLayers = 0;
+        }
     }
 }
 

@@ -137,15 +137,23 @@ scalar cellMesh::openness(const label celli) const
 {
     vector sum(Zero);
     scalar magnitude = VSMALL;
+    scalar rounding = 0;
 
     for (const label facei : cells_[celli])
     {
-        const vector area(mesh_.faces[facei].areaNormal(points_));
+        const face& f = mesh_.faces[facei];
+        const vector area(f.areaNormal(points_));
         sum += pointsInto(facei, celli) ? -area : area;
         magnitude += mag(area);
+
+        // Its centre is rounded as its coordinates are
+        for (const edge& e : f.edges())
+        {
+            rounding += e.mag(points_)*1e-15*mag(points_[e.start()]);
+        }
     }
 
-    return mag(sum)/magnitude;
+    return max(mag(sum) - rounding, scalar(0))/magnitude;
 }
 
 

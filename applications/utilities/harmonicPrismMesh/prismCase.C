@@ -240,7 +240,7 @@ void Foam::prismCase::write
         )
     );
     report.noField = m.noField;
-    report.points = m.pointKinds;
+    report.points = countKinds(m.pointKinds);
     report.nFurtherColumns = m.front.furtherRoots().size();
     report.nRetreats = m.columns.nRetreats;
 

@@ -20,9 +20,11 @@ namespace Foam
 //  least one face further
 static const label maxSweeps = 100;
 
-//- What is left of the height of a column at least: a first height that is
-//  right counts for more than one that is even beside a place that is not
-static const scalar smallestFactor = 0.5;
+//- What is left of the height of a column at least where a face is too high,
+//  and where it is higher than a neighbour: a first height that is right counts
+//  for more than one that is even beside a place that is not
+static const scalar leastForBound = 0.1;
+static const scalar leastForNeighbour = 0.7;
 
 //- Height to which columns are lowered at least, over that of the neighbour for
 //  which they are
@@ -49,8 +51,9 @@ class heightSweeps
 
     void setFaceHeight(label facei);
 
-    //- Lower a column by a factor. False where it is low enough.
-    bool lower(label c, scalar factor);
+    //- Lower a column by a factor, not below least of what it was at first.
+    //  False where it stays.
+    bool lower(label c, scalar factor, scalar least);
 
     //- Lower the tallest columns of a face that is too high
     bool lowerTallest(label facei);
@@ -103,9 +106,14 @@ void heightSweeps::setFaceHeight(const label facei)
 }
 
 
-bool heightSweeps::lower(const label c, const scalar factor)
+bool heightSweeps::lower
+(
+    const label c,
+    const scalar factor,
+    const scalar least
+)
 {
-    const scalar lowered = max(factors_[c]*factor, smallestFactor);
+    const scalar lowered = max(factors_[c]*factor, least);
 
     if (lowered >= factors_[c])
     {
@@ -150,7 +158,9 @@ bool heightSweeps::lowerTallest(const label facei)
     for (label k = 0; k < m; ++k)
     {
         const scalar h = height(facei, k);
-        any |= h > level && lower(given_.faces[facei][k], level/h);
+        any |=
+            h > level
+         && lower(given_.faces[facei][k], level/h, leastForBound);
     }
 
     return any;
@@ -182,7 +192,7 @@ bool heightSweeps::lowerBeside(const label facei, const label other)
     {
         any |=
             !given_.faces[other].found(c)
-         && lower(c, lowered/max(own, VSMALL));
+         && lower(c, lowered/max(own, VSMALL), leastForNeighbour);
     }
 
     return any;

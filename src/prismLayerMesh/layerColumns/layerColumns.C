@@ -244,30 +244,6 @@ bool Foam::isStretched
 }
 
 
-void Foam::nameTransitions
-(
-    const layerSpacing& asked,
-    const layerSpacing& graded,
-    layerColumns& columns
-)
-{
-    forAll(columns.causes, c)
-    {
-        if
-        (
-            columns.causes[c] == squeezeCause::none
-         && (
-                graded.thickness[c] < asked.thickness[c]
-             || graded.firstThickness[c] < asked.firstThickness[c]
-            )
-        )
-        {
-            columns.causes[c] = squeezeCause::transition;
-        }
-    }
-}
-
-
 Foam::scalarField Foam::requestedHeights(const layerSpacing& spacing)
 {
     const label n = spacing.nLayers;

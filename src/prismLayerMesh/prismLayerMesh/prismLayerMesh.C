@@ -11,6 +11,7 @@ License
 #include "diffusionTensor.H"
 #include "harmonicField.H"
 #include "makePrismLayers.H"
+#include "nameCauses.H"
 #include "wallClearance.H"
 #include "OStringStream.H"
 #include "unitConversion.H"
@@ -93,8 +94,11 @@ static void makeRoom
 
     observer.begin("wallVisibility");
     m.visibility = makeWallVisibility(wall, m.addressing);
-    m.pointKinds = countKinds(wall, m.addressing, m.visibility);
-    observer.end(text("cones of points:", numbersOf(m.pointKinds).c_str()));
+    m.pointKinds = kindsOfPoints(wall, m.addressing, m.visibility);
+    observer.end
+    (
+        text("cones of points:", numbersOf(countKinds(m.pointKinds)).c_str())
+    );
 
     observer.begin("layerFront");
     m.front = makeLayerFront
@@ -259,7 +263,11 @@ static void makeLayers
 
     observer.begin("prismLayers");
     m.layers = makePrismLayers(front, spacing, m.columns);
-    nameTransitions(m.request.at(front.wallPoints), spacing, m.columns);
+    nameCauses
+    (
+        front, m.pointKinds, m.request.at(front.wallPoints), spacing, m.layers,
+        m.columns
+    );
     observer.end
     (
         text(m.layers.faces.size()*m.layers.nLayers, " cells; columns ",

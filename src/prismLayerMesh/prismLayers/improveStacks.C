@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "improveStacks.H"
+#include "engulfedBodies.H"
 #include "poorStacks.H"
 #include "prismQuality.H"
 #include "boolList.H"
@@ -130,11 +131,14 @@ labelList stackImprovement::findFaults()
         findOutlyingCentres(layers_, bestJacobians_, moved, patience)
     );
 
-    for
-    (
-        const labelPair& pair
-      : findIntersections(layers_, columns_.takeMoved())
-    )
+    List<labelPair> pairs(findIntersections(layers_, columns_.takeMoved()));
+
+    if (pairs.empty())
+    {
+        pairs = findEngulfedBodies(layers_);
+    }
+
+    for (const labelPair& pair : pairs)
     {
         for (const label f : pair)
         {

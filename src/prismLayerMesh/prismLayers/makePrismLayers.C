@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "makePrismLayers.H"
+#include "engulfedBodies.H"
 #include "improveStacks.H"
 #include "poorStacks.H"
 #include "prismQuality.H"
@@ -239,6 +240,11 @@ static List<labelPair> intersectingFaces(movingColumns& columns)
     (
         findIntersections(columns.layers(), columns.takeMoved())
     );
+
+    if (pairs.empty())
+    {
+        pairs = findEngulfedBodies(columns.layers());
+    }
 
     for (labelPair& pair : pairs)
     {

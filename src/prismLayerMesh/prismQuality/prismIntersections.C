@@ -7,6 +7,7 @@ License
 
 \*---------------------------------------------------------------------------*/
 
+#include "engulfedBodies.H"
 #include "frontTriangle.H"
 #include "prismQuality.H"
 
@@ -61,7 +62,12 @@ static bool addTriangles
 
 Foam::List<Foam::labelPair> Foam::findIntersections(const prismLayers& layers)
 {
-    return findIntersections(layers, boolList(layers.faces.size(), true));
+    const List<labelPair> pairs
+    (
+        findIntersections(layers, boolList(layers.faces.size(), true))
+    );
+
+    return pairs.empty() ? findEngulfedBodies(layers) : pairs;
 }
 
 

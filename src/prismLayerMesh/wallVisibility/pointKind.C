@@ -60,18 +60,34 @@ Foam::pointKind Foam::kindOfPoint
 }
 
 
-Foam::FixedList<Foam::label, Foam::nPointKinds> Foam::countKinds
+Foam::List<Foam::pointKind> Foam::kindsOfPoints
 (
     const wallSurface& wall,
     const wallAddressing& addressing,
     const wallVisibility& visibility
 )
 {
+    List<pointKind> kinds(wall.points.size());
+
+    forAll(kinds, p)
+    {
+        kinds[p] = kindOfPoint(wall, addressing, visibility, p);
+    }
+
+    return kinds;
+}
+
+
+Foam::FixedList<Foam::label, Foam::nPointKinds> Foam::countKinds
+(
+    const List<pointKind>& kinds
+)
+{
     FixedList<label, nPointKinds> counts(Zero);
 
-    forAll(wall.points, p)
+    for (const pointKind kind : kinds)
     {
-        ++counts[int(kindOfPoint(wall, addressing, visibility, p))];
+        ++counts[int(kind)];
     }
 
     return counts;

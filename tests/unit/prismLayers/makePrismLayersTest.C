@@ -199,9 +199,8 @@ TEST(makePrismLayers, endAtTheirRoom)
                 s.mesh.visibility.heightCosine(p, column)
                /s.mesh.columns.lengthFactors[(p + 1)*nLayers - 1];
 
-            // Below the top, and on columns that stand straighter than their
-            // line, the smooth lengths are others; and faces have the height
-            // rather than columns
+            // Below the top, and on straighter columns, the smooth lengths are
+            // others; and faces have the height rather than columns
             const scalar tolerance =
                 s.mesh.columns.room[p] < s.mesh.spacing.thickness[p]
               ? 0.2 : 0.1;

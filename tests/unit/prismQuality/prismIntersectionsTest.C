@@ -50,7 +50,9 @@ static prismLayers outerSurface
 
 static label nIntersections(const pointField& points, const faceList& faces)
 {
-    return findIntersections(outerSurface(points, faces)).size();
+    const boolList all(faces.size(), true);
+
+    return findIntersections(outerSurface(points, faces), all).size();
 }
 
 

@@ -24,7 +24,10 @@ static kindCounts kindsOf(const wallSurface& wall)
 {
     const wallAddressing addressing(makeWallAddressing(wall));
 
-    return countKinds(wall, addressing, makeWallVisibility(wall, addressing));
+    return countKinds
+    (
+        kindsOfPoints(wall, addressing, makeWallVisibility(wall, addressing))
+    );
 }
 
 
