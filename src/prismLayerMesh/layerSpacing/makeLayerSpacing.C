@@ -277,13 +277,18 @@ Foam::string Foam::describe
 
     forAll(points, patchi)
     {
+        if (points[patchi].empty())
+        {
+            continue;
+        }
+
         const layerSpacing here(asked.at(points[patchi].sortedToc()));
 
-        text += (patchi ? "\n" : "") + wall.patchNames[patchi]
+        text += wall.patchNames[patchi]
           + ": layers " + range(here.layersAsked)
           + ", first height " + range(here.firstThickness)
           + " m, ratio " + range(here.ratio)
-          + ", thickness " + range(here.thickness) + " m";
+          + ", thickness " + range(here.thickness) + " m\n";
     }
 
     return text;

@@ -68,7 +68,11 @@ Foam::evenHeights Foam::movingColumns::firstHeights()
     first.faces = SubList<face>(layers_.faces, nFaces);
     first.heights.setSize(nFaces);
     first.largest.setSize(nFaces, 0);
-    first.neighbours = neighboursOnWall(front_);
+    if (neighbours_.empty())
+    {
+        neighbours_ = neighboursOnWall(front_);
+    }
+    first.neighbours = neighbours_;
     first.maxChange = maxChange;
 
     stackHeights stack(layers_);

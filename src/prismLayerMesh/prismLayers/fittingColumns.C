@@ -17,9 +17,13 @@ License
 namespace Foam
 {
 
-//- Error of the first height from which columns of a face are displaced, and
-//  how many rings around them
+//- Error of the first height from which columns of a face are displaced
 static const scalar heightTolerance = 3e-3;
+
+//- The same where they are not wanted
+static const scalar largeTolerance = 1e-2;
+
+//- How many rings around them move, too
 static const label nRings = 2;
 
 //- Largest displacement of a column, over its height
@@ -27,6 +31,17 @@ static const scalar maxDisplacement = 0.4;
 
 //- How often the mobilities of columns that would move further are lowered
 static const label maxLowerings = 3;
+
+
+//- Share of a displacement that is left out
+static const scalar smallestShare = 0.01;
+
+
+//- Share of a displacement that a column has at a height
+static scalar shareOf(const scalar height, const scalar reach)
+{
+    return 1/(1 + sqr(height/reach));
+}
 
 
 //- Faces whose heights can be fitted: not those between columns, without area,
@@ -139,7 +154,8 @@ Foam::scalarField Foam::movingColumns::lackingHeights
 Foam::scalarField Foam::movingColumns::mobilities
 (
     const labelUList& faces,
-    const scalarField& lacking
+    const scalarField& lacking,
+    const boolList& wanted
 )
 {
     boolList mobile(front_.wallPoints.size(), false);
@@ -148,7 +164,11 @@ Foam::scalarField Foam::movingColumns::mobilities
     {
         const face& f = layers_.faces[faces[k]];
 
-        if (mag(lacking[k]) > heightTolerance*heightsOf(f[0])[1])
+        const scalar tolerance =
+            UIndirectList<bool>(wanted, f).found(true)
+          ? heightTolerance : largeTolerance;
+
+        if (mag(lacking[k]) > tolerance*heightsOf(f[0])[1])
         {
             UIndirectList<bool>(mobile, f) = true;
         }
@@ -215,7 +235,7 @@ void Foam::movingColumns::displace
 
         // The less, the longer the column: those are to be smooth
         const scalar h = heightsOf(c)[i];
-        const scalar share = 1/(1 + sqr(h/reach[c]));
+        const scalar share = shareOf(h, reach[c]);
         const scalar excess = mag(d)/(maxDisplacement*h);
 
         layers_.points[layers_.index(c, i)] += share/max(excess, scalar(1))*d;
@@ -223,10 +243,33 @@ void Foam::movingColumns::displace
 }
 
 
+Foam::label Foam::movingColumns::lastLevel(const scalarField& reach)
+{
+    label last = 1;
+
+    forAll(reach, c)
+    {
+        const scalar* heights = heightsOf(c);
+
+        while
+        (
+            last < spacing_.nLayers
+         && shareOf(heights[last + 1], reach[c]) > smallestShare
+        )
+        {
+            ++last;
+        }
+    }
+
+    return last;
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void Foam::movingColumns::fit
 (
+    const boolList& wanted,
     const scalar reach,
     const std::function<void(label c)>& moving
 )
@@ -237,9 +280,15 @@ void Foam::movingColumns::fit
         mobilities
         (
             fitted,
-            lackingHeights(fitted, unitNormals(front_.surface, fitted), 1)
+            lackingHeights(fitted, unitNormals(front_.surface, fitted), 1),
+            wanted
         )
     );
+
+    if (max(m) == 0)
+    {
+        return;
+    }
 
     heightFit heights
     (
@@ -267,8 +316,11 @@ void Foam::movingColumns::fit
         }
     }
 
+    // Those above hardly move
+    const label nLevels = lastLevel(reaches);
+
     #pragma omp parallel for schedule(dynamic, 1)
-    for (label i = 1; i <= spacing_.nLayers; ++i)
+    for (label i = 1; i <= nLevels; ++i)
     {
         displace
         (

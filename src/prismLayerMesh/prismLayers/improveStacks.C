@@ -281,14 +281,19 @@ void stackImprovement::grow()
 
 void stackImprovement::fit()
 {
+    boolList wanted(barred_.size(), true);
+
     for (const scalar reach : reaches)
     {
+        barred_ = false;
         columns_.fit
         (
+            wanted,
             reach,
             [&](const label c) { before_.insert(c, columns_.postureOf(c)); }
         );
         settle();
+        wanted = barred_;
     }
 }
 

@@ -160,10 +160,19 @@ static bool isInStack
 
     for (label i = 1; i <= layers.nLayers; ++i)
     {
-        if (boundsOf(layers, single, i - 1, i).contains(x))
+        if (!boundsOf(layers, single, i - 1, i).contains(x))
+        {
+            continue;
+        }
+
+        // Of polygons the fans that their surfaces are cut into: warped ones
+        // have a hull at any thickness
+        const face& f = layers.faces[facei];
+
+        for (label k = 1; k + 1 < f.size(); ++k)
         {
             DynamicList<point> points;
-            for (const label c : layers.faces[facei])
+            for (const label c : {f[0], f[k], f[k + 1]})
             {
                 points.append(layers(c, i - 1));
                 points.append(layers(c, i));

@@ -42,14 +42,14 @@ static scalarField firstHeights(const movableColumns& m)
 
 //- A coarse ball, on which columns as high as the mean asks for make faces too
 //  low and too high
-static layerFront unevenBall()
+static layerFront unevenBall(const label n = 4, const scalar roughness = 0.15)
 {
-    wallSurface wall(testSurfaces::sphere(4));
+    wallSurface wall(testSurfaces::sphere(n));
 
     Random random(11);
     for (point& p : wall.points)
     {
-        p *= 1 + 0.15*random.sample01<scalar>();
+        p *= 1 + roughness*random.sample01<scalar>();
     }
 
     return testSurfaces::frontOf(wall, 0);
@@ -60,7 +60,11 @@ static layerFront unevenBall()
 static labelList fitted(movableColumns& m, const scalar reach = 1)
 {
     DynamicList<label> moved;
-    m.moving.fit(reach, [&](const label c) { moved.append(c); });
+    m.moving.fit
+    (
+        boolList(m.nColumns(), true), reach,
+        [&](const label c) { moved.append(c); }
+    );
 
     return labelList(std::move(moved));
 }
@@ -109,6 +113,24 @@ TEST(fittingColumns, reachIsWhereDisplacementsFade)
 
     EXPECT_LT(sum(near), 0.5*sum(far));
     EXPECT_GT(sum(near), 0);
+}
+
+
+TEST(fittingColumns, thoseNotWantedMoveForLargeErrorsOnly)
+{
+    const auto moved = [](const bool wanted)
+    {
+        movableColumns m(unevenBall(10, 0.02));
+        label n = 0;
+        m.moving.fit
+        (
+            boolList(m.nColumns(), wanted), 1, [&](const label) { ++n; }
+        );
+
+        return n;
+    };
+
+    EXPECT_LT(moved(false), moved(true));
 }
 
 
