@@ -11,6 +11,7 @@ License
 #include "layerReport.H"
 #include "faceHeights.H"
 #include "prismPolyMesh.H"
+#include "bitSet.H"
 #include "DynamicField.H"
 
 #include <algorithm>
@@ -189,6 +190,32 @@ static List<patchSample> samplePatches
     return samples;
 }
 
+//- Points of the faces of patches by their cause
+static void countCauses
+(
+    const wallSurface& wall,
+    const UList<squeezeCause>& causes,
+    List<patchReport>& patches
+)
+{
+    List<bitSet> points(patches.size());
+
+    forAll(wall.faces, facei)
+    {
+        points[wall.patchIDs[facei]].set(wall.faces[facei]);
+    }
+
+    forAll(patches, patchi)
+    {
+        patches[patchi].points = Zero;
+
+        for (const label p : points[patchi])
+        {
+            ++patches[patchi].points[int(causes[p])];
+        }
+    }
+}
+
 } // End namespace Foam
 
 
@@ -313,6 +340,7 @@ Foam::layerReport Foam::makeLayerReport
         all.add(sample);
     }
     report.wall = all.report("allPatches");
+    report.wall.points = Zero;
 
     const wordList names(prismPatchNames(wall.patchNames));
     report.patches.setSize(names.size());
@@ -320,12 +348,17 @@ Foam::layerReport Foam::makeLayerReport
     {
         report.patches[patchi] = samples[patchi].report(names[patchi]);
     }
+    countCauses(wall, causes, report.patches);
 
     report.points = Zero;
     report.columns = Zero;
     for (const squeezeCause cause : causes)
     {
         ++report.columns[int(cause)];
+    }
+    for (label p = 0; p < report.nWallPoints; ++p)
+    {
+        ++report.wall.points[int(causes[p])];
     }
 
     return report;

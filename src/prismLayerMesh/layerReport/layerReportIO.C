@@ -57,6 +57,23 @@ static dictionary toDictionary(const layerRequest& request)
 }
 
 
+//- By cause
+static dictionary squeezedDictionary
+(
+    const FixedList<label, nSqueezeCauses>& counts
+)
+{
+    dictionary squeezed;
+
+    for (label cause = 1; cause < nSqueezeCauses; ++cause)
+    {
+        squeezed.add(name(squeezeCause(cause)), counts[cause]);
+    }
+
+    return squeezed;
+}
+
+
 static dictionary toDictionary(const patchReport& patch)
 {
     dictionary dict;
@@ -71,6 +88,7 @@ static dictionary toDictionary(const patchReport& patch)
     dict.add("totalThicknessOverRequest", toDictionary(patch.totalThickness));
     dict.add("growthOverRequest", toDictionary(patch.growth));
     dict.add("worstScaledJacobian", patch.worstJacobian);
+    dict.add("squeezedPoints", squeezedDictionary(patch.points));
 
     return dict;
 }
@@ -91,19 +109,16 @@ static dictionary pointsDictionary(const layerReport& report)
 
 static dictionary columnsDictionary(const layerReport& report)
 {
-    dictionary squeezed;
-    label nColumns = report.columns[0];
-
-    for (label cause = 1; cause < nSqueezeCauses; ++cause)
+    label nColumns = 0;
+    for (const label n : report.columns)
     {
-        nColumns += report.columns[cause];
-        squeezed.add(name(squeezeCause(cause)), report.columns[cause]);
+        nColumns += n;
     }
 
     dictionary dict;
     dict.add("total", nColumns);
     dict.add("fullThickness", report.columns[0]);
-    dict.add("squeezed", squeezed);
+    dict.add("squeezed", squeezedDictionary(report.columns));
     dict.add("multipleNormals", report.nFurtherColumns);
     dict.add("retreats", report.nRetreats);
 

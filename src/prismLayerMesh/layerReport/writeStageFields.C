@@ -9,6 +9,7 @@ License
 
 #include "writeStageFields.H"
 #include "faceHeights.H"
+#include "poorStacks.H"
 #include "harmonicField.H"
 #include "OSspecific.H"
 #include "unitConversion.H"
@@ -203,6 +204,18 @@ static vtkGrid wallGrid(const wallSurface& wall, const prismLayerMesh& mesh)
             SubList<scalar>(mesh.certificate.worstJacobian, wall.faces.size())
         )
     );
+
+    const scalarField best
+    (
+        bestJacobians(mesh.front.surface, mesh.front.visibility)
+    );
+    scalarField relative(wall.faces.size());
+    forAll(relative, facei)
+    {
+        relative[facei] =
+            mesh.certificate.worstJacobian[facei]/max(best[facei], VSMALL);
+    }
+    grid.cellFields.add("worstRelativeJacobian", relative);
 
     return grid;
 }

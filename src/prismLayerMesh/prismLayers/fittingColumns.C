@@ -34,7 +34,7 @@ static const label maxLowerings = 3;
 
 
 //- Share of a displacement that is left out
-static const scalar smallestShare = 0.01;
+static const scalar leftOutShare = 0.01;
 
 
 //- Share of a displacement that a column has at a height
@@ -254,7 +254,7 @@ Foam::label Foam::movingColumns::lastLevel(const scalarField& reach)
         while
         (
             last < spacing_.nLayers
-         && shareOf(heights[last + 1], reach[c]) > smallestShare
+         && shareOf(heights[last + 1], reach[c]) > leftOutShare
         )
         {
             ++last;

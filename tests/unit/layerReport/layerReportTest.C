@@ -7,7 +7,6 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-
 #include "layerReport.H"
 #include "prismPolyMesh.H"
 #include "testLayers.H"
@@ -247,6 +246,9 @@ TEST(makeLayerReport, squeezedColumns)
 
     EXPECT_EQ(report.columns[int(squeezeCause::gap)], 1);
     EXPECT_EQ(report.columns[int(squeezeCause::none)], 97);
+    EXPECT_EQ(report.wall.points[int(squeezeCause::gap)], 1);
+    EXPECT_EQ(patch.points[int(squeezeCause::gap)], 1);
+    EXPECT_EQ(patch.points[int(squeezeCause::none)], 24);
 
     // One column of three at half the height; a little less because the upper
     // faces tilt, by up to 0.03 and 0.17 rad
@@ -272,7 +274,6 @@ TEST(makeLayerReport, patchesWithoutFaces)
     run.wall.patchNames.append("none");
 
     const patchReport patch(run.report().patches[6]);
-
     EXPECT_EQ(patch.nFaces, 0);
     EXPECT_EQ(patch.area, 0);
     EXPECT_EQ(patch.firstHeight.max, 0);
