@@ -17,40 +17,20 @@ License
 namespace Foam
 {
 
-//- What a column, and a first layer, has of the request at least without cause
+//- What a face has of the thickness and of the first height that are asked for
+//  at least, for its columns to be without cause
 static const scalar fullShare = 0.95;
 static const scalar fullFirstShare = 0.99;
+
+//- Factor for smooth lengths that is the cause where it is less
+static const scalar smoothFactor = 0.99;
 
 //- Cosine of the half-angle of a cone from which visibility is the cause
 static const scalar narrowCosine = 0.5;
 
 
-//- Why a column of full room is low, if it is
-static squeezeCause causeOfLow
-(
-    const layerFront& front,
-    const layerSpacing& graded,
-    const prismLayers& layers,
-    const layerColumns& columns,
-    const label c
-)
-{
-    const label n = layers.nLayers;
-    const scalar asked = graded.thickness[c];
-    const scalar height =
-        front.visibility.heightCosine(c, layers(c, n) - layers(c, 0));
-
-    return height >= fullShare*asked ? squeezeCause::none
-      : isStretched(front.visibility, c, columns.stretch(c, asked))
-      ? squeezeCause::stretch
-      : columns.lengthFactors[(c + 1)*n - 1] < fullShare
-      ? squeezeCause::neighbour
-      : squeezeCause::validity;
-}
-
-
-//- Columns of faces whose first layer is too low, where none has a cause
-static labelList lowFirst
+//- Columns of faces that are too low, where none has a cause
+static labelList lowColumns
 (
     const layerFront& front,
     const layerSpacing& graded,
@@ -73,13 +53,20 @@ static labelList lowFirst
                 return columns.causes[c] == squeezeCause::none;
             }
         );
-        stack.compute(facei, 1);
+
+        if (!without)
+        {
+            continue;
+        }
+
+        const scalarField first(graded.firstThickness, f);
+        const scalarField thickness(graded.thickness, f);
+        stack.compute(facei);
 
         if
         (
-            without
-         && stack.heights()[0]
-          < fullFirstShare*average(scalarField(graded.firstThickness, f))
+            stack.heights()[0] < fullFirstShare*average(first)
+         || sum(stack.heights()) < fullShare*average(thickness)
         )
         {
             low.append(f);
@@ -87,6 +74,25 @@ static labelList lowFirst
     }
 
     return labelList(std::move(low));
+}
+
+
+//- Why a column of full room is on a low face
+static squeezeCause causeOfLow
+(
+    const layerFront& front,
+    const layerSpacing& graded,
+    const layerColumns& columns,
+    const label c
+)
+{
+    const scalar stretch = columns.stretch(c, graded.thickness[c]);
+    const scalar factor =
+        columns.lengthFactors[(c + 1)*columns.nLayers - 1];
+
+    return isStretched(front.visibility, c, stretch) ? squeezeCause::stretch
+      : factor < smoothFactor ? squeezeCause::neighbour
+      : squeezeCause::validity;
 }
 
 
@@ -146,17 +152,9 @@ void Foam::nameCauses
 {
     List<squeezeCause>& causes = columns.causes;
 
-    forAll(causes, c)
+    for (const label c : lowColumns(front, graded, layers, columns))
     {
-        if (causes[c] == squeezeCause::none)
-        {
-            causes[c] = causeOfLow(front, graded, layers, columns, c);
-        }
-    }
-
-    for (const label c : lowFirst(front, graded, layers, columns))
-    {
-        causes[c] = squeezeCause::validity;
+        causes[c] = causeOfLow(front, graded, columns, c);
     }
 
     forAll(causes, c)

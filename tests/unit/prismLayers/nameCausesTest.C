@@ -87,7 +87,7 @@ TEST(nameCauses, fullColumnsHaveNone)
 TEST(nameCauses, whatIsLowHasOne)
 {
     namedColumns named(testSurfaces::sphere(8));
-    named.lower(5, 0.9);
+    named.lower(5, 0.8);
 
     EXPECT_EQ(named.causeOf(5), squeezeCause::validity);
 }
