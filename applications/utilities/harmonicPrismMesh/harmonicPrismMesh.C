@@ -37,7 +37,7 @@ Usage
 
       - \par -writeFields
         Write VTK files of the envelope, the background mesh with its fields,
-        the columns and the layers
+        the columns, the layers, and the wall with what was reached on it
 
 \*---------------------------------------------------------------------------*/
 

@@ -196,7 +196,6 @@ static void readFields(const dictionary& dict, layerControls& controls)
 static void readGeneralNumber(const dictionary& dict, layerControls& controls)
 {
     label& n = controls.heights.nSurfaceLayers;
-    ITstream* is = nullptr;
 
     if (!dict.found("nSurfaceLayers", keyType::LITERAL))
     {
@@ -205,9 +204,9 @@ static void readGeneralNumber(const dictionary& dict, layerControls& controls)
             << " is missing" << exit(FatalIOError);
     }
 
-    is = &dict.lookup("nSurfaceLayers", keyType::LITERAL);
+    const ITstream& is = dict.lookup("nSurfaceLayers", keyType::LITERAL);
 
-    if (is->size() && (*is)[0].isWord())
+    if (is.size() && is[0].isWord())
     {
         word value;
         readChoice(dict, "nSurfaceLayers", {"auto"}, value);

@@ -63,6 +63,7 @@ Foam::evenHeights Foam::movingColumns::firstHeights()
 {
     const label nFaces = front_.nWallFaces;
     const pointField& wall = front_.surface.points;
+    const vectorField normals(front_.surface.faceNormals());
 
     evenHeights first;
     first.faces = SubList<face>(layers_.faces, nFaces);
@@ -80,7 +81,7 @@ Foam::evenHeights Foam::movingColumns::firstHeights()
     forAll(first.faces, facei)
     {
         const face& f = first.faces[facei];
-        const vector n(normalised(f.areaNormal(wall)));
+        const vector& n = normals[facei];
         scalarList& heights = first.heights[facei];
         heights.setSize(f.size());
         stack.compute(facei, 1);

@@ -83,19 +83,6 @@ static labelList fittedFaces
 }
 
 
-static vectorField unitNormals(const wallSurface& wall, const labelUList& faces)
-{
-    vectorField normals(faces.size());
-
-    forAll(normals, k)
-    {
-        normals[k] = normalised(wall.faces[faces[k]].areaNormal(wall.points));
-    }
-
-    return normals;
-}
-
-
 //- Those of the faces that have mobile columns
 static labelList mobileFaces
 (
@@ -137,12 +124,13 @@ Foam::scalarField Foam::movingColumns::lackingHeights
     forAll(faces, k)
     {
         const face& f = layers_.faces[faces[k]];
+        const vector& n = normals[faces[k]];
 
         for (const label c : f)
         {
             lacking[k] +=
             (
-                heightsOf(c)[i] - ((layers_(c, i) - wall[c]) & normals[k])
+                heightsOf(c)[i] - ((layers_(c, i) - wall[c]) & n)
             )/f.size();
         }
     }
@@ -274,15 +262,11 @@ void Foam::movingColumns::fit
     const std::function<void(label c)>& moving
 )
 {
+    const vectorField normals(front_.surface.faceNormals());
     const labelList fitted(fittedFaces(front_, spacing_, columns_));
     scalarField m
     (
-        mobilities
-        (
-            fitted,
-            lackingHeights(fitted, unitNormals(front_.surface, fitted), 1),
-            wanted
-        )
+        mobilities(fitted, lackingHeights(fitted, normals, 1), wanted)
     );
 
     if (max(m) == 0)
@@ -295,7 +279,6 @@ void Foam::movingColumns::fit
         front_.surface, mobileFaces(layers_.faces, fitted, m)
     );
     const labelList& faces = heights.faces();
-    const vectorField normals(unitNormals(front_.surface, faces));
     const scalarField reaches(reach*columns_.edges);
 
     const scalarField lacking(lackingHeights(faces, normals, 1));

@@ -8,7 +8,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "improveStacks.H"
-#include "engulfedBodies.H"
 #include "poorStacks.H"
 #include "prismQuality.H"
 #include "boolList.H"
@@ -69,6 +68,12 @@ class stackImprovement
 
     //- Front faces that cannot be certified, of those moved since the last look
     labelList findFaults();
+
+    //- Keep what a column is before it moves
+    void remember(const label c)
+    {
+        before_.insert(c, columns_.postureOf(c));
+    }
 
     //- Take back a column and those beside it
     void takeBack(label c);
@@ -131,14 +136,10 @@ labelList stackImprovement::findFaults()
         findOutlyingCentres(layers_, bestJacobians_, moved, patience)
     );
 
-    List<labelPair> pairs(findIntersections(layers_, columns_.takeMoved()));
-
-    if (pairs.empty())
-    {
-        pairs = findEngulfedBodies(layers_);
-    }
-
-    for (const labelPair& pair : pairs)
+    for
+    (
+        const labelPair& pair : findOverlaps(layers_, columns_.takeMoved())
+    )
     {
         for (const label f : pair)
         {
@@ -231,7 +232,7 @@ void stackImprovement::lean()
             if (!barred_[c] && !leaning[c])
             {
                 leaning[c] = true;
-                before_.insert(c, columns_.postureOf(c));
+                remember(c);
             }
         }
     }
@@ -282,16 +283,12 @@ void stackImprovement::grow()
 void stackImprovement::fit()
 {
     boolList wanted(barred_.size(), true);
+    const auto moving = [&](const label c) { remember(c); };
 
     for (const scalar reach : reaches)
     {
         barred_ = false;
-        columns_.fit
-        (
-            wanted,
-            reach,
-            [&](const label c) { before_.insert(c, columns_.postureOf(c)); }
-        );
+        columns_.fit(wanted, reach, moving);
         settle();
         wanted = barred_;
     }
@@ -300,10 +297,7 @@ void stackImprovement::fit()
 
 void stackImprovement::even()
 {
-    const auto moving = [&](const label c)
-    {
-        before_.insert(c, columns_.postureOf(c));
-    };
+    const auto moving = [&](const label c) { remember(c); };
 
     for (label i = 0; i < maxEvenings && columns_.even(moving); ++i)
     {

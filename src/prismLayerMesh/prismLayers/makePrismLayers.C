@@ -8,7 +8,6 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "makePrismLayers.H"
-#include "engulfedBodies.H"
 #include "improveStacks.H"
 #include "poorStacks.H"
 #include "prismQuality.H"
@@ -238,13 +237,8 @@ static List<labelPair> intersectingFaces(movingColumns& columns)
     const label nFaces = columns.layers().faces.size();
     List<labelPair> pairs
     (
-        findIntersections(columns.layers(), columns.takeMoved())
+        findOverlaps(columns.layers(), columns.takeMoved())
     );
-
-    if (pairs.empty())
-    {
-        pairs = findEngulfedBodies(columns.layers());
-    }
 
     for (labelPair& pair : pairs)
     {

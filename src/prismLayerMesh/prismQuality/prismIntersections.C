@@ -62,10 +62,17 @@ static bool addTriangles
 
 Foam::List<Foam::labelPair> Foam::findIntersections(const prismLayers& layers)
 {
-    const List<labelPair> pairs
-    (
-        findIntersections(layers, boolList(layers.faces.size(), true))
-    );
+    return findIntersections(layers, boolList(layers.faces.size(), true));
+}
+
+
+Foam::List<Foam::labelPair> Foam::findOverlaps
+(
+    const prismLayers& layers,
+    const boolList& candidates
+)
+{
+    const List<labelPair> pairs(findIntersections(layers, candidates));
 
     return pairs.empty() ? findEngulfedBodies(layers) : pairs;
 }

@@ -212,7 +212,8 @@ Foam::layerCertificate Foam::certify(const prismLayers& layers)
 
     certificate.nInvalidCells = nInvalid;
     certificate.outlyingCentres = findIndices(outlying, true);
-    certificate.nIntersectingPairs = findIntersections(layers).size();
+    certificate.nIntersectingPairs =
+        findOverlaps(layers, boolList(layers.faces.size(), true)).size();
 
     return certificate;
 }

@@ -9,6 +9,7 @@ License
 
 #include "layerSpacing.H"
 #include "testSurfaces.H"
+#include "thrownMessage.H"
 #include "OStringStream.H"
 
 #include <gtest/gtest.h>
@@ -62,16 +63,7 @@ static std::string errorOf
     const localHeights& local = localHeights()
 )
 {
-    try
-    {
-        spacingOf(wall, controls, local);
-    }
-    catch (const Foam::error& e)
-    {
-        return e.message();
-    }
-
-    return "none";
+    return thrownMessage<error>([&]() { spacingOf(wall, controls, local); });
 }
 
 

@@ -9,7 +9,7 @@ License
 
 #include "regionPoints.H"
 #include "testSurfaces.H"
-#include "StringStream.H"
+#include "thrownMessage.H"
 
 #include <gtest/gtest.h>
 
@@ -21,7 +21,7 @@ static layerRegion regionOf(const std::string& geometry)
 {
     layerRegion region;
     region.name = "part";
-    region.geometry = dictionary(IStringStream(geometry)());
+    region.geometry = dictionaryOf(geometry);
 
     return region;
 }
@@ -117,17 +117,14 @@ TEST(regionPoints, nearASurfaceWithoutInside)
     );
 
     region.mode = layerRegion::modes::inside;
-    std::string message;
-    try
-    {
-        nDifferent(region, [](const point&) { return true; });
-    }
-    catch (const Foam::error& e)
-    {
-        message = e.message();
-    }
-    EXPECT_NE(message.find("region part"), std::string::npos) << message;
-    EXPECT_NE(message.find("not closed"), std::string::npos) << message;
+    const std::string message
+    (
+        thrownMessage<error>([&]()
+        {
+            nDifferent(region, [](const point&) { return true; });
+        })
+    );
+    expectWords(message, {"region part", "not closed"});
 }
 
 

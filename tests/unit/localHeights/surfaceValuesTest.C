@@ -9,6 +9,7 @@ License
 
 #include "surfaceValues.H"
 #include "testSurfaces.H"
+#include "thrownMessage.H"
 
 #include <cstdio>
 #include <fstream>
@@ -63,22 +64,6 @@ static surfaceValues readVtk(const std::string& text, const word& field)
 }
 
 
-template<class Call>
-static std::string errorOf(const Call& call)
-{
-    try
-    {
-        call();
-    }
-    catch (const Foam::error& e)
-    {
-        return e.message();
-    }
-
-    return "none";
-}
-
-
 static bool has(const std::string& text, const char* part)
 {
     return text.find(part) != std::string::npos;
@@ -122,7 +107,7 @@ TEST(readVtkValues, namesWhatThereIs)
 {
     const std::string message
     (
-        errorOf([]()
+        thrownMessage<error>([]()
         {
             readVtk
             (
@@ -145,13 +130,17 @@ TEST(readVtkValues, refusesBinaryAndMissingFiles)
 
     EXPECT_TRUE
     (
-        has(errorOf([&]() { readVtk(binary, "h1"); }), "in ascii; ParaView")
+        has
+        (
+            thrownMessage<error>([&]() { readVtk(binary, "h1"); }),
+            "in ascii; ParaView"
+        )
     );
     EXPECT_TRUE
     (
         has
         (
-            errorOf([&]()
+            thrownMessage<error>([&]()
             {
                 const autoPtr<Time> time(Time::New());
                 readVtkValues("/no/such.vtk", "h1", time());
@@ -192,7 +181,7 @@ TEST(readListValues, ofPointsOrFaces)
 
     const std::string message
     (
-        errorOf([&]() { readListValues(wrong, surface, 1); })
+        thrownMessage<error>([&]() { readListValues(wrong, surface, 1); })
     );
     EXPECT_TRUE(has(message, "3 values")) << message;
     EXPECT_TRUE(has(message, "6 points and 8 faces")) << message;

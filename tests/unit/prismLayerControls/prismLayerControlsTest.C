@@ -11,19 +11,6 @@ License
 
 using namespace Foam;
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- Of layers with one more entry
-static std::string errorOfLayers(const std::string& entry)
-{
-    return errorOf
-    (
-        surface
-      + "layers { nSurfaceLayers 20; firstLayerThickness 1e-4; " + entry
-      + " }"
-    );
-}
-
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
 TEST(prismLayerControls, minimalDictionaryHasTheDefaults)
