@@ -27,11 +27,6 @@ static const scalar smoothingLength = 0.5;
 //- Bound on the passes of smoothing for each layer
 static const label maxPasses = 4;
 
-//- The same for the lengths of columns, which otherwise are as rough as the
-//  normals that they are measured along
-static const scalar lengthSmoothing = 0.25;
-static const label maxLengthPasses = 10;
-
 //- Bound on the length of a column over its height at the wall, and the height
 //  over the length of edges where it is on half of its way to maxStretch
 static const scalar nearWallStretch = 10;
@@ -60,36 +55,6 @@ static vectorField lineDirections
     }
 
     return directions;
-}
-
-
-//- Smooth the lengths of the offsets to layer i + 1 along the wall. Not to the
-//  first layer, whose height is to be exact.
-static void smoothLengths
-(
-    const wallGraph& graph,
-    const scalarField& heights,
-    const label i,
-    layerColumns& columns
-)
-{
-    const label n = columns.nLayers;
-    scalarField lengths(heights.size());
-
-    forAll(lengths, p)
-    {
-        lengths[p] = mag(columns.offsets[p*n + i]);
-    }
-
-    const scalarField rough(lengths);
-    smooth(graph, sqr(lengthSmoothing*heights), maxLengthPasses, lengths);
-
-    forAll(lengths, p)
-    {
-        const scalar factor = lengths[p]/rough[p];
-        columns.offsets[p*n + i] *= factor;
-        columns.lengthFactors[p*n + i] = factor;
-    }
 }
 
 
@@ -285,7 +250,6 @@ Foam::layerColumns Foam::makeLayerColumns
     columns.nLayers = n;
     columns.heights = requestedHeights(spacing);
     columns.offsets.setSize(nPoints*n);
-    columns.lengthFactors.setSize(nPoints*n, 1);
     columns.edges = meanEdges(wall, addressing);
     columns.maxStretch = maxStretch;
     setRoom(wall, addressing, visibility, clearance, spacing, columns);
@@ -320,11 +284,6 @@ Foam::layerColumns Foam::makeLayerColumns
                 visibility, p, smoothed[p],
                 columns.stretch(p, columns.heights[p*n + i])
             );
-        }
-
-        if (i > 0)
-        {
-            smoothLengths(graph, previousHeights, i, columns);
         }
     }
 

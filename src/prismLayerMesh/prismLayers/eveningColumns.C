@@ -146,7 +146,7 @@ void Foam::movingColumns::lowerFirst(const label c, const scalar factor)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::movingColumns::even(const std::function<void(label c)>& moving)
+bool Foam::movingColumns::even(const mover& moving)
 {
     const scalarField factors
     (

@@ -23,6 +23,12 @@ static const scalar heightTolerance = 3e-3;
 //- The same where they are not wanted
 static const scalar largeTolerance = 1e-2;
 
+//- Excess of the thickness, over what it should be, from which it is fitted
+static const scalar thicknessTolerance = 0.04;
+
+//- Height over the length of edges from where on the thickness is fitted
+static const scalar lowShare = 0.5;
+
 //- How many rings around them move, too
 static const label nRings = 2;
 
@@ -143,7 +149,7 @@ Foam::scalarField Foam::movingColumns::mobilities
 (
     const labelUList& faces,
     const scalarField& lacking,
-    const boolList& wanted
+    const fitTarget& target
 )
 {
     boolList mobile(front_.wallPoints.size(), false);
@@ -152,11 +158,7 @@ Foam::scalarField Foam::movingColumns::mobilities
     {
         const face& f = layers_.faces[faces[k]];
 
-        const scalar tolerance =
-            UIndirectList<bool>(wanted, f).found(true)
-          ? heightTolerance : largeTolerance;
-
-        if (mag(lacking[k]) > tolerance*heightsOf(f[0])[1])
+        if (target.isWrong(f, lacking[k]/heightsOf(f[0])[target.level]))
         {
             UIndirectList<bool>(mobile, f) = true;
         }
@@ -184,6 +186,7 @@ Foam::scalarField Foam::movingColumns::mobilities
 bool Foam::movingColumns::lowerMobilities
 (
     const vectorField& displacements,
+    const label level,
     scalarField& mobilities
 )
 {
@@ -192,7 +195,7 @@ bool Foam::movingColumns::lowerMobilities
     forAll(mobilities, c)
     {
         const scalar excess =
-            mag(displacements[c])/(maxDisplacement*heightsOf(c)[1]);
+            mag(displacements[c])/(maxDisplacement*heightsOf(c)[level]);
 
         if (excess > 1)
         {
@@ -208,7 +211,7 @@ bool Foam::movingColumns::lowerMobilities
 void Foam::movingColumns::displace
 (
     const vectorField& displacements,
-    const scalarField& reach,
+    const fitTarget& target,
     const label i
 )
 {
@@ -221,52 +224,51 @@ void Foam::movingColumns::displace
             continue;
         }
 
-        // The less, the longer the column: those are to be smooth
         const scalar h = heightsOf(c)[i];
-        const scalar share = shareOf(h, reach[c]);
         const scalar excess = mag(d)/(maxDisplacement*h);
 
-        layers_.points[layers_.index(c, i)] += share/max(excess, scalar(1))*d;
+        layers_.points[layers_.index(c, i)] +=
+            target.share(c, h)/max(excess, scalar(1))*d;
     }
 }
 
 
-Foam::label Foam::movingColumns::lastLevel(const scalarField& reach)
+Foam::labelList Foam::movingColumns::levels
+(
+    const scalarField& mobilities,
+    const fitTarget& target
+)
 {
-    label last = 1;
+    DynamicList<label> moving(spacing_.nLayers);
 
-    forAll(reach, c)
+    for (label i = 1; i <= spacing_.nLayers; ++i)
     {
-        const scalar* heights = heightsOf(c);
+        bool any = false;
 
-        while
-        (
-            last < spacing_.nLayers
-         && shareOf(heights[last + 1], reach[c]) > leftOutShare
-        )
+        for (label c = 0; c < mobilities.size() && !any; ++c)
         {
-            ++last;
+            any = mobilities[c] > 0
+             && target.share(c, heightsOf(c)[i]) > leftOutShare;
+        }
+
+        if (any)
+        {
+            moving.append(i);
         }
     }
 
-    return last;
+    return labelList(std::move(moving));
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::movingColumns::fit
-(
-    const boolList& wanted,
-    const scalar reach,
-    const std::function<void(label c)>& moving
-)
+void Foam::movingColumns::fit(const fitTarget& target, const mover& moving)
 {
     const vectorField normals(front_.surface.faceNormals());
     const labelList fitted(fittedFaces(front_, spacing_, columns_));
+    const label level = target.level;
     scalarField m
     (
-        mobilities(fitted, lackingHeights(fitted, normals, 1), wanted)
+        mobilities(fitted, lackingHeights(fitted, normals, level), target)
     );
 
     if (max(m) == 0)
@@ -279,15 +281,14 @@ void Foam::movingColumns::fit
         front_.surface, mobileFaces(layers_.faces, fitted, m)
     );
     const labelList& faces = heights.faces();
-    const scalarField reaches(reach*columns_.edges);
 
-    const scalarField lacking(lackingHeights(faces, normals, 1));
+    const scalarField lacking(lackingHeights(faces, normals, level));
     bool lowered = true;
 
     for (label k = 0; k < maxLowerings && lowered; ++k)
     {
         heights.setMobilities(m);
-        lowered = lowerMobilities(heights.displacements(lacking), m);
+        lowered = lowerMobilities(heights.displacements(lacking), level, m);
     }
 
     forAll(m, c)
@@ -299,19 +300,59 @@ void Foam::movingColumns::fit
         }
     }
 
-    // Those above hardly move
-    const label nLevels = lastLevel(reaches);
+    const labelList moved(levels(m, target));
 
     #pragma omp parallel for schedule(dynamic, 1)
-    for (label i = 1; i <= nLevels; ++i)
+    for (label k = 0; k < moved.size(); ++k)
     {
+        const label i = moved[k];
+
         displace
         (
             heights.displacements(lackingHeights(faces, normals, i)),
-            reaches,
+            target,
             i
         );
     }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::movingColumns::fitFirst
+(
+    const boolList& wanted,
+    const scalar reach,
+    const mover& moving
+)
+{
+    const auto isWrong = [&](const face& f, const scalar lacking)
+    {
+        const bool any = UIndirectList<bool>(wanted, f).found(true);
+
+        return mag(lacking) > (any ? heightTolerance : largeTolerance);
+    };
+    const auto share = [&](const label c, const scalar height)
+    {
+        return shareOf(height, reach*columns_.edges[c]);
+    };
+
+    fit({1, isWrong, share}, moving);
+}
+
+
+void Foam::movingColumns::fitThickness(const mover& moving)
+{
+    const auto isWrong = [&](const face&, const scalar lacking)
+    {
+        return -lacking > thicknessTolerance;
+    };
+    const auto share = [&](const label c, const scalar height)
+    {
+        return 1 - shareOf(height, lowShare*columns_.edges[c]);
+    };
+
+    fit({spacing_.nLayers, isWrong, share}, moving);
 }
 
 

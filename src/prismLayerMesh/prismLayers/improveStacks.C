@@ -108,8 +108,8 @@ public:
     //- Give height back to columns that retreated
     void grow();
 
-    //- Fit columns to what heights ask for, those that have to be taken back
-    //  again nearer to the wall
+    //- Fit columns to the thickness and to the first heights that are asked
+    //  for, to these again nearer to the wall where they are taken back
     void fit();
 
     //- No first heights that are too high, or change too much along the wall
@@ -285,10 +285,13 @@ void stackImprovement::fit()
     boolList wanted(barred_.size(), true);
     const auto moving = [&](const label c) { remember(c); };
 
+    columns_.fitThickness(moving);
+    settle();
+
     for (const scalar reach : reaches)
     {
         barred_ = false;
-        columns_.fit(wanted, reach, moving);
+        columns_.fitFirst(wanted, reach, moving);
         settle();
         wanted = barred_;
     }

@@ -118,7 +118,7 @@ void Foam::movingColumns::stand
         (
             front_.visibility, c, directions[i],
             columns_.stretch(c, columns_.heights[c*n + i])
-        )*columns_.lengthFactors[c*n + i];
+        );
     }
 
     build(c, lowest - 1);

@@ -285,7 +285,7 @@ bool Foam::movingColumns::turn(const labelUList& columns)
         (
             front_.visibility, c, own + share*(mean - own),
             columns_.stretch(c, columns_.heights[c*n + k % n])
-        )*columns_.lengthFactors[c*n + k % n];
+        );
     }
 
     forAll(turned, k)

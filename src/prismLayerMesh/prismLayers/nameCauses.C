@@ -22,9 +22,6 @@ namespace Foam
 static const scalar fullShare = 0.95;
 static const scalar fullFirstShare = 0.99;
 
-//- Factor for smooth lengths that is the cause where it is less
-static const scalar smoothFactor = 0.99;
-
 //- Cosine of the half-angle of a cone from which visibility is the cause
 static const scalar narrowCosine = 0.5;
 
@@ -87,11 +84,8 @@ static squeezeCause causeOfLow
 )
 {
     const scalar stretch = columns.stretch(c, graded.thickness[c]);
-    const scalar factor =
-        columns.lengthFactors[(c + 1)*columns.nLayers - 1];
 
     return isStretched(front.visibility, c, stretch) ? squeezeCause::stretch
-      : factor < smoothFactor ? squeezeCause::neighbour
       : squeezeCause::validity;
 }
 

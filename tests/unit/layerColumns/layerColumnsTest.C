@@ -163,7 +163,7 @@ TEST(layerColumns, areNormalToTheFacesOfACube)
 }
 
 
-TEST(layerColumns, offsetsHaveUnitHeightButForTheirSmoothLengths)
+TEST(layerColumns, offsetsHaveUnitHeight)
 {
     for (const wallSurface& wall :
         {testSurfaces::sphere(8), testSurfaces::lBlock(6)})
@@ -173,10 +173,7 @@ TEST(layerColumns, offsetsHaveUnitHeightButForTheirSmoothLengths)
 
         forAll(columns.offsets, i)
         {
-            const vector offset
-            (
-                columns.offsets[i]/columns.lengthFactors[i]
-            );
+            const vector& offset = columns.offsets[i];
             const scalar height = m.visibility.heightCosine(i/6, offset);
 
             // Less only where the bound on the stretch is reached
@@ -217,26 +214,6 @@ TEST(layerColumns, roomIsAllWhereNothingIsNear)
     {
         EXPECT_EQ(cause, squeezeCause::none);
     }
-}
-
-
-TEST(layerColumns, firstLayersAreNotLengthened)
-{
-    const wallSurface wall(testSurfaces::lBlock(6));
-    const layerColumns columns(columnsOf(wall, layeredMesh(wall, 6, 0.1)));
-    scalar largest = 0;
-
-    forAll(columns.lengthFactors, i)
-    {
-        if (i % 6 == 0)
-        {
-            EXPECT_EQ(columns.lengthFactors[i], 1);
-        }
-        largest = max(largest, mag(columns.lengthFactors[i] - 1));
-    }
-
-    EXPECT_GT(largest, 0.01);
-    EXPECT_LT(largest, 0.3);
 }
 
 

@@ -15,9 +15,10 @@ License
 
 using namespace Foam;
 
-//- Mean heights of the first layer on the wall's faces, over that asked for
-static scalarField firstHeights(const movableColumns& m)
+//- Mean heights of a level above the wall's faces, over those asked for
+static scalarField heightsAt(const movableColumns& m, const label level)
 {
+    const scalarField asked(requestedHeights(m.spacing));
     const wallSurface& surface = m.front.surface;
     const vectorField normals(surface.faceNormals());
     scalarField heights(m.front.nWallFaces, 0);
@@ -31,12 +32,18 @@ static scalarField firstHeights(const movableColumns& m)
             heights[facei] +=
             (
                 normals[facei]
-              & (m.moving.layers()(c, 1) - surface.points[c])
-            )/(f.size()*m.spacing.firstThickness[c]);
+              & (m.moving.layers()(c, level) - surface.points[c])
+            )/(f.size()*asked[c*m.spacing.nLayers + level - 1]);
         }
     }
 
     return heights;
+}
+
+
+static scalarField firstHeights(const movableColumns& m)
+{
+    return heightsAt(m, 1);
 }
 
 
@@ -60,7 +67,7 @@ static layerFront unevenBall(const label n = 4, const scalar roughness = 0.15)
 static labelList fitted(movableColumns& m, const scalar reach = 1)
 {
     DynamicList<label> moved;
-    m.moving.fit
+    m.moving.fitFirst
     (
         boolList(m.nColumns(), true), reach,
         [&](const label c) { moved.append(c); }
@@ -85,6 +92,41 @@ TEST(fittingColumns, facesGetTheHeightAskedFor)
     EXPECT_GT(largestError(firstHeights(m)), 0.02);
     EXPECT_GT(fitted(m).size(), 0);
     EXPECT_LT(largestError(firstHeights(m)), 0.01);
+}
+
+
+TEST(fittingColumns, facesThatAreTooThickLoseTheirExcess)
+{
+    movableColumns m(unevenBall(16, 0.05));
+    const label n = m.spacing.nLayers;
+    const scalarField before(heightsAt(m, n));
+    DynamicList<label> moved;
+
+    m.moving.fitThickness([&](const label c) { moved.append(c); });
+
+    const scalarField after(heightsAt(m, n));
+    EXPECT_GT(moved.size(), 0);
+    EXPECT_GT(max(before), 1.08);
+    EXPECT_LT(max(after) - 1, 0.5*(max(before) - 1));
+    EXPECT_GT(min(after), min(before) - 0.02);
+
+    // Less of it where layers are low
+    EXPECT_LT
+    (
+        sum(mag(heightsAt(m, 1) - firstHeights(movableColumns(m.front)))),
+        0.5*sum(mag(after - before))
+    );
+}
+
+
+TEST(fittingColumns, facesThatAreNotTooThickKeepTheirColumns)
+{
+    movableColumns m(testSurfaces::frontOf(testSurfaces::cube(8), 0));
+    const pointField before(m.moving.layers().points);
+
+    m.moving.fitThickness([](const label) {});
+
+    EXPECT_EQ(m.moving.layers().points, before);
 }
 
 
@@ -122,7 +164,7 @@ TEST(fittingColumns, thoseNotWantedMoveForLargeErrorsOnly)
     {
         movableColumns m(unevenBall(10, 0.02));
         label n = 0;
-        m.moving.fit
+        m.moving.fitFirst
         (
             boolList(m.nColumns(), wanted), 1, [&](const label) { ++n; }
         );
