@@ -29,10 +29,36 @@ namespace diffusionTensors
 namespace Foam
 {
 
-//- Unit vector along an edge
-static vector along(const backgroundMesh& mesh, const edge& e)
+//- Bound on lambda, and with it on the condition of the tensors
+static const scalar flat = 0.1;
+
+//- Intervals of the integrals over c
+static const label nIntervals = 200;
+
+//- Slopes per unit, and the largest of them, for which the integrals are
+//  tabulated; the tensors of larger ones hardly differ
+static const label nPerUnit = 100;
+static const label maxSlope = 4;
+
+
+//- a of a slope sigma: the mean of c^2, weighted by exp(lambda)
+static scalar alongGradient(const scalar sigma, const scalar beta)
 {
-    return normalised(mesh.points[e.end()] - mesh.points[e.start()]);
+    // The largest lambda, so that nothing overflows
+    const scalar largest = ::pow(flat, beta);
+    scalar sum = 0, sumSqr = 0;
+
+    for (label k = 0; k < nIntervals; ++k)
+    {
+        const scalar c = (k + 0.5)/nIntervals;
+        const scalar weight =
+            ::exp(::pow(max(sigma*c, flat), beta) - largest);
+
+        sum += weight;
+        sumSqr += weight*sqr(c);
+    }
+
+    return sumSqr/sum;
 }
 
 } // End namespace Foam
@@ -56,46 +82,26 @@ Foam::symmTensorField Foam::diffusionTensors::anisotropic::tensors
     const scalarField& isotropic
 ) const
 {
+    scalarField table(maxSlope*nPerUnit + 1);
+    forAll(table, i)
+    {
+        table[i] = alongGradient(i/scalar(nPerUnit), beta_);
+    }
+
     const vectorField gradients(pointGradients(mesh, isotropic));
+    symmTensorField tensors(mesh.points.size());
 
-    // Bound on lambda, and with it on the condition of the tensors
-    const scalar flat = 0.1;
-
-    auto lambda = [&](const label p, const vector& unit)
+    forAll(tensors, p)
     {
-        const scalar slope = mag(unit & gradients[p])*mesh.gaps[p];
-        return ::pow(max(slope, flat), beta_);
-    };
+        const scalar sigma = mag(gradients[p])*mesh.gaps[p];
+        const label i = min(label(sigma*nPerUnit + 0.5), table.size() - 1);
+        const scalar a = table[i];
+        const vector g(normalised(gradients[p]));
 
-    // exp(lambda) overflows for steep powers; a factor at a point is nothing
-    // to a tensor that is scaled
-    scalarField largest(mesh.points.size(), 0);
+        tensors[p] = 0.5*(1 - a)*symmTensor::I + 0.5*(3*a - 1)*sqr(g);
 
-    for (const edge& e : mesh.edges)
-    {
-        const vector unit(along(mesh, e));
-
-        for (const label p : {e.start(), e.end()})
-        {
-            largest[p] = max(largest[p], lambda(p, unit));
-        }
-    }
-
-    symmTensorField tensors(mesh.points.size(), Zero);
-
-    for (const edge& e : mesh.edges)
-    {
-        const vector unit(along(mesh, e));
-
-        for (const label p : {e.start(), e.end()})
-        {
-            tensors[p] += ::exp(lambda(p, unit) - largest[p])*sqr(unit);
-        }
-    }
-
-    for (symmTensor& t : tensors)
-    {
-        t /= max(tr(t), VSMALL);
+        // Of a gradient without a direction
+        tensors[p] /= tr(tensors[p]);
     }
 
     return tensors;
@@ -108,15 +114,18 @@ Foam::scalarField Foam::diffusionTensors::anisotropic::edgeWeights
     const symmTensorField& tensors
 ) const
 {
-    scalarField weights(mesh.edges.size());
+    scalarField weights(max(cotangentWeights(mesh), scalar(0)));
 
     forAll(weights, i)
     {
         const edge& e = mesh.edges[i];
-        const vector unit(along(mesh, e));
-
+        const vector unit
+        (
+            normalised(mesh.points[e.end()] - mesh.points[e.start()])
+        );
         const symmTensor t = tensors[e.start()] + tensors[e.end()];
-        weights[i] = ::exp((unit & t & unit)/delta_);
+
+        weights[i] *= ::exp((unit & t & unit)/delta_);
     }
 
     return weights;

@@ -237,19 +237,29 @@ static void iterate
 
 Foam::scalarField Foam::cotangentWeights(const backgroundMesh& mesh)
 {
+    return cotangentWeights(mesh, scalarField(mesh.tets.size(), 1));
+}
+
+
+Foam::scalarField Foam::cotangentWeights
+(
+    const backgroundMesh& mesh,
+    const scalarField& conductivities
+)
+{
     scalarField weights(mesh.edges.size(), 0);
 
     forAll(mesh.tets, t)
     {
         const FixedList<vector, 4> g(barycentricGradients(mesh.tet(t)));
-        const scalar volume = mesh.tet(t).mag();
+        const scalar factor = conductivities[t]*mesh.tet(t).mag();
 
         label k = 0;
         for (label i = 0; i < 4; ++i)
         {
             for (label j = i + 1; j < 4; ++j, ++k)
             {
-                weights[mesh.tetEdges[t][k]] -= volume*(g[i] & g[j]);
+                weights[mesh.tetEdges[t][k]] -= factor*(g[i] & g[j]);
             }
         }
     }

@@ -209,29 +209,6 @@ bool Foam::isStretched
 }
 
 
-Foam::scalarField Foam::requestedHeights(const layerSpacing& spacing)
-{
-    const label n = spacing.nLayers;
-    scalarField heights(spacing.thickness.size()*n);
-    scalarList column(n + 1);
-
-    forAll(spacing.thickness, p)
-    {
-        layerHeights
-        (
-            n,
-            spacing.firstThickness[p],
-            spacing.ratio[p],
-            spacing.thickness[p],
-            column
-        );
-        std::copy(column.begin() + 1, column.end(), heights.begin() + p*n);
-    }
-
-    return heights;
-}
-
-
 Foam::layerColumns Foam::makeLayerColumns
 (
     const wallSurface& wall,

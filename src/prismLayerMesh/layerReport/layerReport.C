@@ -36,6 +36,7 @@ struct patchSample
     label layersAsked = 0;
     label layersReached = labelMax;
     scalar worstJacobian = GREAT;
+    scalar sumJacobian = 0;
 
     DynamicField<scalar> firstHeight;
     DynamicField<scalar> totalThickness;
@@ -83,6 +84,7 @@ void patchSample::add
 
     layersReached = min(layersReached, layersHere);
     worstJacobian = min(worstJacobian, jacobian);
+    sumJacobian += jacobian;
 }
 
 
@@ -97,6 +99,7 @@ void patchSample::add(const patchSample& other)
     layersAsked = max(layersAsked, other.layersAsked);
     layersReached = min(layersReached, other.layersReached);
     worstJacobian = min(worstJacobian, other.worstJacobian);
+    sumJacobian += other.sumJacobian;
 
     firstHeight.append(other.firstHeight);
     totalThickness.append(other.totalThickness);
@@ -119,6 +122,7 @@ patchReport patchSample::report(const word& name)
         patch.fullLayersArea = 100*fullLayersArea/max(area, VSMALL);
         patch.fullThicknessArea = 100*fullThicknessArea/max(area, VSMALL);
         patch.worstJacobian = worstJacobian;
+        patch.meanJacobian = sumJacobian/nFaces;
     }
 
     patch.firstHeight = makePercentiles(firstHeight);

@@ -20,22 +20,6 @@ License
 namespace Foam
 {
 
-static dictionary toDictionary(const percentiles& spread)
-{
-    dictionary dict;
-    dict.add("mean", spread.mean);
-    dict.add("min", spread.min);
-    dict.add("p1", spread.p1);
-    dict.add("p5", spread.p5);
-    dict.add("p50", spread.p50);
-    dict.add("p95", spread.p95);
-    dict.add("p99", spread.p99);
-    dict.add("max", spread.max);
-
-    return dict;
-}
-
-
 static dictionary toDictionary(const MinMax<scalar>& range)
 {
     dictionary dict;
@@ -88,6 +72,7 @@ static dictionary toDictionary(const patchReport& patch)
     dict.add("totalThicknessOverRequest", toDictionary(patch.totalThickness));
     dict.add("growthOverRequest", toDictionary(patch.growth));
     dict.add("worstScaledJacobian", patch.worstJacobian);
+    dict.add("meanScaledJacobian", patch.meanJacobian);
     dict.add("squeezedPoints", squeezedDictionary(patch.points));
 
     return dict;
@@ -253,6 +238,22 @@ static void addRow(tableWriter& table, const patchReport& patch)
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::dictionary Foam::toDictionary(const percentiles& spread)
+{
+    dictionary dict;
+    dict.add("mean", spread.mean);
+    dict.add("min", spread.min);
+    dict.add("p1", spread.p1);
+    dict.add("p5", spread.p5);
+    dict.add("p50", spread.p50);
+    dict.add("p95", spread.p95);
+    dict.add("p99", spread.p99);
+    dict.add("max", spread.max);
+
+    return dict;
+}
+
 
 Foam::dictionary Foam::toDictionary(const layerReport& report)
 {

@@ -11,6 +11,9 @@ License
 #include "faceHeights.H"
 #include "poorStacks.H"
 #include "harmonicField.H"
+#include "levelSetReport.H"
+#include "IOobject.H"
+#include "OFstream.H"
 #include "OSspecific.H"
 #include "unitConversion.H"
 #include "writeVtk.H"
@@ -242,7 +245,22 @@ void Foam::writeStageFields
 
     writeVtk(folder/"columns.vtk", columnGrid(mesh));
     writeVtk(folder/"layers.vtk", layerGrid(mesh));
-    writeVtk(folder/"wall.vtk", wallGrid(wall, mesh));
+
+    vtkGrid onWall(wallGrid(wall, mesh));
+
+    if (hasLevelSetReport(mesh))
+    {
+        const levelSetReport levelSets(makeLevelSetReport(mesh));
+        onWall.pointFields.add("firstLevelSet", levelSets.first);
+        onWall.pointFields.add("lastLevelSet", levelSets.last);
+
+        OFstream os(folder/"levelSets");
+        IOobject::writeBanner(os);
+        toDictionary(levelSets).write(os, false);
+        IOobject::writeEndDivider(os);
+    }
+
+    writeVtk(folder/"wall.vtk", onWall);
 }
 
 

@@ -183,4 +183,27 @@ void Foam::layerHeights
 }
 
 
+Foam::scalarField Foam::requestedHeights(const layerSpacing& spacing)
+{
+    const label n = spacing.nLayers;
+    scalarField heights(spacing.thickness.size()*n);
+    scalarList column(n + 1);
+
+    forAll(spacing.thickness, p)
+    {
+        layerHeights
+        (
+            n,
+            spacing.firstThickness[p],
+            spacing.ratio[p],
+            spacing.thickness[p],
+            column
+        );
+        std::copy(column.begin() + 1, column.end(), heights.begin() + p*n);
+    }
+
+    return heights;
+}
+
+
 // ************************************************************************* //

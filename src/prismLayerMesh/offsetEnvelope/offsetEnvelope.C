@@ -165,10 +165,11 @@ Foam::offsetEnvelope Foam::makeOffsetEnvelope
     const scalarField& clearance,
     const layerSpacing& spacing,
     const envelopeControls& controls,
-    const scalar density
+    const backgroundMeshControls& mesh
 )
 {
     const scalarField lengths(edgeLengths(wall, addressing));
+    const scalar density = mesh.radiusEdgeRatio;
 
     offsetEnvelope envelope;
     envelope.radius = min(controls.scale*spacing.thickness, clearance);
@@ -183,13 +184,21 @@ Foam::offsetEnvelope Foam::makeOffsetEnvelope
     append(outer, density, envelope);
     envelope.nEnvelope = envelope.points.size();
 
-    for (scalar share = 0.5; max(share*radius/lengths) >= 1; share *= 0.5)
+    const scalar longest = max(radius/lengths);
+    scalar share = 0.5;
+
+    for
+    (
+        label k = 0;
+        k < mesh.minSheets || share*longest >= 1;
+        ++k, share *= 0.5
+    )
     {
         sheet inner{wall, search, visibility, {}, {}, {}};
         forAll(wall.points, p)
         {
             // The lowest sheet is as far from the wall as its edges are long
-            if (share*radius[p] >= lengths[p])
+            if (k < mesh.minSheets || share*radius[p] >= lengths[p])
             {
                 inner.addPoint(p, share*radius[p], radius[p]);
             }

@@ -57,11 +57,21 @@ static envelopeControls readEnvelope(const dictionary& dict)
 }
 
 
-static backgroundMeshControls readBackgroundMesh(const dictionary& dict)
+//- Least number of sheets by default where layers end on level sets
+static const label levelSetSheets = 3;
+
+
+static backgroundMeshControls readBackgroundMesh
+(
+    const dictionary& dict,
+    const bool onLevelSets
+)
 {
-    checkKeys(dict, {"radiusEdgeRatio"});
+    checkKeys(dict, {"radiusEdgeRatio", "minSheets"});
 
     backgroundMeshControls controls;
+    controls.minSheets = onLevelSets ? levelSetSheets : 0;
+    readBounded(dict, "minSheets", label(0), label(10), controls.minSheets);
     readBounded
     (
         dict, "radiusEdgeRatio",
@@ -139,7 +149,10 @@ Foam::prismLayerControls Foam::readPrismLayerControls(const dictionary& dict)
     controls.layers = readLayerControls(mandatoryDict(dict, "layers"));
     controls.envelope = readEnvelope(optionalDict(dict, "envelope"));
     controls.backgroundMesh =
-        readBackgroundMesh(optionalDict(dict, "backgroundMesh"));
+        readBackgroundMesh
+        (
+            optionalDict(dict, "backgroundMesh"), controls.layers.onLevelSets
+        );
     controls.field = readField(optionalDict(dict, "field"));
     controls.farFieldType = readFarField(optionalDict(dict, "farField"));
 

@@ -276,6 +276,7 @@ Foam::layerControls Foam::readLayerControls(const dictionary& dict)
         wordList
         ({
             "finalAspect",
+            "marchingDistances",
             "transitionRatio",
             "maxStretch",
             "multipleNormalsAngle",
@@ -289,6 +290,14 @@ Foam::layerControls Foam::readLayerControls(const dictionary& dict)
     layerControls controls;
     readGeneralHeights(dict, controls);
     readFields(dict, controls);
+
+    word distances("requested");
+    readChoice
+    (
+        dict, "marchingDistances", {"requested", "levelSets"}, distances
+    );
+    controls.onLevelSets = distances == "levelSets";
+
     readBounded
     (
         dict, "transitionRatio",

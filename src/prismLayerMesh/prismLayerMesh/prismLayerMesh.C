@@ -8,29 +8,17 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "prismLayerMesh.H"
-#include "diffusionTensor.H"
-#include "harmonicField.H"
+#include "fieldStages.H"
 #include "makePrismLayers.H"
 #include "nameCauses.H"
 #include "wallClearance.H"
-#include "OStringStream.H"
+#include "stageText.H"
 #include "unitConversion.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
-
-//- "12 points, 20 tets"
-template<class... Items>
-static string text(const Items&... items)
-{
-    OStringStream os;
-    (void)std::initializer_list<int>{((os << items), 0)...};
-
-    return os.str();
-}
-
 
 //- " flat 8, convex 2"
 static string numbersOf(const FixedList<label, nPointKinds>& counts)
@@ -44,24 +32,6 @@ static string numbersOf(const FixedList<label, nPointKinds>& counts)
     }
 
     return numbers;
-}
-
-
-static void requireHomeomorphic
-(
-    const surfaceTopology& levelSets,
-    const surfaceTopology& wall
-)
-{
-    if (!(levelSets == wall))
-    {
-        FatalErrorInFunction
-            << "Level sets near the wall are not homeomorphic to it: "
-            << levelSets.nComponents << " components for "
-            << wall.nComponents << ", Euler characteristic "
-            << levelSets.eulerCharacteristic << " for "
-            << wall.eulerCharacteristic << exit(FatalError);
-    }
 }
 
 
@@ -116,121 +86,10 @@ static void makeRoom
     m.clearance = makeWallClearance
     (
         m.front.surface, search, m.front.visibility,
-        2*controls.envelope.scale*m.front.ofColumns(m.spacing.thickness)
+        2*controls.envelope.scale
+       *m.front.ofColumns(fieldSpacing(controls, m.spacing).thickness)
     );
     observer.end(text("room from ", min(m.clearance), " m"));
-}
-
-
-//- Sets noField where a stage of the field fails. Its line in the log ends with
-//  sizes, or with why it failed.
-template<class Stage, class Sizes>
-static void attempt
-(
-    const char* name,
-    const stageObserver& observer,
-    prismLayerMesh& m,
-    const Stage& stage,
-    const Sizes& sizes
-)
-{
-    if (m.noField.size())
-    {
-        return;
-    }
-
-    observer.begin(name);
-    const bool throwing = FatalError.throwExceptions(true);
-
-    try
-    {
-        stage();
-    }
-    catch (const Foam::error& e)
-    {
-        m.noField = e.message();
-        m.background = backgroundMesh();
-        m.isotropic.clear();
-        m.tensors.clear();
-        m.field.clear();
-    }
-
-    FatalError.throwExceptions(throwing);
-    observer.end(m.noField.size() ? m.noField : sizes());
-}
-
-
-//- From the room to the field that fills it
-static void makeField
-(
-    const wallSurface& wall,
-    const wallSearch& search,
-    const prismLayerControls& controls,
-    const stageObserver& observer,
-    prismLayerMesh& m
-)
-{
-    observer.begin("offsetEnvelope");
-    m.envelope = makeOffsetEnvelope
-    (
-        wall, m.addressing, search, m.visibility,
-        m.front.smallest(m.clearance), m.spacing, controls.envelope,
-        controls.backgroundMesh.radiusEdgeRatio
-    );
-    observer.end
-    (
-        text(m.envelope.nEnvelope, " points, ",
-            m.envelope.points.size() - m.envelope.nEnvelope,
-            " on sheets between")
-    );
-
-    attempt("backgroundMesh", observer, m, [&]()
-    {
-        m.background = makeBackgroundMesh
-        (
-            wall, m.addressing, search, m.visibility, m.envelope
-        );
-        m.topology = wallLevelSetTopology(m.background);
-        requireHomeomorphic(m.topology, wallTopology(wall, m.addressing));
-    },
-    [&]()
-    {
-        return text(m.background.tets.size(), " tetrahedra; components ",
-            m.topology.nComponents, ", Euler characteristic ",
-            m.topology.eulerCharacteristic, " as the wall's");
-    });
-
-    attempt("isotropicField", observer, m, [&]()
-    {
-        m.isotropic = makeHarmonicField
-        (
-            m.background, cotangentWeights(m.background), controls.field
-        );
-    },
-    [&]()
-    {
-        return text(findIndices(m.background.free, true).size(), " unknowns");
-    });
-
-    const autoPtr<diffusionTensor> tensor
-    (
-        diffusionTensor::New(controls.field.tensor, controls.field.tensorCoeffs)
-    );
-
-    attempt("anisotropicField", observer, m, [&]()
-    {
-        m.tensors = tensor->tensors(m.background, m.isotropic);
-        m.field = makeHarmonicField
-        (
-            m.background,
-            tensor->edgeWeights(m.background, m.tensors),
-            controls.field
-        );
-    },
-    [&]()
-    {
-        return text("tensor model ", controls.field.tensor);
-    });
 }
 
 
@@ -259,6 +118,7 @@ static void makeLayers
         front.surface, front.addressing, front.visibility, m.clearance, spacing,
         m.lines, controls.layers.maxStretch
     );
+    m.columns.onLevelSets = controls.layers.onLevelSets;
     observer.end(text(m.columns.room.size(), " columns"));
 
     observer.begin("prismLayers");

@@ -336,8 +336,12 @@ void Foam::improveStacks
 
     improvement.lean();
     improvement.settle();
-    improvement.fit();
-    improvement.even();
+
+    if (!columns.onLevelSets())
+    {
+        improvement.fit();
+        improvement.even();
+    }
 }
 
 

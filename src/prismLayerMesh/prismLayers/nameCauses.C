@@ -162,7 +162,8 @@ void Foam::nameCauses
             causes[c] == squeezeCause::none && isLower(asked, graded, c)
         )
         {
-            causes[c] = squeezeCause::transition;
+            causes[c] = columns.onLevelSets
+              ? squeezeCause::levelSet : squeezeCause::transition;
         }
     }
 }

@@ -136,6 +136,27 @@ bool Foam::wallSearch::nearer(const point& x, const scalar distance) const
 }
 
 
+Foam::wallSearch::foot Foam::wallSearch::footOf(const point& x) const
+{
+    const pointIndexHit hit(tree_.findNearest(x, GREAT));
+    const labelledTri& tri = surface_[hit.index()];
+    const barycentric2D weights
+    (
+        tri.tri(surface_.points()).pointToBarycentric(hit.rawPoint())
+    );
+
+    foot result;
+    forAll(tri, k)
+    {
+        result.points[k] = tri[k];
+        result.weights[k] = min(max(weights[k], scalar(0)), scalar(1));
+    }
+    result.distance = mag(x - hit.rawPoint());
+
+    return result;
+}
+
+
 Foam::pointIndexHit Foam::wallSearch::nearestOpposite
 (
     const point& x,

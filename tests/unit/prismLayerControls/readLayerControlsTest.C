@@ -38,6 +38,27 @@ TEST(readLayerControls, heightsMustBeGiven)
 }
 
 
+TEST(readLayerControls, marchingDistances)
+{
+    const auto read = [](const std::string& text)
+    {
+        return readControls
+        (
+            surface + "layers { nSurfaceLayers 2; thickness 1; " + text + " }"
+        ).layers.onLevelSets;
+    };
+
+    EXPECT_FALSE(read(""));
+    EXPECT_FALSE(read("marchingDistances requested;"));
+    EXPECT_TRUE(read("marchingDistances levelSets;"));
+    expectWords
+    (
+        thrownMessage([&]() { read("marchingDistances exact;"); }),
+        {"exact", "requested", "levelSets"}
+    );
+}
+
+
 TEST(readLayerControls, automaticNumberOfLayers)
 {
     const auto read = [](const std::string& text)

@@ -12,6 +12,9 @@ License
 #include "tetrahedralize.H"
 #include "wallClearance.H"
 #include "Random.H"
+#include "mathematicalConstants.H"
+
+#include <algorithm>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -83,7 +86,7 @@ Foam::testSurfaces::stages::stages
             clearance,
             spacing,
             envelopeControls(),
-            backgroundMeshControls().radiusEdgeRatio
+            backgroundMeshControls()
         )
     )
 {}
@@ -176,6 +179,79 @@ Foam::backgroundMesh Foam::testSurfaces::shellMesh
 }
 
 
+Foam::backgroundMesh Foam::testSurfaces::tubeMesh
+(
+    const label n,
+    const scalar a,
+    const scalar b
+)
+{
+    const label nAround = 6*n, nAlong = n;
+    const auto index = [&](const label r, const label t, const label z)
+    {
+        return (r*nAround + t % nAround)*(nAlong + 1) + z;
+    };
+
+    backgroundMesh mesh;
+    mesh.nWallPoints = index(1, 0, 0);
+    mesh.points.setSize(index(n + 1, 0, 0));
+    mesh.free.setSize(mesh.points.size(), false);
+    mesh.gaps.setSize(mesh.points.size(), b - a);
+
+    for (label r = 0; r <= n; ++r)
+    {
+        for (label t = 0; t < nAround; ++t)
+        {
+            for (label z = 0; z <= nAlong; ++z)
+            {
+                const scalar radius = a + (b - a)*r/n;
+                const scalar angle = constant::mathematical::twoPi*t/nAround;
+                mesh.points[index(r, t, z)] = point
+                (
+                    radius*std::cos(angle), radius*std::sin(angle),
+                    z/scalar(nAlong)
+                );
+                mesh.free[index(r, t, z)] = r > 0 && r < n;
+            }
+        }
+    }
+
+    // Each cell along the six ways from its lowest to its highest corner
+    DynamicList<tetCell> tets;
+    for (label r = 0; r < n; ++r)
+    {
+        for (label t = 0; t < nAround; ++t)
+        {
+            for (label z = 0; z < nAlong; ++z)
+            {
+                FixedList<label, 3> order({0, 1, 2});
+                do
+                {
+                    FixedList<label, 3> at({r, t, z});
+                    tetCell tet;
+                    tet[0] = index(at[0], at[1], at[2]);
+                    for (label k = 0; k < 3; ++k)
+                    {
+                        ++at[order[k]];
+                        tet[k + 1] = index(at[0], at[1], at[2]);
+                    }
+                    if (tet.tet(mesh.points).mag() < 0)
+                    {
+                        std::swap(tet[2], tet[3]);
+                    }
+                    tets.append(tet);
+                }
+                while (std::next_permutation(order.begin(), order.end()));
+            }
+        }
+    }
+    mesh.tets.transfer(tets);
+    setAddressing(mesh);
+
+    return mesh;
+}
+
+
 Foam::prismLayerMesh Foam::testSurfaces::layeredMesh
 (
     const wallSurface& wall,
@@ -186,11 +262,22 @@ Foam::prismLayerMesh Foam::testSurfaces::layeredMesh
     prismLayerControls controls;
     controls.layers = layersOf(n, thickness);
 
+    return layeredMesh(wall, controls);
+}
+
+
+Foam::prismLayerMesh Foam::testSurfaces::layeredMesh
+(
+    const wallSurface& wall,
+    const prismLayerControls& controls,
+    const localHeights& local
+)
+{
     return makePrismLayerMesh
     (
         wall,
         controls,
-        localHeights(),
+        local,
         stageObserver{[](const word&) {}, [](const string&) {}}
     );
 }

@@ -1,0 +1,222 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "levelSets.H"
+#include "gradientLines.H"
+#include "DynamicField.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Samples of a line between the first height and the end of the line
+static const label nSamples = 64;
+
+//- Shortest and longest arc length that is sampled, over the first height and
+//  over the thickness
+static const scalar shortest = 0.05;
+static const scalar longest = 6;
+
+
+static scalar median(DynamicField<scalar>& values)
+{
+    const auto middle = values.begin() + values.size()/2;
+    std::nth_element(values.begin(), middle, values.end());
+
+    return *middle;
+}
+
+
+//- Ascending, in geometric progression
+static scalarField arcLengths(const scalar first, const scalar last)
+{
+    scalarField lengths(nSamples);
+
+    forAll(lengths, k)
+    {
+        lengths[k] = first*::pow(last/first, k/scalar(nSamples - 1));
+    }
+
+    return lengths;
+}
+
+
+//- One list after the other
+static scalarField repeated(const scalarField& values, const label n)
+{
+    scalarField all(n*values.size());
+
+    forAll(all, i)
+    {
+        all[i] = values[i % values.size()];
+    }
+
+    return all;
+}
+
+
+//- Height at which a line has an energy, linear between samples
+static scalar heightOf
+(
+    const gradientLines& lines,
+    const label p,
+    const wallVisibility& visibility,
+    const point& start,
+    const scalar energy
+)
+{
+    scalar height = 0, before = 1;
+
+    for (label k = p*lines.nSamples; k < (p + 1)*lines.nSamples; ++k)
+    {
+        // Where the line ends the energy is that of the envelope
+        const scalar here = min(lines.energies[k], before);
+        const scalar next =
+            max(visibility.heightCosine(p, lines.points[k] - start), height);
+
+        if (here <= energy)
+        {
+            const scalar s = (before - energy)/max(before - here, VSMALL);
+
+            return height + s*(next - height);
+        }
+
+        height = next;
+        before = here;
+    }
+
+    return height;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::layerSpacing Foam::uniformSpacing(const layerSpacing& spacing)
+{
+    const label n = spacing.nLayers;
+    const scalar first = max(spacing.firstThickness);
+    const scalar thickness = max(spacing.thickness);
+
+    layerSpacing uniform(spacing);
+    uniform.firstThickness = first;
+    uniform.thickness = thickness;
+    uniform.ratio = n > 1 ? fittedRatio(n, first, thickness) : 1;
+
+    return uniform;
+}
+
+
+Foam::scalarField Foam::samplingEnergies
+(
+    const backgroundMesh& mesh,
+    const scalarField& field,
+    const vectorField& directions,
+    const List<pointKind>& kinds,
+    const layerSpacing& uniform
+)
+{
+    const label n = uniform.nLayers;
+    const gradientLines lines
+    (
+        makeGradientLines
+        (
+            mesh, field, identity(mesh.nWallPoints), directions,
+            requestedHeights(uniform)
+        )
+    );
+    const bool anyFlat = kinds.found(pointKind::flat);
+    scalarField energies(n);
+
+    for (label i = 0; i < n; ++i)
+    {
+        DynamicField<scalar> values;
+
+        for (label p = 0; p < mesh.nWallPoints; ++p)
+        {
+            if (!anyFlat || kinds[p] == pointKind::flat)
+            {
+                values.append(lines.energies[p*n + i]);
+            }
+        }
+
+        energies[i] = median(values);
+    }
+
+    return energies;
+}
+
+
+Foam::layerSpacing Foam::levelSetSpacing
+(
+    const backgroundMesh& mesh,
+    const scalarField& field,
+    const wallVisibility& visibility,
+    const scalarField& energies,
+    const layerSpacing& uniform
+)
+{
+    const label n = uniform.nLayers;
+    const scalar first = uniform.firstThickness[0];
+    const scalar thickness = uniform.thickness[0];
+    const vectorField directions(visibility.axes());
+    const gradientLines lines
+    (
+        makeGradientLines
+        (
+            mesh, field, identity(mesh.nWallPoints), directions,
+            repeated
+            (
+                arcLengths(shortest*first, longest*thickness),
+                mesh.nWallPoints
+            )
+        )
+    );
+    layerSpacing spacing(uniform);
+
+    for (label p = 0; p < mesh.nWallPoints; ++p)
+    {
+        const auto heightAt = [&](const label i)
+        {
+            return max
+            (
+                heightOf
+                (
+                    lines, p, visibility, mesh.points[p], energies[i]
+                ),
+                1e-3*shortest*first*(i + 1)
+            );
+        };
+
+        spacing.thickness[p] = heightAt(n - 1);
+
+        if (n > 1)
+        {
+            spacing.firstThickness[p] =
+                min(heightAt(0), spacing.thickness[p]/(1 + 1e-3*n));
+            spacing.ratio[p] = fittedRatio
+            (
+                n, spacing.firstThickness[p], spacing.thickness[p]
+            );
+        }
+        else
+        {
+            spacing.firstThickness[p] = spacing.thickness[p];
+        }
+    }
+
+    return spacing;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,144 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "levelSetReport.H"
+#include "criticalPoints.H"
+#include "levelSets.H"
+#include "DynamicField.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static percentiles spreadOf
+(
+    const scalarField& values,
+    const List<pointKind>& kinds,
+    const pointKind kind
+)
+{
+    DynamicField<scalar> some;
+
+    forAll(values, p)
+    {
+        if (kinds[p] == kind)
+        {
+            some.append(values[p]);
+        }
+    }
+
+    return makePercentiles(some);
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+bool Foam::hasLevelSetReport(const prismLayerMesh& mesh)
+{
+    const layerSpacing& request = mesh.request;
+
+    return mesh.noField.empty()
+        && max(request.thickness) <= min(request.thickness)*(1 + SMALL)
+        && max(request.firstThickness)
+        <= min(request.firstThickness)*(1 + SMALL);
+}
+
+
+Foam::levelSetReport Foam::makeLevelSetReport(const prismLayerMesh& mesh)
+{
+    if (!hasLevelSetReport(mesh))
+    {
+        FatalErrorInFunction
+            << "Level sets are reported of a field, and of one request for all"
+            << " of the wall" << exit(FatalError);
+    }
+
+    const layerSpacing uniform(uniformSpacing(mesh.request));
+    const scalarField energies
+    (
+        samplingEnergies
+        (
+            mesh.background, mesh.field, mesh.visibility.axes(),
+            mesh.pointKinds, uniform
+        )
+    );
+    const layerSpacing levelSets
+    (
+        levelSetSpacing
+        (
+            mesh.background, mesh.field, mesh.visibility, energies, uniform
+        )
+    );
+    const criticalPoints critical
+    (
+        findCriticalPoints(mesh.background, mesh.field)
+    );
+
+    levelSetReport report;
+    report.firstEnergy = energies.first();
+    report.lastEnergy = energies.last();
+    const auto above = [&](const labelUList& points)
+    {
+        return std::count_if
+        (
+            points.begin(),
+            points.end(),
+            [&](const label p) { return mesh.field[p] > energies.last(); }
+        );
+    };
+    report.nExtrema = above(critical.minima) + above(critical.maxima);
+    report.nSaddles = above(critical.saddles);
+    report.first = levelSets.firstThickness/uniform.firstThickness;
+    report.last = levelSets.thickness/uniform.thickness;
+
+    for (label kind = 0; kind < nPointKinds; ++kind)
+    {
+        report.firstOfKind.append
+        (
+            spreadOf(report.first, mesh.pointKinds, pointKind(kind))
+        );
+        report.lastOfKind.append
+        (
+            spreadOf(report.last, mesh.pointKinds, pointKind(kind))
+        );
+    }
+
+    return report;
+}
+
+
+Foam::dictionary Foam::toDictionary(const levelSetReport& report)
+{
+    dictionary dict;
+    dict.add("firstEnergy", report.firstEnergy);
+    dict.add("lastEnergy", report.lastEnergy);
+    dict.add("extrema", report.nExtrema);
+    dict.add("saddlePoints", report.nSaddles);
+
+    for (label kind = 0; kind < nPointKinds; ++kind)
+    {
+        dictionary heights;
+        heights.add
+        (
+            "firstOverRequest", toDictionary(report.firstOfKind[kind])
+        );
+        heights.add("lastOverRequest", toDictionary(report.lastOfKind[kind]));
+        dict.add(name(pointKind(kind)), heights);
+    }
+
+    return dict;
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,221 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "levelSetReport.H"
+#include "levelSets.H"
+#include "testStages.H"
+#include "testSurfaces.H"
+#include "faceHeights.H"
+
+#include <gtest/gtest.h>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+using namespace Foam;
+
+static const label nLayers = 6;
+static const scalar thickness = 0.2;
+
+
+static prismLayerControls onLevelSets(const word& tensor = "anisotropic")
+{
+    prismLayerControls controls;
+    controls.layers = testSurfaces::layersOf(nLayers, thickness);
+    controls.layers.onLevelSets = true;
+    controls.field.tensor = tensor;
+    controls.backgroundMesh.minSheets = 3;
+
+    return controls;
+}
+
+
+//- A ball, of which one half is to have other heights
+struct halfBall
+{
+    wallSurface wall;
+    prismLayerMesh mesh;
+
+    explicit halfBall(const scalar factor)
+    :
+        wall(testSurfaces::sphere(16)),
+        mesh(make(wall, factor))
+    {}
+
+    static prismLayerMesh make(const wallSurface& wall, const scalar factor)
+    {
+        prismLayerControls controls(onLevelSets());
+        controls.layers.regions.setSize(1);
+        layerRegion& region = controls.layers.regions[0];
+        region.name = "half";
+        region.heights.thickness = factor*thickness;
+        region.heights.expansionRatio = 1.2;
+
+        localHeights local;
+        local.inRegion.setSize(1);
+        for (const point& x : wall.points)
+        {
+            local.inRegion[0].append(x.z() > 0);
+        }
+
+        return testSurfaces::layeredMesh(wall, controls, local);
+    }
+
+    //- Mean thickness of the level sets around a pole over what is asked for
+    //  without a factor
+    scalar thicknessAt(const scalar z) const
+    {
+        scalar sum = 0;
+        label n = 0;
+
+        forAll(wall.points, p)
+        {
+            if (mag(wall.points[p].z() - z) < 0.15)
+            {
+                sum += mesh.spacing.thickness[p]/thickness;
+                ++n;
+            }
+        }
+
+        return sum/n;
+    }
+};
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(levelSets, uniformSpacingIsTheLargest)
+{
+    layerSpacing spacing;
+    spacing.nLayers = 4;
+    spacing.firstThickness = scalarField(scalarList({0.1, 0.2}));
+    spacing.thickness = scalarField(scalarList({1.2, 1}));
+    spacing.ratio = scalarField(2, 1.1);
+
+    const layerSpacing uniform(uniformSpacing(spacing));
+
+    for (label p = 0; p < 2; ++p)
+    {
+        EXPECT_EQ(uniform.firstThickness[p], 0.2);
+        EXPECT_EQ(uniform.thickness[p], 1.2);
+        EXPECT_NEAR(totalThickness(4, 0.2, uniform.ratio[p]), 1.2, 1e-9);
+    }
+}
+
+
+TEST(levelSets, haveTheHeightsAskedForOnASphere)
+{
+    const wallSurface wall(testSurfaces::sphere(16));
+    const prismLayerMesh m(testSurfaces::layeredMesh(wall, onLevelSets()));
+
+    ASSERT_EQ(m.noField, "");
+    EXPECT_TRUE(m.columns.onLevelSets);
+
+    const faceHeights heights(makeFaceHeights(wall, m.request, m.layers));
+    scalarField first(heights.firstOverRequest), all(heights.totalOverRequest);
+    const percentiles spread(makePercentiles(all));
+    const percentiles firstSpread(makePercentiles(first));
+
+    EXPECT_NEAR(spread.p50, 1, 0.03);
+    EXPECT_GT(spread.p5, 0.8);
+    EXPECT_LT(spread.p95, 1.2);
+    EXPECT_NEAR(firstSpread.p50, 1, 0.05);
+    EXPECT_TRUE(m.certificate.valid());
+}
+
+
+TEST(levelSets, energiesDescend)
+{
+    const wallSurface wall(testSurfaces::lBlock(6));
+    const prismLayerMesh m(testSurfaces::layeredMesh(wall, onLevelSets()));
+    const scalarField energies
+    (
+        samplingEnergies
+        (
+            m.background, m.field, m.visibility.axes(), m.pointKinds,
+            uniformSpacing(m.request)
+        )
+    );
+
+    EXPECT_LT(energies[0], 1);
+    for (label i = 1; i < nLayers; ++i)
+    {
+        EXPECT_LT(energies[i], energies[i - 1]);
+    }
+    EXPECT_GT(energies.last(), 0);
+}
+
+
+TEST(levelSets, tensorsMakeThemMoreEvenInAConcaveCorner)
+{
+    // The paper's claim, of the first layer
+    const wallSurface wall(testSurfaces::lBlock(24));
+    const label concave = int(pointKind::concave);
+    List<scalar> first;
+
+    for (const word model : {"isotropic", "anisotropic", "gradientPower"})
+    {
+        prismLayerControls controls(onLevelSets(model));
+        controls.layers = testSurfaces::layersOf(10, 0.3);
+        const prismLayerMesh m(testSurfaces::layeredMesh(wall, controls));
+
+        ASSERT_TRUE(hasLevelSetReport(m));
+        const levelSetReport report(makeLevelSetReport(m));
+        first.append(report.firstOfKind[concave].mean);
+        EXPECT_EQ(report.nSaddles, 0);
+    }
+
+    EXPECT_GT(first[0], 1);
+    EXPECT_LT(first[1], first[0]);
+    EXPECT_LT(mag(std::log(first[2])), mag(std::log(first[0])));
+}
+
+
+TEST(localTensors, movesLevelSetsToLocalHeights)
+{
+    for (const scalar factor : {0.7, 0.5})
+    {
+        const halfBall ball(factor);
+
+        EXPECT_NEAR(ball.thicknessAt(-0.85), 1, 0.05);
+        EXPECT_NEAR(ball.thicknessAt(0.85), factor, 0.15*factor);
+        EXPECT_TRUE(ball.mesh.certificate.valid());
+    }
+}
+
+
+TEST(localTensors, theChangeIsSmooth)
+{
+    const halfBall ball(0.5);
+    scalarField changes
+    (
+        changesOverEdges
+        (
+            ball.mesh.addressing,
+            makeFaceHeights(ball.wall, ball.mesh.request, ball.mesh.layers)
+           .first
+        )
+    );
+
+    EXPECT_LT(makePercentiles(changes).p99, 1.3);
+}
+
+
+TEST(localTensors, areNoneWhereHeightsAreTheSame)
+{
+    const halfBall ball(1);
+    const prismLayerMesh plain
+    (
+        testSurfaces::layeredMesh(ball.wall, onLevelSets())
+    );
+
+    EXPECT_EQ(ball.mesh.field, plain.field);
+}
+
+
+// ************************************************************************* //
