@@ -145,7 +145,7 @@ class Canvas:
             self.fill([(a[0] - u, a[1] + v), (b[0] - u, b[1] + v),
                        (b[0] + u, b[1] - v), (a[0] + u, a[1] - v)], colour)
 
-    def write(self, picture):
+    def image(self):
         """Averaged over the pixels of the canvas: lines without steps"""
         source = vtk.vtkImageImport()
         source.CopyImportVoidPointer(bytes(self.bytes), len(self.bytes))
@@ -159,11 +159,16 @@ class Canvas:
         shrink.SetInputConnection(source.GetOutputPort())
         shrink.SetShrinkFactors(FINENESS, FINENESS, 1)
         shrink.MeanOn()
+        shrink.Update()
 
-        writer = vtk.vtkPNGWriter()
-        writer.SetFileName(picture)
-        writer.SetInputConnection(shrink.GetOutputPort())
-        writer.Write()
+        return shrink.GetOutput()
+
+
+def write(image, picture):
+    writer = vtk.vtkPNGWriter()
+    writer.SetFileName(picture)
+    writer.SetInputData(image)
+    writer.Write()
 
 
 def paint(polygons):
@@ -189,7 +194,8 @@ def main():
     if not polygons:
         sys.exit("There are no cells in the picture")
 
-    paint(polygons).write(options.picture)
+    write(paint(polygons).image(), options.picture)
 
 
-main()
+if __name__ == "__main__":
+    main()

@@ -248,6 +248,9 @@ void Foam::writeStageFields
 
     vtkGrid onWall(wallGrid(wall, mesh));
 
+    // Not those of an earlier run
+    rm(folder/"levelSets");
+
     if (hasLevelSetReport(mesh))
     {
         const levelSetReport levelSets(makeLevelSetReport(mesh));

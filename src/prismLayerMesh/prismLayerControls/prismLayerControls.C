@@ -58,7 +58,7 @@ static envelopeControls readEnvelope(const dictionary& dict)
 
 
 //- Least number of sheets by default where layers end on level sets
-static const label levelSetSheets = 3;
+static const label levelSetSheets = 2;
 
 
 static backgroundMeshControls readBackgroundMesh
