@@ -75,6 +75,14 @@ def entry(text, *keys):
     return number(text, r"\b%s\s+([^;]+);" % keys[-1])
 
 
+def short(text, digits=3):
+    """A number with so many digits"""
+    try:
+        return "%.*g" % (digits, float(text))
+    except ValueError:
+        return text
+
+
 def read(file):
     with open(file) as stream:
         return stream.read()
@@ -142,7 +150,7 @@ def beside_edges(wall, points):
 
 
 def meshes(root, ending):
-    header(("case", "field", "prisms", "full layers %", "first/asked",
+    header(("case", "field", "prisms", "full layers %", "first/asked p1 to p99",
             "beside concave edges: first", "last", "worst Jacobian", "mean",
             "max non-orth.", "mean", "growth p99", "seconds"))
 
@@ -157,15 +165,16 @@ def meshes(root, ending):
         everywhere = report[report.index("allPatches"):]
         row((name, field, entry(report, "cells"),
              entry(everywhere, "fullLayersAreaPercent"),
-             entry(everywhere, "firstHeightOverRequest", "p1") + " to "
-             + entry(everywhere, "firstHeightOverRequest", "p99"),
+             short(entry(everywhere, "firstHeightOverRequest", "p1")) + " to "
+             + short(entry(everywhere, "firstHeightOverRequest", "p99")),
              spread(wall["firstHeightOverRequest"][beside]),
              spread(wall["thicknessOverRequest"][beside]),
-             entry(everywhere, "worstScaledJacobian"),
-             entry(everywhere, "meanScaledJacobian"),
-             number(check, r"non-orthogonality Max: ([\d.]+)"),
-             number(check, r"non-orthogonality Max: [\d.]+ average: ([\d.]+)"),
-             entry(everywhere, "growthOverRequest", "p99"),
+             short(entry(everywhere, "worstScaledJacobian"), 2),
+             short(entry(everywhere, "meanScaledJacobian")),
+             short(number(check, r"non-orthogonality Max: ([\d.]+)")),
+             short(number(check,
+                          r"non-orthogonality Max: [\d.]+ average: ([\d.]+)")),
+             short(entry(everywhere, "growthOverRequest", "p99"), 4),
              "%.1f" % sum(seconds)))
 
 

@@ -349,7 +349,10 @@ void Foam::movingColumns::fitThickness(const mover& moving)
     };
     const auto share = [&](const label c, const scalar height)
     {
-        return 1 - shareOf(height, lowShare*columns_.edges[c]);
+        const scalar above = height - spacing_.firstThickness[c];
+
+        return above > 0
+          ? 1 - shareOf(above, lowShare*columns_.edges[c]) : 0;
     };
 
     fit({spacing_.nLayers, isWrong, share}, moving);

@@ -108,12 +108,15 @@ public:
     //- Give height back to columns that retreated
     void grow();
 
-    //- Fit columns to the thickness and to the first heights that are asked
-    //  for, to these again nearer to the wall where they are taken back
+    //- Fit columns to the first heights that are asked for, those that have to
+    //  be taken back again nearer to the wall
     void fit();
 
     //- No first heights that are too high, or change too much along the wall
     void even();
+
+    //- No faces that are too thick, above their first layers
+    void fitThickness();
 
     //- Take columns back until all can be certified
     void settle();
@@ -285,9 +288,6 @@ void stackImprovement::fit()
     boolList wanted(barred_.size(), true);
     const auto moving = [&](const label c) { remember(c); };
 
-    columns_.fitThickness(moving);
-    settle();
-
     for (const scalar reach : reaches)
     {
         barred_ = false;
@@ -306,6 +306,13 @@ void stackImprovement::even()
     {
         settle();
     }
+}
+
+
+void stackImprovement::fitThickness()
+{
+    columns_.fitThickness([&](const label c) { remember(c); });
+    settle();
 }
 
 } // End namespace Foam
@@ -341,6 +348,7 @@ void Foam::improveStacks
     {
         improvement.fit();
         improvement.even();
+        improvement.fitThickness();
     }
 }
 
