@@ -10,44 +10,12 @@ License
 #include "criticalPoints.H"
 #include "disjointSets.H"
 #include "DynamicList.H"
+#include "ListOps.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
-
-//- Tetrahedra at each free point
-static labelListList freePointTets(const backgroundMesh& mesh)
-{
-    labelList counts(mesh.points.size(), 0);
-    for (const tetCell& tet : mesh.tets)
-    {
-        for (const label p : tet)
-        {
-            counts[p] += mesh.free[p];
-        }
-    }
-
-    labelListList pointTets(mesh.points.size());
-    forAll(pointTets, p)
-    {
-        pointTets[p].setSize(counts[p]);
-    }
-
-    forAll(mesh.tets, t)
-    {
-        for (const label p : mesh.tets[t])
-        {
-            if (mesh.free[p])
-            {
-                pointTets[p][--counts[p]] = t;
-            }
-        }
-    }
-
-    return pointTets;
-}
-
 
 //- Parts of the link of a point with smaller, and with larger values
 struct linkParts
@@ -135,12 +103,13 @@ Foam::criticalPoints Foam::findCriticalPoints
     const scalarField& field
 )
 {
-    const labelListList pointTets(freePointTets(mesh));
+    labelListList pointTets;
+    invertManyToMany(mesh.points.size(), mesh.tets, pointTets);
     DynamicList<label> minima, maxima, saddles;
 
     forAll(pointTets, p)
     {
-        if (pointTets[p].size())
+        if (mesh.free[p] && pointTets[p].size())
         {
             const linkParts parts(partsOfLink(mesh, field, pointTets[p], p));
 

@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "gradientLines.H"
+#include "ListOps.H"
 #include "harmonicField.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -105,37 +106,6 @@ struct walker
           + l[3]*values[t[3]];
     }
 };
-
-
-//- Tetrahedra at each point of the wall
-static labelListList wallPointTets(const backgroundMesh& mesh)
-{
-    labelList counts(mesh.nWallPoints, 0);
-    for (const tetCell& tet : mesh.tets)
-    {
-        for (const label p : tet)
-        {
-            if (mesh.onWall(p)) ++counts[p];
-        }
-    }
-
-    labelListList pointTets(mesh.nWallPoints);
-    forAll(pointTets, p)
-    {
-        pointTets[p].setSize(counts[p]);
-    }
-
-    counts = 0;
-    forAll(mesh.tets, t)
-    {
-        for (const label p : mesh.tets[t])
-        {
-            if (mesh.onWall(p)) pointTets[p][counts[p]++] = t;
-        }
-    }
-
-    return pointTets;
-}
 
 
 //- The tetrahedron among those that d points into most
@@ -267,7 +237,8 @@ Foam::gradientLines Foam::makeGradientLines
     lines.energies.setSize(arcLengths.size());
     lines.lengths.setSize(wallPoints.size());
 
-    const labelListList pointTets(wallPointTets(mesh));
+    labelListList pointTets;
+    invertManyToMany(mesh.points.size(), mesh.tets, pointTets);
 
     forAll(wallPoints, line)
     {
