@@ -79,7 +79,7 @@ static footing footingOf
 (
     const backgroundMesh& mesh,
     const label v,
-    const wallSearch& search,
+    const wallSearch::foot& foot,
     const scalarField& requested,
     const scalarField& uniform,
     const scalar gap
@@ -89,7 +89,6 @@ static footing footingOf
     footing result;
     result.heights.setSize(n, 0);
 
-    const wallSearch::foot foot(search.footOf(mesh.points[v]));
     forAll(foot.points, k)
     {
         for (label i = 0; i < n; ++i)
@@ -110,10 +109,26 @@ static footing footingOf
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
+Foam::List<Foam::wallSearch::foot> Foam::feetOfPoints
+(
+    const backgroundMesh& mesh,
+    const wallSearch& search
+)
+{
+    List<wallSearch::foot> feet(mesh.points.size());
+    forAll(feet, v)
+    {
+        feet[v] = search.footOf(mesh.points[v]);
+    }
+
+    return feet;
+}
+
+
 Foam::scalarField Foam::localWeightFactors
 (
     const backgroundMesh& mesh,
-    const wallSearch& search,
+    const List<wallSearch::foot>& feet,
     const scalarField& energies,
     const layerSpacing& uniform,
     const layerSpacing& local
@@ -128,7 +143,7 @@ Foam::scalarField Foam::localWeightFactors
     List<footing> footings(mesh.points.size());
     forAll(footings, v)
     {
-        footings[v] = footingOf(mesh, v, search, requested, all, gap);
+        footings[v] = footingOf(mesh, v, feet[v], requested, all, gap);
     }
 
     scalarField factors(mesh.edges.size(), 1);

@@ -118,6 +118,12 @@ static void makeLevelSets
 
     // Tensors for what is asked for do not reach it where the mesh is coarse
     layerSpacing aim(m.spacing);
+    const List<wallSearch::foot> feet
+    (
+        local
+      ? feetOfPoints(m.background, search) : List<wallSearch::foot>()
+    );
+
     for (label k = 0; local && k < nAims; ++k)
     {
         if (k > 0)
@@ -130,7 +136,7 @@ static void makeLevelSets
             m.background,
             weights*localWeightFactors
             (
-                m.background, search, energies, uniform, aim
+                m.background, feet, energies, uniform, aim
             ),
             controls.field
         );
