@@ -37,7 +37,8 @@ Usage
 
       - \par -writeFields
         Write VTK files of the envelope, the background mesh with its fields,
-        the columns, the layers, and the wall with what was reached on it
+        the columns, the layers, and the wall with what was reached on it; how
+        even the level sets of the field are
 
 \*---------------------------------------------------------------------------*/
 
@@ -90,7 +91,8 @@ static void addOptions()
     );
     argList::addBoolOption
     (
-        "writeFields", "Write VTK files of what the stages made"
+        "writeFields",
+        "Write VTK files of what the stages made, and heights of level sets"
     );
 }
 
