@@ -43,6 +43,7 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "argList.H"
+#include "makeSizeBounds.H"
 #include "Time.H"
 #include "polyMesh.H"
 #include "prismLayerMesh.H"
@@ -181,6 +182,55 @@ static localHeights readLocal
 }
 
 
+//- Where the far field is to be: nothing where there is to be none
+static farFieldDomain readFarField
+(
+    const prismCase& files,
+    const wallSurface& wall,
+    const farFieldControls& controls,
+    const Time& time,
+    stageLog& log
+)
+{
+    farFieldDomain domain;
+
+    if (!controls.isWanted())
+    {
+        return domain;
+    }
+
+    log.begin("farBoundary");
+    domain.boundary = makeFarBoundary
+    (
+        controls.boundary,
+        [&](const fileName& file) { return files.surfaceFile(file); }
+    );
+    domain.bounds = makeSizeBounds(controls, time);
+
+    const wordList& patches = domain.boundary.surface.patchNames;
+    const wordList wallPatches(prismPatchNames(wall.patchNames));
+
+    for (const word& patch : patches)
+    {
+        if (wallPatches.found(patch))
+        {
+            FatalErrorInFunction
+                << "The far boundary has a patch " << patch << ", as the wall"
+                << " has; name one of them otherwise" << exit(FatalError);
+        }
+    }
+
+    string names;
+    for (const word& patch : patches)
+    {
+        names += ' ' + patch;
+    }
+    log.end(controls.boundary.type + names);
+
+    return domain;
+}
+
+
 //- The points where no layers are possible are named and written
 static prismLayerMesh makeMesh
 (
@@ -250,7 +300,16 @@ int main(int argc, char *argv[])
     files.checkOverwrite(controls.surface.file);
 
     const localHeights local(readLocal(files, wall, controls, runTime, log));
+    const farFieldDomain domain
+    (
+        readFarField(files, wall, controls.farField, runTime, log)
+    );
     prismLayerMesh result(makeMesh(files, wall, controls, local, log));
+
+    if (controls.farField.isWanted())
+    {
+        addFarField(controls.farField, domain, log.observer(), result);
+    }
 
     if (args.found("writeFields"))
     {

@@ -55,15 +55,9 @@ static IOobject dictObject(const argList& args, const Time& time)
 //- The outer surface of the layers
 static MeshedSurface<face> outerSurface(const prismLayers& layers)
 {
-    pointField points(layers.nColumns());
-    forAll(points, c)
-    {
-        points[c] = layers(c, layers.nLayers);
-    }
-
     return MeshedSurface<face>
     (
-        std::move(points),
+        layers.outerPoints(),
         faceList(layers.faces),
         List<surfZone>(1, surfZone(layerOuterName, layers.faces.size(), 0, 0))
     );
@@ -200,13 +194,13 @@ void Foam::prismCase::writeOuter(const prismLayers& layers) const
 }
 
 
-void Foam::prismCase::writeReport(const layerReport& report) const
+void Foam::prismCase::writeReport(const dictionary& report) const
 {
     IOstream::defaultPrecision(6);
     mkDir(reportFolder());
     OFstream os(reportFolder()/"report");
     IOobject::writeBanner(os);
-    toDictionary(report).write(os, false);
+    report.write(os, false);
     IOobject::writeEndDivider(os);
     os.flush();
 
@@ -218,32 +212,11 @@ void Foam::prismCase::writeReport(const layerReport& report) const
 }
 
 
-void Foam::prismCase::write
+Foam::autoPtr<Foam::polyMesh> Foam::prismCase::writeMesh
 (
-    const wallSurface& wall,
-    prismLayerMesh& m,
-    stageLog& log
+    prismLayerMesh& m
 ) const
 {
-    log.begin("prismPolyMesh");
-
-    // What was certified is what is written: no digit may be lost
-    IOstream::defaultPrecision(17);
-
-    writeOuter(m.layers);
-    layerReport report
-    (
-        makeLayerReport
-        (
-            wall, m.addressing, m.request, m.layers, m.certificate,
-            m.columns.causes
-        )
-    );
-    report.noField = m.noField;
-    report.points = countKinds(m.pointKinds);
-    report.nFurtherColumns = m.front.furtherRoots().size();
-    report.nRetreats = m.columns.nRetreats;
-
     // The old mesh is there until the new one is; nothing of it may stay, and
     // polyMesh would read its tetBasePtIs
     const fileName folder(polyMeshFolder());
@@ -259,6 +232,7 @@ void Foam::prismCase::write
         makePrismPolyMesh
         (
             m.layers,
+            m.farField,
             IOobject
             (
                 region_, time_.constant(), time_,
@@ -283,17 +257,58 @@ void Foam::prismCase::write
         rmDir(aside);
     }
 
+    return mesh;
+}
+
+
+void Foam::prismCase::write
+(
+    const wallSurface& wall,
+    prismLayerMesh& m,
+    stageLog& log
+) const
+{
+    log.begin("prismPolyMesh");
+    const bool hasFarField = !m.farField.empty();
+
+    // What was certified is what is written: no digit may be lost
+    IOstream::defaultPrecision(17);
+
+    writeOuter(m.layers);
+    layerReport report
+    (
+        makeLayerReport
+        (
+            wall, m.addressing, m.request, m.layers, m.certificate,
+            m.columns.causes
+        )
+    );
+    report.noField = m.noField;
+    report.points = countKinds(m.pointKinds);
+    report.nFurtherColumns = m.front.furtherRoots().size();
+    report.nRetreats = m.columns.nRetreats;
+
+    const autoPtr<polyMesh> mesh(writeMesh(m));
     log.end
     (
         name(mesh->nCells()) + " cells, " + name(mesh->nFaces()) + " faces"
     );
     report.stages = log.costs();
 
-    writeReport(report);
-    rm(failedPointsFile());
+    dictionary entries(toDictionary(report));
     Foam::write(Info, report);
 
-    Info<< nl << "Mesh:   " << folder << nl
+    if (hasFarField)
+    {
+        const farFieldReport far(makeFarFieldReport(mesh()));
+        entries.add(farFieldName, toDictionary(far));
+        Foam::write(Info, far);
+    }
+
+    writeReport(entries);
+    rm(failedPointsFile());
+
+    Info<< nl << "Mesh:   " << polyMeshFolder() << nl
         << "Outer:  " << outerFile() << nl
         << "Report: " << reportFolder()/"report" << nl << endl;
 }

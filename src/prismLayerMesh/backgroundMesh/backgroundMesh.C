@@ -9,7 +9,6 @@ License
 
 #include "backgroundMesh.H"
 #include "tetrahedralize.H"
-#include "disjointSets.H"
 #include "wallBridges.H"
 
 #include <algorithm>
@@ -36,41 +35,12 @@ static scalar enclosedVolume(const wallSurface& wall)
 
 
 //- Points inside the bodies, one behind the largest face of each component
-static pointField bodySeeds
-(
-    const wallSurface& wall,
-    const wallAddressing& addressing,
-    const wallSearch& search
-)
+static pointField bodySeeds(const wallSurface& wall, const wallSearch& search)
 {
-    disjointSets components(wall.points.size());
-    for (const edge& e : addressing.edges)
-    {
-        components.join(e.start(), e.end());
-    }
-
-    scalarField largestArea(wall.points.size(), 0);
-    labelList largestFace(wall.points.size(), -1);
-    forAll(wall.faces, facei)
-    {
-        const label component = components.find(wall.faces[facei][0]);
-        const scalar area = wall.faces[facei].mag(wall.points);
-
-        if (area > largestArea[component])
-        {
-            largestArea[component] = area;
-            largestFace[component] = facei;
-        }
-    }
-
     DynamicList<point> seeds;
-    for (const label facei : largestFace)
-    {
-        if (facei < 0)
-        {
-            continue;
-        }
 
+    for (const label facei : largestFaces(wall))
+    {
         // On one triangle of the face: its centre may be off a warped face
         const face& f = wall.faces[facei];
         const triPointRef tri
@@ -78,7 +48,7 @@ static pointField bodySeeds
             wall.points[f[0]], wall.points[f[1]], wall.points[f[2]]
         );
         const vector inwards = -tri.unitNormal();
-        const scalar tiny = 1e-6*::sqrt(largestArea[components.find(f[0])]);
+        const scalar tiny = 1e-6*::sqrt(f.mag(wall.points));
 
         const pointIndexHit hit
         (
@@ -194,8 +164,15 @@ static void setEdges(backgroundMesh& mesh)
     mesh.edges.transfer(edges);
 }
 
+} // End namespace Foam
 
-static void setNeighbours(backgroundMesh& mesh)
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::List<Foam::FixedList<Foam::label, 4>> Foam::tetNeighbours
+(
+    const tetCellList& tets
+)
 {
     struct keyed
     {
@@ -203,10 +180,10 @@ static void setNeighbours(backgroundMesh& mesh)
         label tetFace;
     };
 
-    List<keyed> keys(4*mesh.tets.size());
-    forAll(mesh.tets, t)
+    List<keyed> keys(4*tets.size());
+    forAll(tets, t)
     {
-        const tetCell& tet = mesh.tets[t];
+        const tetCell& tet = tets[t];
 
         for (label i = 0; i < 4; ++i)
         {
@@ -233,8 +210,8 @@ static void setNeighbours(backgroundMesh& mesh)
         }
     );
 
-    mesh.neighbours.setSize(mesh.tets.size());
-    for (FixedList<label, 4>& n : mesh.neighbours)
+    List<FixedList<label, 4>> neighbours(tets.size());
+    for (FixedList<label, 4>& n : neighbours)
     {
         n = -1;
     }
@@ -244,21 +221,19 @@ static void setNeighbours(backgroundMesh& mesh)
         if (keys[i].points == keys[i - 1].points)
         {
             const label a = keys[i].tetFace, b = keys[i - 1].tetFace;
-            mesh.neighbours[a/4][a % 4] = b/4;
-            mesh.neighbours[b/4][b % 4] = a/4;
+            neighbours[a/4][a % 4] = b/4;
+            neighbours[b/4][b % 4] = a/4;
         }
     }
+
+    return neighbours;
 }
 
-} // End namespace Foam
-
-
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 void Foam::setAddressing(backgroundMesh& mesh)
 {
     setEdges(mesh);
-    setNeighbours(mesh);
+    mesh.neighbours = tetNeighbours(mesh.tets);
 }
 
 
@@ -280,7 +255,7 @@ Foam::backgroundMesh Foam::makeBackgroundMesh
     domain.facets = triangles;
     domain.points = wall.points;
     domain.points.append(envelope.points);
-    domain.holes = bodySeeds(wall, addressing, search);
+    domain.holes = bodySeeds(wall, search);
 
     if (enclosedVolume(wall) > 0)
     {

@@ -13,8 +13,10 @@ License
 #include "quaternion.H"
 #include "error.H"
 #include "isolatedProcess.H"
+#include "prismQuality.H"
+#include "triangleIndex.H"
 
-#include <algorithm>
+#include <string>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -83,9 +85,66 @@ static void setFacets(tetgenio& io, const faceList& facets)
 }
 
 
+//- TetGen in its process: what makes tetrahedra of the wanted sizes
+struct tetSizing
+{
+    std::function<scalar(const point&)> size;
+    tensor rotation;
+
+    //- TetGen's question has no place for more than coordinates
+    static tetSizing current;
+
+    static bool isLarge
+    (
+        REAL* a, REAL* b, REAL* c, REAL* d, REAL*, REAL
+    );
+};
+
+tetSizing tetSizing::current;
+
+
+//- Edges over the wanted size, at most
+static const scalar maxLength = 1.6;
+
+bool tetSizing::isLarge(REAL* a, REAL* b, REAL* c, REAL* d, REAL*, REAL)
+{
+    const point x[4] =
+    {
+        point(a[0], a[1], a[2]), point(b[0], b[1], b[2]),
+        point(c[0], c[1], c[2]), point(d[0], d[1], d[2])
+    };
+
+    scalar longest = 0;
+    for (label i = 0; i < 4; ++i)
+    {
+        for (label j = i + 1; j < 4; ++j)
+        {
+            longest = max(longest, magSqr(x[i] - x[j]));
+        }
+    }
+
+    const point centre(0.25*(x[0] + x[1] + x[2] + x[3]));
+
+    return
+        longest > sqr(maxLength*current.size(centre & current.rotation));
+}
+
+
+//- How TetGen runs
+struct tetRun
+{
+    std::string switches;
+    std::function<scalar(const point&)> size;
+
+    //- At the first attempt
+    label seconds;
+};
+
+
 static void run
 (
     const tetDomain& domain,
+    const tetRun& how,
     const tensor& rotation,
     std::FILE* result
 )
@@ -98,11 +157,14 @@ static void run
     in.holelist = newCoordinates(domain.holes, rotation);
     setFacets(in, domain.facets);
 
-    // Facets stay as they are: not split (Y), coplanar ones not merged (M), no
-    // tolerance (T) in place of the exact predicates. Points that are not used
-    // are not left out (J), or the others would change their labels.
-    char switches[] = "pYMJQT1e-16";
-    ::tetrahedralize(switches, &in, &out);
+    if (how.size)
+    {
+        tetSizing::current = tetSizing{how.size, rotation};
+        in.tetunsuitable = tetSizing::isLarge;
+    }
+
+    std::string switches(how.switches);
+    ::tetrahedralize(&switches[0], &in, &out);
 
     std::fwrite(&out.numberofpoints, sizeof(int), 1, result);
     std::fwrite(&out.numberoftetrahedra, sizeof(int), 1, result);
@@ -154,50 +216,29 @@ static bool read
 }
 
 
-typedef FixedList<label, 3> triple;
-
-static triple sortedTriple(const label a, const label b, const label c)
-{
-    triple t;
-    t[0] = a;
-    t[1] = b;
-    t[2] = c;
-    std::sort(t.begin(), t.end());
-
-    return t;
-}
-
-
 //- Whether all facets are faces of tetrahedra: now and then TetGen adds a point
 //  on one
 static bool keepsFacets(const tetDomain& domain, const tetMesh& mesh)
 {
-    // Each facet with its smallest point
-    labelListList facetsOf(domain.points.size());
-    List<triple> facets(domain.facets.size());
-    forAll(facets, i)
-    {
-        const face& f = domain.facets[i];
-        facets[i] = sortedTriple(f[0], f[1], f[2]);
-        facetsOf[facets[i][0]].append(i);
-    }
-
-    boolList isFace(facets.size(), false);
+    const triangleIndex facets(domain.facets);
+    boolList isFace(domain.facets.size(), false);
 
     for (const tetCell& tet : mesh.tets)
     {
         for (label i = 0; i < 4; ++i)
         {
-            const triple t
-            (
-                sortedTriple(tet[(i + 1)%4], tet[(i + 2)%4], tet[(i + 3)%4])
-            );
+            const label a = tet[(i + 1) % 4];
+            const label b = tet[(i + 2) % 4];
+            const label c = tet[(i + 3) % 4];
 
-            if (t[0] < facetsOf.size())
+            // Facets are on points of the domain
+            if (max(max(a, b), c) < domain.points.size())
             {
-                for (const label facet : facetsOf[t[0]])
+                const label facet = facets.find(a, b, c);
+
+                if (facet >= 0)
                 {
-                    isFace[facet] = isFace[facet] || facets[facet] == t;
+                    isFace[facet] = true;
                 }
             }
         }
@@ -206,30 +247,56 @@ static bool keepsFacets(const tetDomain& domain, const tetMesh& mesh)
     return !isFace.found(false);
 }
 
-} // End namespace Foam
+
+//- Coordinates that are turned back are rounded
+static bool allPositive(const tetMesh& mesh)
+{
+    for (const tetCell& tet : mesh.tets)
+    {
+        const pointField& x = mesh.points;
+
+        if (orientation(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]) <= 0)
+        {
+            return false;
+        }
+    }
+
+    return true;
+}
 
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+//- Facets stay as they are: not split (Y), coplanar ones not merged (M), no
+//  tolerance (T) in place of the exact predicates. Points that are not used
+//  are not left out (J), or the others would change their labels.
+static const std::string keepFacets("pYMJQT1e-16");
 
-Foam::tetMesh Foam::tetrahedralize(const tetDomain& domain)
+//- Radius over shortest edge at most 1.3, dihedral angles from 12 to 120
+//  degrees, where it can be had, by refinement and then by flips and smoothing
+static const std::string shapes("q1.3/12o/120O4/7");
+
+
+static tetMesh attempts(const tetDomain& domain, const tetRun& how)
 {
     for (label attempt = 0; attempt < maxAttempts; ++attempt)
     {
         const tensor rotation(generalRotation(attempt));
-        const label seconds = 3 + domain.points.size()/16000;
         tetMesh mesh;
 
         const processEnd end = isolatedProcess
         (
-            [&](std::FILE* result) { run(domain, rotation, result); },
+            [&](std::FILE* result) { run(domain, how, rotation, result); },
             [&](std::FILE* result)
             {
                 return read(domain, rotation, result, mesh);
             },
-            max(seconds >> attempt, 2)
+            max(how.seconds >> attempt, 2)
         );
 
-        if (end == processEnd::complete && keepsFacets(domain, mesh))
+        if
+        (
+            end == processEnd::complete
+         && keepsFacets(domain, mesh) && allPositive(mesh)
+        )
         {
             return mesh;
         }
@@ -242,6 +309,40 @@ Foam::tetMesh Foam::tetrahedralize(const tetDomain& domain)
         << exit(FatalError);
 
     return tetMesh();
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::tetMesh Foam::tetrahedralize(const tetDomain& domain)
+{
+    return attempts
+    (
+        domain,
+        tetRun{keepFacets, nullptr, 3 + domain.points.size()/16000}
+    );
+}
+
+
+Foam::tetMesh Foam::tetrahedralize
+(
+    const tetDomain& domain,
+    const std::function<scalar(const point&)>& size,
+    const label maxTets
+)
+{
+    return attempts
+    (
+        domain,
+        tetRun
+        {
+            keepFacets + shapes + 'S' + std::to_string(maxTets/4),
+            size,
+            30 + maxTets/3000
+        }
+    );
 }
 
 

@@ -8,79 +8,12 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "wallBridges.H"
-
-#include <algorithm>
+#include "splitTets.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
-
-//- Points of a simplex in ascending order; an edge has -1 first
-typedef FixedList<label, 3> simplex;
-
-
-static bool before(const simplex& a, const simplex& b)
-{
-    return std::lexicographical_compare
-    (
-        a.begin(), a.end(), b.begin(), b.end()
-    );
-}
-
-
-static simplex sortedSimplex(const label a, const label b, const label c)
-{
-    simplex s;
-    s[0] = a;
-    s[1] = b;
-    s[2] = c;
-    std::sort(s.begin(), s.end());
-
-    return s;
-}
-
-
-//- A set of simplices in ascending order
-class simplexSet
-{
-    DynamicList<simplex> simplices_;
-
-public:
-
-    void append(const simplex& s)
-    {
-        simplices_.append(s);
-    }
-
-    void sort()
-    {
-        std::sort(simplices_.begin(), simplices_.end(), before);
-        simplices_.setSize
-        (
-            std::unique(simplices_.begin(), simplices_.end())
-          - simplices_.begin()
-        );
-    }
-
-    //- Position of s, -1 where it is not in the set
-    label find(const simplex& s) const
-    {
-        const auto found = std::lower_bound
-        (
-            simplices_.begin(), simplices_.end(), s, before
-        );
-
-        return found != simplices_.end() && *found == s
-          ? found - simplices_.begin() : -1;
-    }
-
-    const DynamicList<simplex>& simplices() const
-    {
-        return simplices_;
-    }
-};
-
 
 //- Edges and faces of a tetrahedron whose points are all on the wall
 template<class Action>
@@ -160,53 +93,6 @@ static simplexSet findBridges
     return bridges;
 }
 
-
-//- Split a tetrahedron at its first bridge, and the parts at theirs. The order
-//  of the bridges is the same for all tetrahedra, so a face is split in the
-//  same way from both sides.
-static void split
-(
-    const backgroundMesh& mesh,
-    const simplexSet& bridges,
-    const label firstNewPoint,
-    const tetCell& tet,
-    DynamicList<tetCell>& parts
-)
-{
-    label first = -1;
-
-    forWallSimplices
-    (
-        mesh,
-        tet,
-        [&](const simplex& s)
-        {
-            const label i = bridges.find(s);
-            if (i >= 0 && (first < 0 || i < first))
-            {
-                first = i;
-            }
-        }
-    );
-
-    if (first < 0)
-    {
-        parts.append(tet);
-        return;
-    }
-
-    // One part for each point of the bridge, which the new one replaces there
-    for (const label p : bridges.simplices()[first])
-    {
-        if (p >= 0)
-        {
-            tetCell part(tet);
-            part[tet.find(p)] = firstNewPoint + first;
-            split(mesh, bridges, firstNewPoint, part, parts);
-        }
-    }
-}
-
 } // End namespace Foam
 
 
@@ -228,35 +114,25 @@ Foam::label Foam::splitWallBridges
 
     for (const simplex& s : bridges.simplices())
     {
-        point centre(Zero);
         scalar gap = GREAT;
-        label n = 0;
 
         for (const label p : s)
         {
             if (p >= 0)
             {
-                centre += mesh.points[p];
                 gap = min(gap, mesh.gaps[p]);
-                ++n;
             }
         }
 
-        points.append(centre/n);
+        points.append(centreOf(s, mesh.points));
         gaps.append(gap);
-        free.append(n == 3 || (axes[s[1]] & axes[s[2]]) > -0.5);
+        free.append(s[0] >= 0 || (axes[s[1]] & axes[s[2]]) > -0.5);
     }
 
+    splitTets(bridges, firstNewPoint, mesh.tets);
     mesh.points.append(points);
     mesh.gaps.append(gaps);
     mesh.free.append(free);
-
-    DynamicList<tetCell> tets(mesh.tets.size());
-    for (const tetCell& tet : mesh.tets)
-    {
-        split(mesh, bridges, firstNewPoint, tet, tets);
-    }
-    mesh.tets.transfer(tets);
 
     return bridges.simplices().size();
 }

@@ -8,7 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "readLocalHeights.H"
-#include "regionPoints.H"
+#include "regionSearch.H"
 #include "surfaceValues.H"
 #include "boundBox.H"
 #include "OStringStream.H"
@@ -131,7 +131,7 @@ Foam::localHeights Foam::readLocalHeights
 
     for (const layerRegion& region : layers.regions)
     {
-        local.inRegion.append(regionPoints(region, wall.points, time));
+        local.inRegion.append(regionSearch(region, time).contains(wall.points));
 
         found += "\nregion " + region.name + ": "
           + name(findIndices(local.inRegion.last(), true).size())

@@ -10,6 +10,7 @@ License
 #include "prismLayerControls.H"
 #include "controlEntries.H"
 #include "diffusionTensor.H"
+#include "readFarFieldControls.H"
 #include "readLayerControls.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -113,17 +114,6 @@ static fieldControls readField(const dictionary& dict)
     return controls;
 }
 
-
-static word readFarField(const dictionary& dict)
-{
-    checkKeys(dict, {"type"});
-
-    word type(prismLayerControls().farFieldType);
-    readChoice(dict, "type", {"none"}, type);
-
-    return type;
-}
-
 } // End namespace Foam
 
 
@@ -154,7 +144,10 @@ Foam::prismLayerControls Foam::readPrismLayerControls(const dictionary& dict)
             optionalDict(dict, "backgroundMesh"), controls.layers.onLevelSets
         );
     controls.field = readField(optionalDict(dict, "field"));
-    controls.farFieldType = readFarField(optionalDict(dict, "farField"));
+    controls.farField = readFarFieldControls
+    (
+        optionalDict(dict, "farField"), controls.surface.fluidOutside
+    );
 
     return controls;
 }

@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "readLayerControls.H"
+#include "readRegions.H"
 #include "controlEntries.H"
 #include "DynamicList.H"
 #include "readLayerHeights.H"
@@ -89,35 +90,11 @@ static layerRegion readRegion
     const layerControls& general
 )
 {
-    wordList keys({"geometry", "mode", "distance"});
+    wordList keys(geometryRegionKeys);
     keys.append(layerHeightKeys);
     checkKeys(dict, keys);
 
-    layerRegion region;
-    region.name = dict.dictName();
-    region.geometry = mandatoryDict(dict, "geometry");
-
-    word mode("inside");
-    readChoice(dict, "mode", {"inside", "outside", "distance"}, mode);
-    region.mode =
-        mode == "inside" ? layerRegion::modes::inside
-      : mode == "outside" ? layerRegion::modes::outside
-      : layerRegion::modes::distance;
-
-    const bool hasDistance =
-        readBounded(dict, "distance", SMALL, GREAT, region.distance);
-
-    if (hasDistance != (region.mode == layerRegion::modes::distance))
-    {
-        entryError(dict, hasDistance ? "distance" : "mode")
-            << "The region " << region.name << " has mode " << mode
-            << (hasDistance ? " with a distance" : " without a distance")
-            << exit(FatalIOError);
-    }
-
-    region.heights = readPart(dict, general);
-
-    return region;
+    return layerRegion{readGeometryRegion(dict), readPart(dict, general)};
 }
 
 
@@ -137,31 +114,6 @@ static heightField readHeightField(const dictionary& dict)
     }
 
     return field;
-}
-
-
-//- Sub-dictionaries, each given to read
-template<class Read>
-static void forEntries
-(
-    const dictionary& dict,
-    const word& key,
-    const Read& read
-)
-{
-    const dictionary& entries = optionalDict(dict, key);
-
-    for (const entry& e : entries)
-    {
-        if (!e.isDict())
-        {
-            entryError(entries, e.keyword())
-                << "The entry " << e.keyword() << " of " << key
-                << " must be a dictionary" << exit(FatalIOError);
-        }
-
-        read(e.keyword(), e.dict());
-    }
 }
 
 

@@ -9,6 +9,7 @@ License
 
 #include "prismLayerMesh.H"
 #include "fieldStages.H"
+#include "makeFarFieldMesh.H"
 #include "makePrismLayers.H"
 #include "nameCauses.H"
 #include "wallClearance.H"
@@ -233,6 +234,28 @@ Foam::prismLayerMesh Foam::makePrismLayerMesh
     makeAll(wall, search, needed, local, observer, m);
 
     return m;
+}
+
+
+void Foam::addFarField
+(
+    const farFieldControls& controls,
+    const farFieldDomain& domain,
+    const stageObserver& observer,
+    prismLayerMesh& m
+)
+{
+    observer.begin("farFieldMesh");
+    m.farField = makeFarFieldMesh
+    (
+        m.layers, m.front.addressing, domain.boundary, controls, domain.bounds
+    );
+    observer.end
+    (
+        text(m.farField.tets.size(), " tetrahedra on ",
+            m.farField.outerTriangles.size(), " triangles of the layers and ",
+            m.farField.boundaryTriangles.size(), " of the far boundary")
+    );
 }
 
 

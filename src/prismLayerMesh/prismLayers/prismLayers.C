@@ -47,4 +47,16 @@ Foam::pointField Foam::prismLayers::meshPoints() const
 }
 
 
+Foam::pointField Foam::prismLayers::outerPoints() const
+{
+    pointField outer(nColumns());
+    forAll(outer, c)
+    {
+        outer[c] = (*this)(c, nLayers);
+    }
+
+    return outer;
+}
+
+
 // ************************************************************************* //

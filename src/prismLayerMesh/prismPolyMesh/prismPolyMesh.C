@@ -15,6 +15,70 @@ License
 
 const Foam::word Foam::layerOuterName("layerOuter");
 const Foam::word Foam::layerSidesName("layerSides");
+const Foam::word Foam::boundaryLayerName("boundaryLayer");
+const Foam::word Foam::farFieldName("farField");
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static void addPatches
+(
+    const polyMeshTopology& topology,
+    const wordList& names,
+    const wordList& types,
+    polyMesh& mesh
+)
+{
+    PtrList<polyPatch> patches(names.size());
+
+    forAll(patches, patchi)
+    {
+        patches.set
+        (
+            patchi,
+            polyPatch::New
+            (
+                types[patchi],
+                names[patchi],
+                topology.patchSizes[patchi],
+                topology.patchStarts[patchi],
+                patchi,
+                mesh.boundaryMesh()
+            )
+        );
+    }
+
+    mesh.addPatches(patches);
+}
+
+
+//- The first cells are those of the layers
+static void addCellZones(const label nLayerCells, polyMesh& mesh)
+{
+    const label nFar = mesh.nCells() - nLayerCells;
+
+    mesh.addZones
+    (
+        List<pointZone*>(),
+        List<faceZone*>(),
+        List<cellZone*>
+        ({
+            new cellZone
+            (
+                boundaryLayerName, identity(nLayerCells), 0, mesh.cellZones()
+            ),
+            new cellZone
+            (
+                farFieldName, identity(nFar, nLayerCells), 1, mesh.cellZones()
+            )
+        })
+    );
+}
+
+} // End namespace Foam
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
@@ -44,13 +108,35 @@ Foam::wordList Foam::prismPatchNames(const wordList& wallPatchNames)
 Foam::autoPtr<Foam::polyMesh> Foam::makePrismPolyMesh
 (
     prismLayers& layers,
+    farFieldMesh& far,
     const IOobject& io
 )
 {
+    const bool hasFarField = !far.empty();
+    const label nLayerCells = layers.faces.size()*layers.nLayers;
     polyMeshTopology topology(makePrismTopology(layers));
 
     wordList names(prismPatchNames(layers.patchNames));
     wordList types(names.size(), word("wall"));
+
+    pointField points
+    (
+        layers.furtherRoots.size()
+      ? layers.meshPoints() : pointField(layers.points)
+    );
+
+    if (hasFarField)
+    {
+        topology = joinFarField(layers, topology, points.size(), far);
+        names.append(far.patchNames);
+        types.append(far.patchTypes);
+
+        const label nColumns = layers.nColumns();
+        points.append
+        (
+            SubList<point>(far.points, far.points.size() - nColumns, nColumns)
+        );
+    }
 
     for (const word& name : {layerOuterName, layerSidesName})
     {
@@ -61,12 +147,8 @@ Foam::autoPtr<Foam::polyMesh> Foam::makePrismPolyMesh
         }
     }
 
-    pointField points
-    (
-        layers.furtherRoots.size()
-      ? layers.meshPoints() : pointField(std::move(layers.points))
-    );
     layers = prismLayers();
+    far = farFieldMesh();
 
     autoPtr<polyMesh> mesh
     (
@@ -86,26 +168,12 @@ Foam::autoPtr<Foam::polyMesh> Foam::makePrismPolyMesh
             std::move(topology.neighbour)
         )
     );
+    addPatches(topology, names, types, mesh());
 
-    PtrList<polyPatch> patches(names.size());
-    forAll(patches, patchi)
+    if (hasFarField)
     {
-        patches.set
-        (
-            patchi,
-            polyPatch::New
-            (
-                types[patchi],
-                names[patchi],
-                topology.patchSizes[patchi],
-                topology.patchStarts[patchi],
-                patchi,
-                mesh->boundaryMesh()
-            )
-        );
+        addCellZones(nLayerCells, mesh());
     }
-
-    mesh->addPatches(patches);
 
     return mesh;
 }

@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "wallSurface.H"
+#include "disjointSets.H"
 
 #include <algorithm>
 
@@ -201,6 +202,36 @@ Foam::scalarField Foam::meanEdges
     }
 
     return means;
+}
+
+
+Foam::labelList Foam::largestFaces(const wallSurface& wall)
+{
+    disjointSets components(wall.points.size());
+    for (const face& f : wall.faces)
+    {
+        for (const label p : f)
+        {
+            components.join(f[0], p);
+        }
+    }
+
+    labelList largest(wall.points.size(), -1);
+    scalarField areas(wall.points.size(), -1);
+
+    forAll(wall.faces, facei)
+    {
+        const label component = components.find(wall.faces[facei][0]);
+        const scalar area = wall.faces[facei].mag(wall.points);
+
+        if (area > areas[component])
+        {
+            areas[component] = area;
+            largest[component] = facei;
+        }
+    }
+
+    return subsetList(largest, [](const label facei) { return facei >= 0; });
 }
 
 

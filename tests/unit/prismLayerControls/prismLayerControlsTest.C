@@ -208,8 +208,8 @@ TEST(prismLayerControls, unknownModelsAreRefused)
     );
     expectWords
     (
-        errorOf(surface + layers + "farField { type tet; }"),
-        {"type is tet", "not available", "Valid values: none"}
+        errorOf(surface + layers + "farField { type snappy; }"),
+        {"type is snappy", "not available", "Valid values: none, tet"}
     );
 }
 

@@ -7,7 +7,7 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "regionPoints.H"
+#include "regionSearch.H"
 #include "testSurfaces.H"
 #include "thrownMessage.H"
 
@@ -17,9 +17,9 @@ using namespace Foam;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-static layerRegion regionOf(const std::string& geometry)
+static geometryRegion regionOf(const std::string& geometry)
 {
-    layerRegion region;
+    geometryRegion region;
     region.name = "part";
     region.geometry = dictionaryOf(geometry);
 
@@ -29,11 +29,11 @@ static layerRegion regionOf(const std::string& geometry)
 
 //- Number of points on which the region and a criterion differ
 template<class Criterion>
-static label nDifferent(const layerRegion& region, const Criterion& isIn)
+static label nDifferent(const geometryRegion& region, const Criterion& isIn)
 {
     const pointField points(testSurfaces::cube(7).points);
     const autoPtr<Time> time(Time::New());
-    const boolList in(regionPoints(region, points, time()));
+    const boolList in(regionSearch(region, time()).contains(points));
     label n = 0;
 
     forAll(points, p)
@@ -47,9 +47,9 @@ static label nDifferent(const layerRegion& region, const Criterion& isIn)
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
-TEST(regionPoints, insideAndOutsideOfABox)
+TEST(regionSearch, insideAndOutsideOfABox)
 {
-    layerRegion region
+    geometryRegion region
     (
         regionOf("type searchableBox; min (-1 -1 -1); max (2 0.5 0.5);")
     );
@@ -60,7 +60,7 @@ TEST(regionPoints, insideAndOutsideOfABox)
 
     EXPECT_EQ(nDifferent(region, inBox), 0);
 
-    region.mode = layerRegion::modes::outside;
+    region.mode = geometryRegion::modes::outside;
     EXPECT_EQ
     (
         nDifferent(region, [&](const point& x) { return !inBox(x); }), 0
@@ -68,7 +68,7 @@ TEST(regionPoints, insideAndOutsideOfABox)
 }
 
 
-TEST(regionPoints, insideOfASphereAndACylinder)
+TEST(regionSearch, insideOfASphereAndACylinder)
 {
     EXPECT_EQ
     (
@@ -95,16 +95,16 @@ TEST(regionPoints, insideOfASphereAndACylinder)
 }
 
 
-TEST(regionPoints, nearASurfaceWithoutInside)
+TEST(regionSearch, nearASurfaceWithoutInside)
 {
-    layerRegion region
+    geometryRegion region
     (
         regionOf
         (
             "type searchablePlate; origin (0 0 0.5); span (1 1 0);"
         )
     );
-    region.mode = layerRegion::modes::distance;
+    region.mode = geometryRegion::modes::distance;
     region.distance = 0.3;
 
     EXPECT_EQ
@@ -116,7 +116,7 @@ TEST(regionPoints, nearASurfaceWithoutInside)
         0
     );
 
-    region.mode = layerRegion::modes::inside;
+    region.mode = geometryRegion::modes::inside;
     const std::string message
     (
         thrownMessage<error>([&]()

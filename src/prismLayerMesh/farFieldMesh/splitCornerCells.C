@@ -1,0 +1,113 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "improveTets.H"
+#include "edgeHashes.H"
+#include "splitTets.H"
+#include "triangleIndex.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Where a tetrahedron that has two faces or more on a boundary is to be split
+//  to have one: at the edge opposite to these, or at a face where there are
+//  three or the edge is on the boundary. An edge or face of its points, given
+//  those of the boundary; of other tetrahedra one of no points.
+static simplex cornerSplit
+(
+    const tetCell& tet,
+    const triangleIndex& triangles,
+    const edgeHashSet& edges
+)
+{
+    DynamicList<label> opposite(4);
+    label other = -1;
+
+    for (label i = 0; i < 4; ++i)
+    {
+        const triFace f(tet.face(i));
+
+        if (triangles.find(f[0], f[1], f[2]) >= 0)
+        {
+            opposite.append(tet[i]);
+        }
+        else
+        {
+            other = tet[i];
+        }
+    }
+
+    if (opposite.size() < 2)
+    {
+        return sortedSimplex(-1, -1, -1);
+    }
+
+    if (opposite.size() > 2)
+    {
+        return sortedSimplex(opposite[0], opposite[1], opposite[2]);
+    }
+
+    return sortedSimplex
+    (
+        edges.found(edge(opposite[0], opposite[1])) ? other : -1,
+        opposite[0], opposite[1]
+    );
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void Foam::splitCornerCells(farFieldMesh& mesh)
+{
+    const triangleIndex triangles(mesh.boundaryTriangles);
+    boolList onBoundary(mesh.points.size(), false);
+    edgeHashSet edges(4*mesh.boundaryTriangles.size());
+
+    for (const face& f : mesh.boundaryTriangles)
+    {
+        forAll(f, k)
+        {
+            onBoundary[f[k]] = true;
+            edges.insert(edge(f[k], f.nextLabel(k)));
+        }
+    }
+
+    simplexSet simplices;
+    for (const tetCell& tet : mesh.tets)
+    {
+        if
+        (
+            onBoundary[tet[0]] && onBoundary[tet[1]]
+         && onBoundary[tet[2]] && onBoundary[tet[3]]
+        )
+        {
+            const simplex s(cornerSplit(tet, triangles, edges));
+
+            if (s[2] >= 0)
+            {
+                simplices.append(s);
+            }
+        }
+    }
+    simplices.sort();
+
+    const label nPoints = mesh.points.size();
+    for (const simplex& s : simplices.simplices())
+    {
+        mesh.points.append(centreOf(s, mesh.points));
+    }
+    splitTets(simplices, nPoints, mesh.tets);
+}
+
+
+// ************************************************************************* //

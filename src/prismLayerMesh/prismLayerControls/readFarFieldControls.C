@@ -1,0 +1,244 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "readFarFieldControls.H"
+#include "readRegions.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- All of the kinds of boundary; each has some
+static const wordList boundaryKeys
+({
+    "type", "patches", "min", "max", "origin", "radius", "file", "scale"
+});
+
+
+//- Keys of the other kinds mean nothing
+static void checkKind(const dictionary& dict, const wordList& own)
+{
+    checkKeys(dict, boundaryKeys);
+
+    for (const entry& e : dict)
+    {
+        if (e.keyword() != "type" && !own.found(e.keyword()))
+        {
+            entryError(dict, e.keyword())
+                << "The entry " << e.keyword() << " is not one of a far"
+                << " boundary of type " << dict.get<word>("type") << nl
+                << "Its entries: " << flatOutput(own) << exit(FatalIOError);
+        }
+    }
+}
+
+
+static void readBox(const dictionary& dict, farBoundaryControls& boundary)
+{
+    checkKind(dict, {"patches", "min", "max"});
+
+    const point low(dict.get<point>("min"));
+    const point high(dict.get<point>("max"));
+
+    // Written so that values that are no numbers fail
+    if (!(cmptMin(high - low) > 0 && mag(high - low) < GREAT))
+    {
+        entryError(dict, "max")
+            << "Value of max is " << high << "; it must be more than min "
+            << low << " in all directions" << exit(FatalIOError);
+    }
+
+    boundary.box = boundBox(low, high);
+}
+
+
+static void readSphere(const dictionary& dict, farBoundaryControls& boundary)
+{
+    checkKind(dict, {"patches", "origin", "radius"});
+
+    dict.readEntry("origin", boundary.origin);
+
+    if
+    (
+       !readBounded
+        (
+            dict, "radius", scalar(1e-9), scalar(1e9), boundary.radius
+        )
+    )
+    {
+        entryError(dict, "radius")
+            << "The entry radius of " << dict.dictName() << " is missing"
+            << exit(FatalIOError);
+    }
+}
+
+
+static void readSurface(const dictionary& dict, farBoundaryControls& boundary)
+{
+    checkKind(dict, {"patches", "file", "scale"});
+
+    dict.readEntry("file", boundary.file);
+    readBounded(dict, "scale", scalar(1e-9), scalar(1e9), boundary.scale);
+}
+
+
+static farPatch readPatch(const keyType& key, const dictionary& dict)
+{
+    checkKeys(dict, {"type", "sides"});
+
+    if (key.isPattern())
+    {
+        entryError(dict, key)
+            << "The patch " << key << " of the far boundary must have a name"
+            << exit(FatalIOError);
+    }
+
+    farPatch patch;
+    patch.name = key;
+    patch.sides = wordRes(1, wordRe(key));
+    readChoice(dict, "type", {"patch", "wall", "symmetry"}, patch.type);
+    dict.readIfPresent("sides", patch.sides);
+
+    return patch;
+}
+
+
+static farBoundaryControls readBoundary(const dictionary& dict)
+{
+    farBoundaryControls boundary;
+
+    if (!readChoice(dict, "type", {"box", "sphere", "surface"}, boundary.type))
+    {
+        entryError(dict, "type")
+            << "The entry type of " << dict.dictName() << " is missing"
+            << exit(FatalIOError);
+    }
+
+    if (boundary.type == "box")
+    {
+        readBox(dict, boundary);
+    }
+    else if (boundary.type == "sphere")
+    {
+        readSphere(dict, boundary);
+    }
+    else
+    {
+        readSurface(dict, boundary);
+    }
+
+    DynamicList<farPatch> patches;
+    forEntries
+    (
+        dict, "patches",
+        [&](const keyType& key, const dictionary& entries)
+        {
+            patches.append(readPatch(key, entries));
+        }
+    );
+    boundary.patches.transfer(patches);
+
+    return boundary;
+}
+
+
+static sizeRegion readSizeRegion(const dictionary& dict)
+{
+    wordList keys(geometryRegionKeys);
+    keys.append("cellSize");
+    checkKeys(dict, keys);
+
+    sizeRegion region{readGeometryRegion(dict), 0};
+
+    if
+    (
+       !readBounded
+        (
+            dict, "cellSize", scalar(1e-9), scalar(1e9), region.cellSize
+        )
+    )
+    {
+        entryError(dict, "cellSize")
+            << "The entry cellSize of " << dict.dictName() << " is missing"
+            << exit(FatalIOError);
+    }
+
+    return region;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::farFieldControls Foam::readFarFieldControls
+(
+    const dictionary& dict,
+    const bool fluidOutside
+)
+{
+    checkKeys
+    (
+        dict,
+        {
+            "type", "boundary", "growthRate", "maxCellSize", "maxCells",
+            "regions"
+        }
+    );
+
+    farFieldControls controls;
+    readChoice(dict, "type", {"none", "tet"}, controls.type);
+
+    readBounded
+    (
+        dict, "growthRate", scalar(1.01), scalar(2), controls.growthRate
+    );
+    readBounded
+    (
+        dict, "maxCellSize", scalar(1e-9), scalar(1e9), controls.maxCellSize
+    );
+    readBounded
+    (
+        dict, "maxCells", label(1), label(200000000), controls.maxCells
+    );
+
+    DynamicList<sizeRegion> regions;
+    forEntries
+    (
+        dict, "regions",
+        [&](const keyType&, const dictionary& entries)
+        {
+            regions.append(readSizeRegion(entries));
+        }
+    );
+    controls.regions.transfer(regions);
+
+    const bool hasBoundary = dict.found("boundary", keyType::LITERAL);
+
+    if (hasBoundary)
+    {
+        controls.boundary = readBoundary(optionalDict(dict, "boundary"));
+    }
+
+    if (controls.type != "none" && hasBoundary != fluidOutside)
+    {
+        entryError(dict, hasBoundary ? "boundary" : "type")
+            << (fluidOutside
+              ? "The far field has no boundary: give it one, a box, a sphere or"
+                " a surface"
+              : "The fluid is inside of the wall: there is no far boundary")
+            << exit(FatalIOError);
+    }
+
+    return controls;
+}
+
+
+// ************************************************************************* //
