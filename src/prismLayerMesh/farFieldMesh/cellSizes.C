@@ -62,11 +62,12 @@ Foam::cellSizes::cellSizes
 {
     corner_ = box.midpoint() - point::uniform(0.5*width_);
 
-    treeBoundBox around(points_);
+    boundBox around(points_, false);
+    around.add(box);
     around.inflate(0.01);
     const indexedOctree<treeDataPoint> tree
     (
-        treeDataPoint(points_), around, 8, 10, 3
+        treeDataPoint(points_), treeBoundBox(around), 8, 10, 3
     );
 
     // One generation of cubes after the other
@@ -86,7 +87,9 @@ Foam::cellSizes::cellSizes
             c.source = tree.findNearest(centre, sqr(GREAT)).index();
             c.bound = limits[cubei - first];
 
-            if (width > maxWidth*sizeAt(c, centre))
+            complete_ = complete_ && end + parts.size() <= maxCubes;
+
+            if (complete_ && width > maxWidth*sizeAt(c, centre))
             {
                 c.children = end + parts.size();
 
@@ -95,13 +98,6 @@ Foam::cellSizes::cellSizes
                     parts.append(partCentre(centre, width, octant));
                 }
             }
-        }
-
-        if (end + parts.size() > maxCubes)
-        {
-            FatalErrorInFunction
-                << "Cells are too small: sizes take more than " << maxCubes
-                << " cubes of an octree" << exit(FatalError);
         }
 
         first = end;

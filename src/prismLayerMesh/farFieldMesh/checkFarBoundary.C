@@ -16,31 +16,6 @@ License
 namespace Foam
 {
 
-//- Triangles that the other surface may not intersect
-static std::vector<frontTriangle> toFrontTriangles
-(
-    const faceList& triangles,
-    const label nBefore,
-    const pointField& points
-)
-{
-    std::vector<frontTriangle> list(triangles.size());
-
-    forAll(triangles, i)
-    {
-        list[i].frontFace = nBefore + i;
-
-        for (label k = 0; k < 3; ++k)
-        {
-            list[i].labels[k] = triangles[i][k];
-            list[i].points[k] = points[triangles[i][k]];
-        }
-    }
-
-    return list;
-}
-
-
 //- Solid angle over 4 pi under which x sees the triangles: 1 inside of a closed
 //  surface whose normals point inwards, 0 outside
 static scalar windingNumber
@@ -86,8 +61,12 @@ void Foam::checkFarBoundary
     DynamicList<labelPair> pairs;
     addIntersections
     (
-        toFrontTriangles(mesh.boundaryTriangles, n, points),
-        toFrontTriangles(mesh.outerTriangles, 0, points),
+        frontTriangles
+        (
+            mesh.boundaryTriangles, points,
+            identity(mesh.boundaryTriangles.size(), n)
+        ),
+        frontTriangles(mesh.outerTriangles, points, identity(n)),
         pairs
     );
 

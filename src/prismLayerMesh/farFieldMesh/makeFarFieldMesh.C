@@ -12,6 +12,7 @@ License
 #include "checkFarBoundary.H"
 #include "improveTets.H"
 #include "limitGradient.H"
+#include "outerTriangles.H"
 #include "refineSurface.H"
 #include "tetrahedralize.H"
 #include "triSurfaceSearch.H"
@@ -34,13 +35,15 @@ static const label cubesPerTet = 4;
 static const scalar poorAngle = 60;
 
 
-//- The outer surface of the layers
-static wallSurface outerSurface(const prismLayers& layers)
+//- The outer surface of the layers, its polygons cut into triangles, of which
+//  faces has the front face of each
+static wallSurface outerSurface(const prismLayers& layers, labelList& faces)
 {
     wallSurface outer;
     outer.points = layers.outerPoints();
     outer.faces = layers.faces;
-    outer.patchIDs = labelList(layers.faces.size(), Zero);
+    outer.faces = outerTriangles(outer, faces);
+    outer.patchIDs = labelList(faces.size(), Zero);
     outer.patchNames = wordList({"layerOuter"});
 
     return outer;
@@ -49,13 +52,11 @@ static wallSurface outerSurface(const prismLayers& layers)
 
 static triSurface toTriSurface(const wallSurface& surface)
 {
-    labelList triangleFace;
-    const faceList triangles(wallTriangles(surface, triangleFace));
-    List<labelledTri> faces(triangles.size());
+    List<labelledTri> faces(surface.faces.size());
 
     forAll(faces, i)
     {
-        const face& f = triangles[i];
+        const face& f = surface.faces[i];
         faces[i] = labelledTri(f[0], f[1], f[2], 0);
     }
 
@@ -118,9 +119,9 @@ static pointField layerSeeds
 {
     DynamicList<point> seeds;
 
-    for (const label facei : largestFaces(outer))
+    for (const label i : largestFaces(outer))
     {
-        const face& f = outer.faces[facei];
+        const face& f = outer.faces[i];
         seeds.append
         (
             0.25
@@ -195,13 +196,40 @@ static void compact(farFieldMesh& mesh)
 }
 
 
-static void refuse(const scalar nCells, const label maxCells)
+//- By how many cells it would have; 0 where that is not known
+static void refuse(const label nCells, const label maxCells)
 {
     FatalErrorInFunction
-        << "The far field needs about " << label(nCells) << " cells, more than"
-        << " farField.maxCells " << maxCells << nl
+        << "The far field needs "
+        << (nCells ? "about " + name(nCells) : word("many more")).c_str()
+        << " cells, more than farField.maxCells " << maxCells << nl
         << "Raise that, growthRate or the cell sizes, or make the wall coarser"
         << exit(FatalError);
+}
+
+
+//- Refused where they take many more cubes than there may be cells
+static cellSizes makeSizes
+(
+    const pointField& points,
+    const scalarField& sizes,
+    const boundBox& box,
+    const farFieldControls& controls,
+    const sizeBounds& bounds
+)
+{
+    const cellSizes made
+    (
+        points, sizes, controls.growthRate, box, bounds,
+        cubesPerTet*controls.maxCells
+    );
+
+    if (!made.complete())
+    {
+        refuse(0, controls.maxCells);
+    }
+
+    return made;
 }
 
 } // End namespace Foam
@@ -219,8 +247,8 @@ Foam::farFieldMesh Foam::makeFarFieldMesh
 )
 {
     farFieldMesh mesh;
-    const wallSurface outer(outerSurface(layers));
-    mesh.outerTriangles = wallTriangles(outer, mesh.outerFaces);
+    const wallSurface outer(outerSurface(layers, mesh.outerFaces));
+    mesh.outerTriangles = outer.faces;
     mesh.patchNames = boundary.surface.patchNames;
     mesh.patchTypes = boundary.patchTypes;
 
@@ -232,18 +260,14 @@ Foam::farFieldMesh Foam::makeFarFieldMesh
     limitGradient(outer, frontAddressing, controls.growthRate - 1, sizes);
     const cellSizes fromLayers
     (
-        outer.points, sizes, controls.growthRate, box, bounds,
-        cubesPerTet*controls.maxCells
+        makeSizes(outer.points, sizes, box, controls, bounds)
     );
 
     wallSurface far(boundary.surface);
     refineSurface(far, fromLayers, boundary.project);
     sizes.append(boundarySizes(far));
 
-    wallSurface both(outer);
-    both.faces = mesh.outerTriangles;
-    both.patchIDs = labelList(both.faces.size(), Zero);
-    both = joined(both, far);
+    const wallSurface both(joined(outer, far));
     mesh.patchIDs = far.patchIDs;
     mesh.boundaryTriangles = SubList<face>
     (
@@ -257,8 +281,7 @@ Foam::farFieldMesh Foam::makeFarFieldMesh
 
     const cellSizes wanted
     (
-        both.points, sizes, controls.growthRate, box, bounds,
-        cubesPerTet*controls.maxCells
+        makeSizes(both.points, sizes, box, controls, bounds)
     );
     const triSurface surface(toTriSurface(both));
     const triSurfaceSearch search(surface);

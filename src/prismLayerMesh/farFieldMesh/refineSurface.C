@@ -8,10 +8,9 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "refineSurface.H"
+#include "improveTriangles.H"
 #include "DynamicList.H"
 #include "EdgeMap.H"
-#include "mathematicalConstants.H"
-#include "triPointRef.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -21,16 +20,6 @@ namespace Foam
 //- Lengths of edges over the size, at most: halves are 2/3 of it, so that they
 //  are around it
 static const scalar maxLength = 4.0/3;
-
-//- Triangles in a plane: sine of the angle between them, at most
-static const scalar flat = 1e-9;
-
-//- Angles opposite to an edge that is flipped: more than 180 degrees together
-//  [rad]
-static const scalar flipGain = 1e-6;
-
-//- Flips of all triangles before each division, more than it ever takes
-static const label maxSweeps = 100;
 
 
 //- The corner opposite to the longest edge; of equal ones always the same edge,
@@ -165,98 +154,6 @@ static void divide
     divide(points, marked, face({a, middle, c}), patchi, faces, patchIDs);
 }
 
-
-static scalar angleAt(const point& x, const point& a, const point& b)
-{
-    return ::atan2(mag((a - x) ^ (b - x)), (a - x) & (b - x));
-}
-
-
-//- Whether triangles (c d b), (d c a) are better than (a b c), (b a d): in
-//  the same place, and Delaunay
-static bool isBetterFlipped
-(
-    const pointField& points,
-    const label a,
-    const label b,
-    const label c,
-    const label d,
-    const bool inPlane
-)
-{
-    const vector n1(triPointRef(points[a], points[b], points[c]).unitNormal());
-    const vector n2(triPointRef(points[b], points[a], points[d]).unitNormal());
-    const vector m1(triPointRef(points[c], points[d], points[b]).areaNormal());
-    const vector m2(triPointRef(points[d], points[c], points[a]).areaNormal());
-
-    return
-        (n1 & n2) > 0
-     && (!inPlane || mag(n1 ^ n2) < flat)
-     && (m1 & n1) > 0 && (m1 & n2) > 0 && (m2 & n1) > 0 && (m2 & n2) > 0
-     && angleAt(points[c], points[a], points[b])
-      + angleAt(points[d], points[a], points[b])
-      > constant::mathematical::pi + flipGain;
-}
-
-
-//- Flips each edge at most once, and touches each triangle once. Returns
-//  whether there were flips.
-static bool flipEdges(wallSurface& surface, const bool inPlane)
-{
-    EdgeMap<labelPair> sides;
-
-    forAll(surface.faces, facei)
-    {
-        for (label k = 0; k < 3; ++k)
-        {
-            const edge e(edgeOpposite(surface.faces[facei], k));
-
-            if (!sides.insert(e, labelPair(3*facei + k, -1)))
-            {
-                sides[e].second() = 3*facei + k;
-            }
-        }
-    }
-
-    boolList touched(surface.faces.size(), false);
-    bool flipped = false;
-
-    forAllConstIters(sides, iter)
-    {
-        const label i = iter.val().first();
-        const label j = iter.val().second();
-
-        if
-        (
-            j < 0 || touched[i/3] || touched[j/3]
-         || surface.patchIDs[i/3] != surface.patchIDs[j/3]
-        )
-        {
-            continue;
-        }
-
-        face& f = surface.faces[i/3];
-        face& g = surface.faces[j/3];
-        const label c = f[i % 3];
-        const label a = f[(i + 1) % 3];
-        const label b = f[(i + 2) % 3];
-        const label d = g[j % 3];
-
-        if
-        (
-            isBetterFlipped(surface.points, a, b, c, d, inPlane)
-         && !sides.found(edge(c, d))
-        )
-        {
-            f = face({c, d, b});
-            g = face({d, c, a});
-            touched[i/3] = touched[j/3] = flipped = true;
-        }
-    }
-
-    return flipped;
-}
-
 } // End namespace Foam
 
 
@@ -271,8 +168,7 @@ void Foam::refineSurface
 {
     for (bool divided = true; divided;)
     {
-        for (label i = 0; i < maxSweeps && flipEdges(surface, !project); ++i)
-        {}
+        improveTriangles(surface, project);
 
         EdgeMap<label> marked(markEdges(surface, size));
         divided = marked.size();

@@ -25,8 +25,6 @@ static const wordList boundaryKeys
 //- Keys of the other kinds mean nothing
 static void checkKind(const dictionary& dict, const wordList& own)
 {
-    checkKeys(dict, boundaryKeys);
-
     for (const entry& e : dict)
     {
         if (e.keyword() != "type" && !own.found(e.keyword()))
@@ -112,6 +110,8 @@ static farPatch readPatch(const keyType& key, const dictionary& dict)
 
 static farBoundaryControls readBoundary(const dictionary& dict)
 {
+    checkKeys(dict, boundaryKeys);
+
     farBoundaryControls boundary;
 
     if (!readChoice(dict, "type", {"box", "sphere", "surface"}, boundary.type))

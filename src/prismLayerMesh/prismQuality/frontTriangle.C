@@ -232,6 +232,30 @@ bool Foam::frontTriangle::degenerate() const
 }
 
 
+std::vector<Foam::frontTriangle> Foam::frontTriangles
+(
+    const UList<face>& triangles,
+    const pointField& points,
+    const labelUList& ofFace
+)
+{
+    std::vector<frontTriangle> list(triangles.size());
+
+    forAll(triangles, i)
+    {
+        list[i].frontFace = ofFace[i];
+
+        for (label k = 0; k < 3; ++k)
+        {
+            list[i].labels[k] = triangles[i][k];
+            list[i].points[k] = points[triangles[i][k]];
+        }
+    }
+
+    return list;
+}
+
+
 bool Foam::intersect(const frontTriangle& a, const frontTriangle& b)
 {
     // Common points, the last such corners, and the sums of such corners: of

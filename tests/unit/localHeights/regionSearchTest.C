@@ -128,4 +128,36 @@ TEST(regionSearch, nearASurfaceWithoutInside)
 }
 
 
+TEST(regionSearch, distancesAreThoseFromTheRegion)
+{
+    const autoPtr<Time> time(Time::New());
+    const pointField points({point(0, 0, 0), point(3, 0, 0), point(0, 0, -5)});
+    geometryRegion region
+    (
+        regionOf("type searchableSphere; centre (0 0 0); radius 1;")
+    );
+
+    const auto expectDistances = [&](const scalarList& expected)
+    {
+        const scalarField found
+        (
+            regionSearch(region, time()).distances(points)
+        );
+        forAll(expected, i)
+        {
+            EXPECT_NEAR(found[i], expected[i], 1e-12) << i;
+        }
+    };
+
+    expectDistances(scalarList({0, 2, 4}));
+
+    region.mode = geometryRegion::modes::outside;
+    expectDistances(scalarList({1, 0, 0}));
+
+    region.mode = geometryRegion::modes::distance;
+    region.distance = 0.5;
+    expectDistances(scalarList({0.5, 1.5, 3.5}));
+}
+
+
 // ************************************************************************* //

@@ -14,6 +14,7 @@ License
 #include "OSspecific.H"
 
 #include <sstream>
+#include <vector>
 
 using namespace Foam;
 
@@ -48,6 +49,47 @@ static scalarField weightsOf(const dictionary& coeffs)
     const scalarField field({1, 0.9, 0.2, 0});
 
     return model->edgeWeights(mesh, model->tensors(mesh, field));
+}
+
+
+//- Dictionaries of which each has a sub-dictionary with an unknown key
+static std::vector<std::string> withUnknownKeys()
+{
+    const std::string other("zzz 1;");
+    const auto inLayers = [](const std::string& entries)
+    {
+        return "layers { nSurfaceLayers 1; thickness 1; " + entries + " }";
+    };
+    const std::string yPlus
+    (
+        "layers { nSurfaceLayers 1; yPlus { " + other + " } }"
+    );
+
+    return
+    {
+        other,
+        "surface { " + other + " }",
+        surface + "layers { " + other + " }",
+        surface + yPlus,
+        surface + inLayers("patches { wing { " + other + " } }"),
+        surface
+      + inLayers("regions { wake { geometry {} " + other + " } }"),
+        surface + inLayers("fields { " + other + " }"),
+        surface + inLayers("fields { thickness { " + other + " } }"),
+        surface + layers + "envelope { " + other + " }",
+        surface + layers + "backgroundMesh { " + other + " }",
+        surface + layers + "field { " + other + " }",
+        surface + layers
+      + "field { anisotropicCoeffs { " + other + " } }",
+        surface + layers + "farField { " + other + " }",
+        surface + layers
+      + "farField { boundary { type box; " + other + " } }",
+        surface + layers
+      + "farField { boundary { type sphere; origin (0 0 0); radius 1;"
+        " patches { inlet { " + other + " } } } }",
+        surface + layers
+      + "farField { regions { wake { geometry {} " + other + " } } }"
+    };
 }
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
@@ -92,37 +134,7 @@ TEST(annotatedDict, hasEveryKey)
         return keys;
     };
 
-    const std::string other("zzz 1;");
-    const auto inLayers = [](const std::string& entries)
-    {
-        return "layers { nSurfaceLayers 1; thickness 1; " + entries + " }";
-    };
-    const std::string yPlus
-    (
-        "layers { nSurfaceLayers 1; yPlus { " + other + " } }"
-    );
-
-    for
-    (
-        const std::string& wrong :
-        {
-            other,
-            "surface { " + other + " }",
-            surface + "layers { " + other + " }",
-            surface + yPlus,
-            surface + inLayers("patches { wing { " + other + " } }"),
-            surface
-          + inLayers("regions { wake { geometry {} " + other + " } }"),
-            surface + inLayers("fields { " + other + " }"),
-            surface + inLayers("fields { thickness { " + other + " } }"),
-            surface + layers + "envelope { " + other + " }",
-            surface + layers + "backgroundMesh { " + other + " }",
-            surface + layers + "field { " + other + " }",
-            surface + layers
-          + "field { anisotropicCoeffs { " + other + " } }",
-            surface + layers + "farField { " + other + " }"
-        }
-    )
+    for (const std::string& wrong : withUnknownKeys())
     {
         for (const word& key : keysOf(errorOf(wrong)))
         {

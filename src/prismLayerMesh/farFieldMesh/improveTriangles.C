@@ -1,0 +1,240 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "improveTriangles.H"
+#include "DynamicList.H"
+#include "EdgeMap.H"
+#include "ListOps.H"
+#include "mathematicalConstants.H"
+#include "triPointRef.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Triangles in a plane: sine of the angle between them, at most
+static const scalar flat = 1e-9;
+
+//- Angles opposite to an edge that is flipped: more than 180 degrees together
+//  [rad]
+static const scalar flipGain = 1e-6;
+
+//- Flips of all triangles, more than it ever takes
+static const label maxSweeps = 100;
+
+//- Of all points, with flips after each
+static const label nSmoothings = 10;
+
+
+static scalar angleAt(const point& x, const point& a, const point& b)
+{
+    return ::atan2(mag((a - x) ^ (b - x)), (a - x) & (b - x));
+}
+
+
+//- Whether triangles (c d b), (d c a) are better than (a b c), (b a d): in
+//  the same place, and Delaunay
+static bool isBetterFlipped
+(
+    const pointField& points,
+    const label a,
+    const label b,
+    const label c,
+    const label d,
+    const bool inPlane
+)
+{
+    const vector n1(triPointRef(points[a], points[b], points[c]).unitNormal());
+    const vector n2(triPointRef(points[b], points[a], points[d]).unitNormal());
+    const vector m1(triPointRef(points[c], points[d], points[b]).areaNormal());
+    const vector m2(triPointRef(points[d], points[c], points[a]).areaNormal());
+
+    return
+        (n1 & n2) > 0
+     && (!inPlane || mag(n1 ^ n2) < flat)
+     && (m1 & n1) > 0 && (m1 & n2) > 0 && (m2 & n1) > 0 && (m2 & n2) > 0
+     && angleAt(points[c], points[a], points[b])
+      + angleAt(points[d], points[a], points[b])
+      > constant::mathematical::pi + flipGain;
+}
+
+
+//- Flips each edge at most once, and touches each triangle once. Returns
+//  whether there were flips.
+static bool flipEdges(wallSurface& surface, const bool inPlane)
+{
+    EdgeMap<labelPair> sides;
+
+    forAll(surface.faces, facei)
+    {
+        for (label k = 0; k < 3; ++k)
+        {
+            const face& f = surface.faces[facei];
+            const edge e(f[(k + 1) % 3], f[(k + 2) % 3]);
+
+            if (!sides.insert(e, labelPair(3*facei + k, -1)))
+            {
+                sides[e].second() = 3*facei + k;
+            }
+        }
+    }
+
+    boolList touched(surface.faces.size(), false);
+    bool flipped = false;
+
+    forAllConstIters(sides, iter)
+    {
+        const label i = iter.val().first();
+        const label j = iter.val().second();
+
+        if
+        (
+            j < 0 || touched[i/3] || touched[j/3]
+         || surface.patchIDs[i/3] != surface.patchIDs[j/3]
+        )
+        {
+            continue;
+        }
+
+        face& f = surface.faces[i/3];
+        face& g = surface.faces[j/3];
+        const label c = f[i % 3];
+        const label a = f[(i + 1) % 3];
+        const label b = f[(i + 2) % 3];
+        const label d = g[j % 3];
+
+        if
+        (
+            isBetterFlipped(surface.points, a, b, c, d, inPlane)
+         && !sides.found(edge(c, d))
+        )
+        {
+            f = face({c, d, b});
+            g = face({d, c, a});
+            touched[i/3] = touched[j/3] = flipped = true;
+        }
+    }
+
+    return flipped;
+}
+
+
+//- Whether the triangles of each point are of one patch, and in a plane
+static boolList findFree(const wallSurface& surface, const bool inPlane)
+{
+    boolList isFree(surface.points.size(), true);
+    labelList first(surface.points.size(), -1);
+    const vectorField normals(surface.faceNormals());
+
+    forAll(surface.faces, facei)
+    {
+        for (const label p : surface.faces[facei])
+        {
+            if (first[p] < 0)
+            {
+                first[p] = facei;
+            }
+
+            isFree[p] =
+                isFree[p]
+             && surface.patchIDs[facei] == surface.patchIDs[first[p]]
+             && (!inPlane || mag(normals[facei] ^ normals[first[p]]) < flat);
+        }
+    }
+
+    return isFree;
+}
+
+
+//- Moves free points towards the mean of their neighbours, where no triangle is
+//  turned over by that
+static void smoothPoints
+(
+    wallSurface& surface,
+    const std::function<point(const point&)>& project
+)
+{
+    const boolList isFree(findFree(surface, !project));
+    const labelListList pointFaces
+    (
+        invertManyToMany<face, labelList>
+        (
+            surface.points.size(), surface.faces
+        )
+    );
+
+    forAll(pointFaces, p)
+    {
+        if (!isFree[p])
+        {
+            continue;
+        }
+
+        const point from(surface.points[p]);
+        vector move(Zero);
+        DynamicList<vector> areas(8);
+
+        // In a plane differences are exact, sums of coordinates are not
+        for (const label facei : pointFaces[p])
+        {
+            const face& f = surface.faces[facei];
+            areas.append(f.areaNormal(surface.points));
+
+            for (const label q : f)
+            {
+                move += (surface.points[q] - from)/(2*pointFaces[p].size());
+            }
+        }
+
+        surface.points[p] = project ? project(from + move) : from + move;
+
+        forAll(areas, i)
+        {
+            const face& f = surface.faces[pointFaces[p][i]];
+
+            if ((f.areaNormal(surface.points) & areas[i]) <= 0)
+            {
+                surface.points[p] = from;
+                break;
+            }
+        }
+    }
+}
+
+
+//- Flips until there is nothing better
+static void makeDelaunay(wallSurface& surface, const bool inPlane)
+{
+    for (label i = 0; i < maxSweeps && flipEdges(surface, inPlane); ++i)
+    {}
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void Foam::improveTriangles
+(
+    wallSurface& surface,
+    const std::function<point(const point&)>& project
+)
+{
+    makeDelaunay(surface, !project);
+
+    for (label i = 0; i < nSmoothings; ++i)
+    {
+        smoothPoints(surface, project);
+        makeDelaunay(surface, !project);
+    }
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,123 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "outerTriangles.H"
+#include "frontTriangle.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Six times the volume between the fan from corner k of a face and any other
+static scalar volumeBelow
+(
+    const pointField& points,
+    const face& f,
+    const label k
+)
+{
+    const label n = f.size();
+    const point& origin = points[f[0]];
+    const vector apex(points[f[k]] - origin);
+    scalar volume = 0;
+
+    for (label i = 1; i + 1 < n; ++i)
+    {
+        const vector a(points[f[(k + i) % n]] - origin);
+        const vector b(points[f[(k + i + 1) % n]] - origin);
+        volume += apex & (a ^ b);
+    }
+
+    return volume;
+}
+
+
+//- The corner from which its fan has most below
+static label highestFan(const pointField& points, const face& f)
+{
+    label highest = 0;
+
+    for (label k = 1; f.size() > 3 && k < f.size(); ++k)
+    {
+        if (volumeBelow(points, f, k) > volumeBelow(points, f, highest))
+        {
+            highest = k;
+        }
+    }
+
+    return highest;
+}
+
+
+static face rotated(const face& f, const label k)
+{
+    face g(f.size());
+    forAll(g, i)
+    {
+        g[i] = f[(k + i) % f.size()];
+    }
+
+    return g;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::faceList Foam::outerTriangles
+(
+    const wallSurface& outer,
+    labelList& triangleFace
+)
+{
+    wallSurface cut(outer);
+    boolList changed(outer.faces.size(), false);
+
+    forAll(cut.faces, facei)
+    {
+        const label k = highestFan(outer.points, outer.faces[facei]);
+        changed[facei] = k > 0;
+        cut.faces[facei] = rotated(outer.faces[facei], k);
+    }
+
+    faceList triangles(wallTriangles(cut, triangleFace));
+
+    // Without changes there are no intersections
+    while (changed.found(true))
+    {
+        DynamicList<labelPair> pairs;
+        addIntersections
+        (
+            frontTriangles(triangles, cut.points, triangleFace), {}, pairs
+        );
+
+        if (pairs.empty())
+        {
+            break;
+        }
+
+        for (const labelPair& pair : pairs)
+        {
+            for (const label facei : pair)
+            {
+                changed[facei] = false;
+                cut.faces[facei] = outer.faces[facei];
+            }
+        }
+
+        triangles = wallTriangles(cut, triangleFace);
+    }
+
+    return triangles;
+}
+
+
+// ************************************************************************* //

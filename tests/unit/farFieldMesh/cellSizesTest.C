@@ -1,0 +1,112 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "cellSizes.H"
+#include "Random.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+static const boundBox box(point(-1, -1, -1), point(3, 1, 1));
+
+static scalarField unbounded(const pointField& points)
+{
+    return scalarField(points.size(), GREAT);
+}
+
+
+//- Sizes from two points
+static cellSizes twoPoints(const sizeBounds& bounds, const label maxCubes)
+{
+    return cellSizes
+    (
+        pointField({point(0, 0, 0), point(2, 0, 0)}),
+        scalarField(2, 0.1), 1.2, box, bounds, maxCubes
+    );
+}
+
+
+static scalar distance(const point& x)
+{
+    return min(mag(x), mag(x - point(2, 0, 0)));
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(cellSizes, growFromTheNearestPoint)
+{
+    const cellSizes sizes(twoPoints(unbounded, 1000000));
+    Random random(3);
+
+    for (label i = 0; i < 200; ++i)
+    {
+        const point x
+        (
+            box.min() + cmptMultiply(random.sample01<vector>(), box.span())
+        );
+        const scalar exact = 0.1 + 0.2*distance(x);
+
+        // A cube has one point, which is not the nearest of all in it
+        EXPECT_GE(sizes(x), exact*(1 - 1e-12));
+        EXPECT_LE(sizes(x), exact*1.5);
+    }
+
+    EXPECT_DOUBLE_EQ(sizes(point(0, 0, 0)), 0.1);
+    EXPECT_NEAR(sizes(point(0, 0.5, 0)), 0.2, 1e-12);
+}
+
+
+TEST(cellSizes, areBounded)
+{
+    const cellSizes sizes
+    (
+        twoPoints
+        (
+            [](const pointField& points)
+            {
+                return scalarField(points.size(), 0.15);
+            },
+            1000000
+        )
+    );
+
+    EXPECT_DOUBLE_EQ(sizes(point(0, 0, 0)), 0.1);
+    EXPECT_DOUBLE_EQ(sizes(point(-1, 1, 1)), 0.15);
+}
+
+
+TEST(cellSizes, nCubesIsTheIntegral)
+{
+    // Of size 0.25 all over, in the half x > 1 of a box of volume 16
+    const cellSizes sizes
+    (
+        pointField(1, Zero), scalarField(1, 0.25), 1 + 1e-9, box, unbounded,
+        1000000
+    );
+    const scalar n = sizes.nCubes
+    (
+        [](const point& x) { return x.x() > 1 && box.contains(x); }
+    );
+
+    EXPECT_NEAR(n, 8*pow3(4.0), 0.1*8*pow3(4.0));
+}
+
+
+TEST(cellSizes, areNotCompleteWithoutEnoughCubes)
+{
+    EXPECT_TRUE(twoPoints(unbounded, 1000000).complete());
+    EXPECT_FALSE(twoPoints(unbounded, 100).complete());
+}
+
+
+// ************************************************************************* //

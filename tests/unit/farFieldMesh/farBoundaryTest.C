@@ -1,0 +1,111 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "farBoundary.H"
+#include "testSurfaces.H"
+#include "thrownMessage.H"
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- A box with one patch
+static farBoundary boxWith(const farPatch& patch)
+{
+    farBoundaryControls controls;
+    controls.type = "box";
+    controls.box = boundBox(point(0, 0, 0), point(1, 2, 3));
+    controls.patches = List<farPatch>(1, patch);
+
+    return makeFarBoundary
+    (
+        controls, [](const fileName& file) { return file; }
+    );
+}
+
+
+static farPatch patchOf(const word& name, const wordRe& sides)
+{
+    farPatch patch;
+    patch.name = name;
+    patch.sides = wordRes(1, sides);
+
+    return patch;
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(farBoundary, sidesOfABoxAreWhereTheirNamesSay)
+{
+    const wallSurface box
+    (
+        boxWith(patchOf("xMin", wordRe("xMin"))).surface
+    );
+
+    forAll(box.faces, facei)
+    {
+        const word& side = box.patchNames[box.patchIDs[facei]];
+        const direction d = side[0] - 'x';
+        const point centre(box.faces[facei].centre(box.points));
+        const vector normal(box.faces[facei].unitNormal(box.points));
+        const bool high = side.substr(1) == "Max";
+
+        EXPECT_EQ(centre[d], high ? d + 1 : 0) << side;
+        EXPECT_EQ(normal[d], high ? -1 : 1) << side;
+    }
+}
+
+
+TEST(farBoundary, patchesTakeTheirSides)
+{
+    farPatch sides(patchOf("sides", wordRe("[yz].*", wordRe::REGEX)));
+    sides.type = "symmetry";
+    const farBoundary boundary(boxWith(sides));
+
+    EXPECT_EQ
+    (
+        boundary.surface.patchNames, wordList({"sides", "xMin", "xMax"})
+    );
+    EXPECT_EQ
+    (
+        boundary.patchTypes, wordList({"symmetry", "patch", "patch"})
+    );
+    EXPECT_EQ
+    (
+        boundary.surface.patchIDs,
+        labelList({1, 1, 2, 2, 0, 0, 0, 0, 0, 0, 0, 0})
+    );
+}
+
+
+TEST(farBoundary, sidesThatAreNotThereAreRefused)
+{
+    expectWords
+    (
+        thrownMessage<error>
+        (
+            []() { boxWith(patchOf("inlet", wordRe("west"))); }
+        ),
+        {"patch inlet", "west", "xMin"}
+    );
+
+    // Part of another patch, its own name is taken
+    expectWords
+    (
+        thrownMessage<error>
+        (
+            []() { boxWith(patchOf("xMin", wordRe("xMax"))); }
+        ),
+        {"side xMin", "has the name of a patch"}
+    );
+}
+
+
+// ************************************************************************* //

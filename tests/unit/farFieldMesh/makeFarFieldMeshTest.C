@@ -1,0 +1,224 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "farFieldReport.H"
+#include "makeFarFieldMesh.H"
+#include "makeSizeBounds.H"
+#include "memoryMesh.H"
+#include "testLayers.H"
+#include "testStages.H"
+#include "testSurfaces.H"
+#include "thrownMessage.H"
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Layers with a far field
+struct farCase
+{
+    prismLayers layers;
+    farFieldControls controls;
+    farFieldMesh mesh;
+
+    //- Around a wall: a box from low to high
+    farCase
+    (
+        const wallSurface& wall,
+        const boundBox& box,
+        const label maxCells = 1000000
+    )
+    {
+        const prismLayerMesh made(testSurfaces::layeredMesh(wall, 3, 0.1));
+        layers = made.layers;
+        controls.type = "tet";
+        controls.maxCells = maxCells;
+
+        farBoundary boundary;
+        if (!box.empty())
+        {
+            controls.boundary.type = "box";
+            controls.boundary.box = box;
+            boundary = makeFarBoundary
+            (
+                controls.boundary, [](const fileName& file) { return file; }
+            );
+        }
+
+        const autoPtr<Time> time(Time::New());
+        mesh = makeFarFieldMesh
+        (
+            layers, made.front.addressing, boundary, controls,
+            makeSizeBounds(controls, time())
+        );
+    }
+};
+
+
+static boundBox boxOf(const scalar size)
+{
+    return boundBox(point::uniform(-size), point::uniform(size));
+}
+
+
+static std::string errorOf(const boundBox& box, const label maxCells)
+{
+    return thrownMessage<error>
+    (
+        [&]() { farCase(testSurfaces::sphere(5), box, maxCells); }
+    );
+}
+
+
+//- What checkMesh looks at first
+static void expectSound(const polyMesh& mesh)
+{
+    EXPECT_FALSE(mesh.checkTopology(false));
+    EXPECT_FALSE(mesh.checkUpperTriangular(false));
+    EXPECT_FALSE(mesh.checkFacePyramids(false));
+    EXPECT_FALSE(mesh.checkClosedBoundary(false));
+    EXPECT_FALSE(mesh.checkClosedCells(false));
+    EXPECT_FALSE(mesh.checkFaceOrthogonality(false));
+    EXPECT_FALSE(mesh.checkFaceSkewness(false));
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(makeFarFieldMesh, joinsTheLayersWithoutAPatchBetween)
+{
+    const farCase c(testSurfaces::sphere(5), boxOf(4));
+    const memoryMesh memory(c.layers, c.mesh);
+    const polyMesh& mesh = memory();
+
+    EXPECT_EQ
+    (
+        mesh.boundaryMesh().names(),
+        wordList({"wall", "xMin", "xMax", "yMin", "yMax", "zMin", "zMax"})
+    );
+    EXPECT_EQ(mesh.nCells(), 3*300 + c.mesh.tets.size());
+    EXPECT_EQ
+    (
+        mesh.cellZones().names(), wordList({"boundaryLayer", "farField"})
+    );
+    EXPECT_EQ(mesh.cellZones()[0].size(), 3*300);
+    EXPECT_EQ(mesh.cellZones()[1].size(), c.mesh.tets.size());
+    expectSound(mesh);
+
+    // All of the box is filled but the body
+    EXPECT_NEAR
+    (
+        sum(mesh.cellVolumes()),
+        512 - testSurfaces::enclosedVolume(testSurfaces::sphere(5)), 1e-9
+    );
+}
+
+
+TEST(makeFarFieldMesh, takesQuadsAndSeveralBodies)
+{
+    const farCase c
+    (
+        testSurfaces::merge
+        (
+            testSurfaces::quadSphere(4),
+            testSurfaces::translated
+            (
+                testSurfaces::quadCube(3), vector(2.5, 0, 0)
+            )
+        ),
+        boxOf(5)
+    );
+    const memoryMesh memory(c.layers, c.mesh);
+    expectSound(memory());
+    EXPECT_EQ(c.mesh.outerTriangles.size(), 2*(96 + 54));
+}
+
+
+TEST(makeFarFieldMesh, fillsTheInsideOfAWall)
+{
+    const farCase c
+    (
+        testSurfaces::reversed(testSurfaces::cube(4, 2)), boundBox()
+    );
+    const memoryMesh memory(c.layers, c.mesh);
+    expectSound(memory());
+    EXPECT_NEAR(sum(memory().cellVolumes()), 8, 1e-12);
+    EXPECT_EQ(memory().boundaryMesh().names(), wordList({"wall"}));
+}
+
+
+TEST(makeFarFieldMesh, sizesGrowByTheGivenRate)
+{
+    const farCase c(testSurfaces::sphere(8), boxOf(10));
+
+    // Edges at a distance from the layers
+    scalar sum = 0;
+    label n = 0;
+    for (const tetCell& tet : c.mesh.tets)
+    {
+        for (label i = 0; i < 6; ++i)
+        {
+            const edge e(tet.tetEdge(i));
+            const scalar r = mag(e.centre(c.mesh.points));
+
+            if (r > 3 && r < 6)
+            {
+                sum += e.mag(c.mesh.points)/(0.17 + 0.2*(r - 1.1));
+                ++n;
+            }
+        }
+    }
+
+    EXPECT_GT(n, 1000);
+    EXPECT_NEAR(sum/n, 1, 0.15);
+}
+
+
+TEST(makeFarFieldMesh, reportsTheTransition)
+{
+    const farCase c(testSurfaces::sphere(5), boxOf(4));
+    const memoryMesh memory(c.layers, c.mesh);
+    const farFieldReport report(makeFarFieldReport(memory()));
+
+    EXPECT_EQ(report.nCells, c.mesh.tets.size());
+    EXPECT_EQ(report.transition.nFaces, 300);
+    EXPECT_EQ(report.layers.nFaces, 2*300 + 3*450);
+    EXPECT_EQ(report.patches.size(), 6);
+    EXPECT_LT(report.farField.nonOrthogonality.max, 70);
+    EXPECT_TRUE(report.farField.poorPlaces.empty());
+    EXPECT_GT(report.volumeRatio.min, 0.1);
+
+    const dictionary dict(toDictionary(report));
+    EXPECT_EQ(dict.get<label>("cells"), report.nCells);
+    EXPECT_EQ
+    (
+        dict.subDict("patchFaces").get<label>("xMin"), report.patchFaces[0]
+    );
+}
+
+
+TEST(makeFarFieldMesh, boundariesInTheWrongPlaceAreRefused)
+{
+    expectWords(errorOf(boxOf(1.05), 1000000), {"cuts the layers", "first at"});
+    expectWords
+    (
+        errorOf(boundBox(point(2, 2, 2), point(3, 3, 3)), 1000000),
+        {"not around the wall"}
+    );
+}
+
+
+TEST(makeFarFieldMesh, moreCellsThanAllowedAreRefused)
+{
+    expectWords(errorOf(boxOf(4), 10000), {"about", "maxCells 10000"});
+    expectWords(errorOf(boxOf(4), 1000), {"many more cells", "maxCells 1000"});
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,166 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "farBoundary.H"
+#include "refineSurface.H"
+#include "testSurfaces.H"
+#include "thrownMessage.H"
+#include "triPointRef.H"
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+static farBoundary boundaryOf(const farBoundaryControls& controls)
+{
+    return makeFarBoundary
+    (
+        controls, [](const fileName& file) { return file; }
+    );
+}
+
+
+static farBoundary boxOf(const point& low, const point& high)
+{
+    farBoundaryControls controls;
+    controls.type = "box";
+    controls.box = boundBox(low, high);
+
+    return boundaryOf(controls);
+}
+
+
+static scalar longestOverSize
+(
+    const wallSurface& surface,
+    const std::function<scalar(const point&)>& size
+)
+{
+    scalar longest = 0;
+
+    for (const face& f : surface.faces)
+    {
+        forAll(f, k)
+        {
+            const edge e(f[k], f.nextLabel(k));
+            longest = max
+            (
+                longest, e.mag(surface.points)/size(e.centre(surface.points))
+            );
+        }
+    }
+
+    return longest;
+}
+
+
+static scalar worstQuality(const wallSurface& surface)
+{
+    scalar worst = 1;
+
+    for (const face& f : surface.faces)
+    {
+        const triPointRef tri
+        (
+            surface.points[f[0]], surface.points[f[1]], surface.points[f[2]]
+        );
+        worst = min(worst, tri.quality());
+    }
+
+    return worst;
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(refineSurface, edgesAreAsShortAsTheSizes)
+{
+    wallSurface surface
+    (
+        boxOf(point(-1, -1, -1), point(9, 2, 1)).surface
+    );
+    const auto size = [](const point& x) { return 0.1 + 0.3*mag(x); };
+    refineSurface(surface, size, nullptr);
+
+    EXPECT_LE(longestOverSize(surface, size), 4.0/3);
+    EXPECT_GT(longestOverSize(surface, size), 1);
+    EXPECT_TRUE(testSurfaces::isClosed(surface));
+}
+
+
+TEST(refineSurface, theSurfaceStaysWhereItIs)
+{
+    const wallSurface before
+    (
+        boxOf(point(-1, -1, -1), point(9, 2, 1)).surface
+    );
+    wallSurface surface(before);
+    refineSurface(surface, [](const point&) { return 0.4; }, nullptr);
+
+    EXPECT_NEAR
+    (
+        testSurfaces::enclosedVolume(surface),
+        testSurfaces::enclosedVolume(before), 1e-12*60
+    );
+
+    scalarField areas(6, 0);
+    forAll(surface.faces, facei)
+    {
+        areas[surface.patchIDs[facei]] +=
+            surface.faces[facei].mag(surface.points);
+    }
+    const scalarField exact({6, 6, 20, 20, 30, 30});
+    forAll(exact, side)
+    {
+        EXPECT_NEAR(areas[side], exact[side], 1e-12*exact[side]) << side;
+    }
+}
+
+
+TEST(refineSurface, longTrianglesBecomeBetter)
+{
+    // Sides of 20 x 2
+    wallSurface surface
+    (
+        boxOf(point(0, 0, 0), point(20, 2, 2)).surface
+    );
+    EXPECT_LT(worstQuality(surface), 0.2);
+    refineSurface(surface, [](const point&) { return 0.5; }, nullptr);
+    EXPECT_GT(worstQuality(surface), 0.35);
+}
+
+
+TEST(refineSurface, pointsFollowASphere)
+{
+    farBoundaryControls controls;
+    controls.type = "sphere";
+    controls.origin = point(1, 2, 3);
+    controls.radius = 5;
+
+    farBoundary boundary(boundaryOf(controls));
+    refineSurface
+    (
+        boundary.surface, [](const point&) { return 0.8; }, boundary.project
+    );
+
+    for (const point& x : boundary.surface.points)
+    {
+        EXPECT_NEAR(mag(x - controls.origin), 5, 1e-12);
+    }
+
+    // Normals point inwards; a polyhedron in a sphere is smaller than that
+    const scalar volume = testSurfaces::enclosedVolume(boundary.surface);
+    EXPECT_LT(volume, -0.98*4/3.0*constant::mathematical::pi*125);
+    EXPECT_TRUE(testSurfaces::isClosed(boundary.surface));
+    EXPECT_EQ(testSurfaces::eulerCharacteristic(boundary.surface), 2);
+    EXPECT_GT(worstQuality(boundary.surface), 0.5);
+}
+
+
+// ************************************************************************* //
