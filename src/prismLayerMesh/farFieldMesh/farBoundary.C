@@ -11,39 +11,95 @@ License
 #include "readWallSurface.H"
 #include "wallDefects.H"
 #include "error.H"
+#include "labelVector.H"
+#include "Map.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
 
-//- Two triangles for each side, normals inwards
+//- On an edge of a box, at most
+static const label maxSquares = 100;
+
+
+//- Sides of squares, as nearly as these fit, of two triangles each; normals
+//  inwards
 static wallSurface boxSurface(const boundBox& box)
 {
+    const vector span(box.span());
+    labelVector n;
+    for (direction d = 0; d < 3; ++d)
+    {
+        n[d] = min(label(span[d]/cmptMin(span) + 0.5), maxSquares);
+    }
+
     wallSurface surface;
-    surface.points = box.points();
     surface.patchNames =
         wordList({"xMin", "xMax", "yMin", "yMax", "zMin", "zMax"});
 
-    // In the order of boundBox::points
-    static const label sides[6][4] =
-    {
-        {0, 3, 7, 4}, {1, 5, 6, 2}, {0, 4, 5, 1},
-        {3, 2, 6, 7}, {0, 1, 2, 3}, {4, 7, 6, 5}
-    };
-
+    DynamicList<point> points;
     DynamicList<face> faces;
     DynamicList<label> patchIDs;
+    Map<label> labels;
+
+    // The point at these counts of squares
+    const auto pointLabel = [&](const labelVector& at)
+    {
+        const label key =
+            at.x() + (maxSquares + 1)*(at.y() + (maxSquares + 1)*at.z());
+
+        if (labels.insert(key, points.size()))
+        {
+            point x;
+            for (direction d = 0; d < 3; ++d)
+            {
+                x[d] = at[d] == n[d]
+                  ? box.max()[d] : box.min()[d] + span[d]*at[d]/n[d];
+            }
+            points.append(x);
+        }
+
+        return labels[key];
+    };
 
     for (label side = 0; side < 6; ++side)
     {
-        const label (&f)[4] = sides[side];
-        faces.append(face({f[0], f[1], f[2]}));
-        faces.append(face({f[0], f[2], f[3]}));
-        patchIDs.append(side);
-        patchIDs.append(side);
+        const direction d = side/2;
+        const direction e = (d + 1) % 3;
+        const direction f = (d + 2) % 3;
+        labelVector at(Zero);
+        at[d] = side % 2 ? n[d] : 0;
+
+        for (label i = 0; i < n[e]; ++i)
+        {
+            for (label j = 0; j < n[f]; ++j)
+            {
+                const auto corner = [&](const label k, const label l)
+                {
+                    at[e] = i + k;
+                    at[f] = j + l;
+                    return pointLabel(at);
+                };
+                face square
+                ({
+                    corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)
+                });
+
+                if (side % 2)
+                {
+                    square.flip();
+                }
+
+                faces.append(face({square[0], square[1], square[2]}));
+                faces.append(face({square[0], square[2], square[3]}));
+                patchIDs.append(side);
+                patchIDs.append(side);
+            }
+        }
     }
 
+    surface.points.transfer(points);
     surface.faces.transfer(faces);
     surface.patchIDs.transfer(patchIDs);
 

@@ -68,7 +68,7 @@ static bool isBetterFlipped
 
 //- Flips each edge at most once, and touches each triangle once. Returns
 //  whether there were flips.
-static bool flipEdges(wallSurface& surface, const bool inPlane)
+static bool flipOnce(wallSurface& surface, const bool inPlane)
 {
     EdgeMap<labelPair> sides;
 
@@ -153,15 +153,41 @@ static boolList findFree(const wallSurface& surface, const bool inPlane)
 }
 
 
-//- Moves free points towards the mean of their neighbours, where no triangle is
+//- Whether one of the triangles is turned over against its normal
+static bool isTurned
+(
+    const wallSurface& surface,
+    const labelUList& faces,
+    const UList<vector>& normals
+)
+{
+    for (const label facei : faces)
+    {
+        const vector area
+        (
+            surface.faces[facei].areaNormal(surface.points)
+        );
+
+        if ((area & normals[facei]) <= 0)
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+
+//- Moves free points to the mean of their neighbours, where no triangle is
 //  turned over by that
-static void smoothPoints
+static void smoothOnce
 (
     wallSurface& surface,
     const std::function<point(const point&)>& project
 )
 {
     const boolList isFree(findFree(surface, !project));
+    const vectorField normals(surface.faceNormals());
     const labelListList pointFaces
     (
         invertManyToMany<face, labelList>
@@ -179,15 +205,11 @@ static void smoothPoints
 
         const point from(surface.points[p]);
         vector move(Zero);
-        DynamicList<vector> areas(8);
 
         // In a plane differences are exact, sums of coordinates are not
         for (const label facei : pointFaces[p])
         {
-            const face& f = surface.faces[facei];
-            areas.append(f.areaNormal(surface.points));
-
-            for (const label q : f)
+            for (const label q : surface.faces[facei])
             {
                 move += (surface.points[q] - from)/(2*pointFaces[p].size());
             }
@@ -195,25 +217,11 @@ static void smoothPoints
 
         surface.points[p] = project ? project(from + move) : from + move;
 
-        forAll(areas, i)
+        if (isTurned(surface, pointFaces[p], normals))
         {
-            const face& f = surface.faces[pointFaces[p][i]];
-
-            if ((f.areaNormal(surface.points) & areas[i]) <= 0)
-            {
-                surface.points[p] = from;
-                break;
-            }
+            surface.points[p] = from;
         }
     }
-}
-
-
-//- Flips until there is nothing better
-static void makeDelaunay(wallSurface& surface, const bool inPlane)
-{
-    for (label i = 0; i < maxSweeps && flipEdges(surface, inPlane); ++i)
-    {}
 }
 
 } // End namespace Foam
@@ -221,18 +229,23 @@ static void makeDelaunay(wallSurface& surface, const bool inPlane)
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void Foam::improveTriangles
+void Foam::flipEdges(wallSurface& surface, const bool inPlane)
+{
+    for (label i = 0; i < maxSweeps && flipOnce(surface, inPlane); ++i)
+    {}
+}
+
+
+void Foam::smoothPoints
 (
     wallSurface& surface,
     const std::function<point(const point&)>& project
 )
 {
-    makeDelaunay(surface, !project);
-
     for (label i = 0; i < nSmoothings; ++i)
     {
-        smoothPoints(surface, project);
-        makeDelaunay(surface, !project);
+        smoothOnce(surface, project);
+        flipEdges(surface, !project);
     }
 }
 

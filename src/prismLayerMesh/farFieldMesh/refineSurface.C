@@ -168,7 +168,7 @@ void Foam::refineSurface
 {
     for (bool divided = true; divided;)
     {
-        improveTriangles(surface, project);
+        flipEdges(surface, !project);
 
         EdgeMap<label> marked(markEdges(surface, size));
         divided = marked.size();
@@ -198,6 +198,9 @@ void Foam::refineSurface
         surface.faces.transfer(faces);
         surface.patchIDs.transfer(patchIDs);
     }
+
+    // Not before each division: that would not come to an end
+    smoothPoints(surface, project);
 }
 
 

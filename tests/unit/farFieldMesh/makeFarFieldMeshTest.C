@@ -216,7 +216,7 @@ TEST(makeFarFieldMesh, boundariesInTheWrongPlaceAreRefused)
 
 TEST(makeFarFieldMesh, moreCellsThanAllowedAreRefused)
 {
-    expectWords(errorOf(boxOf(4), 10000), {"about", "maxCells 10000"});
+    expectWords(errorOf(boxOf(4), 6000), {"about", "maxCells 6000"});
     expectWords(errorOf(boxOf(4), 1000), {"many more cells", "maxCells 1000"});
 }
 

@@ -60,20 +60,32 @@ static scalar longestOverSize
 }
 
 
-static scalar worstQuality(const wallSurface& surface)
+static scalarField qualities(const wallSurface& surface)
 {
-    scalar worst = 1;
+    scalarField values(surface.faces.size());
 
-    for (const face& f : surface.faces)
+    forAll(values, facei)
     {
-        const triPointRef tri
+        const face& f = surface.faces[facei];
+        values[facei] = triPointRef
         (
             surface.points[f[0]], surface.points[f[1]], surface.points[f[2]]
-        );
-        worst = min(worst, tri.quality());
+        ).quality();
     }
 
-    return worst;
+    return values;
+}
+
+
+static scalar worstQuality(const wallSurface& surface)
+{
+    return min(qualities(surface));
+}
+
+
+static scalar meanQuality(const wallSurface& surface)
+{
+    return average(qualities(surface));
 }
 
 
@@ -88,7 +100,7 @@ TEST(refineSurface, edgesAreAsShortAsTheSizes)
     const auto size = [](const point& x) { return 0.1 + 0.3*mag(x); };
     refineSurface(surface, size, nullptr);
 
-    EXPECT_LE(longestOverSize(surface, size), 4.0/3);
+    EXPECT_LE(longestOverSize(surface, size), 1.5);
     EXPECT_GT(longestOverSize(surface, size), 1);
     EXPECT_TRUE(testSurfaces::isClosed(surface));
 }
@@ -123,16 +135,29 @@ TEST(refineSurface, theSurfaceStaysWhereItIs)
 }
 
 
-TEST(refineSurface, longTrianglesBecomeBetter)
+TEST(refineSurface, trianglesOfABoxAreGood)
 {
-    // Sides of 20 x 2
     wallSurface surface
     (
-        boxOf(point(0, 0, 0), point(20, 2, 2)).surface
+        boxOf(point(0, 0, 0), point(20, 2.3, 3)).surface
     );
-    EXPECT_LT(worstQuality(surface), 0.2);
     refineSurface(surface, [](const point&) { return 0.5; }, nullptr);
-    EXPECT_GT(worstQuality(surface), 0.35);
+    EXPECT_GT(worstQuality(surface), 0.6);
+}
+
+
+TEST(refineSurface, longTrianglesBecomeBetter)
+{
+    // Two for each side of 1 x 20
+    wallSurface surface(testSurfaces::cube(1));
+    for (point& x : surface.points)
+    {
+        x.x() *= 20;
+    }
+
+    EXPECT_LT(meanQuality(surface), 0.15);
+    refineSurface(surface, [](const point&) { return 0.3; }, nullptr);
+    EXPECT_GT(meanQuality(surface), 0.8);
 }
 
 
