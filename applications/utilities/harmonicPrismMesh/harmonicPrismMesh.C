@@ -13,7 +13,7 @@ Group
 
 Description
     Makes the boundary-layer region of a mesh: n layers of prisms on all of a
-    wall surface, certified.
+    wall surface, certified; with a far field all of the mesh.
 
     Reads system/harmonicPrismMeshDict and the surface in constant/triSurface
     that it names; writes constant/polyMesh, constant/triSurface/layerOuter.obj
@@ -65,7 +65,7 @@ static void addOptions()
     argList::addNote
     (
         "Make n layers of prisms on all of a wall surface: the boundary-layer"
-        " region of a mesh.\n"
+        " region of a mesh, or with a far field all of it.\n"
         "Reads system/harmonicPrismMeshDict and the surface that it names;"
         " writes\n"
         "  constant/polyMesh\n"
