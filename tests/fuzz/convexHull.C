@@ -9,7 +9,7 @@ License
 
 #include "convexHull.H"
 #include "DynamicList.H"
-#include "prismQuality.H"
+#include "orientation.H"
 
 #include <set>
 #include <utility>

@@ -43,6 +43,7 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "argList.H"
+#include "readPrismLayerControls.H"
 #include "makeSizeBounds.H"
 #include "Time.H"
 #include "polyMesh.H"

@@ -9,6 +9,7 @@ License
 
 #include "prismCase.H"
 #include "argList.H"
+#include "farFieldReport.H"
 #include "MeshedSurface.H"
 #include "OFstream.H"
 #include "OSspecific.H"

@@ -15,8 +15,10 @@ License
 #include "outerTriangles.H"
 #include "refineSurface.H"
 #include "tetrahedralize.H"
-#include "triSurfaceSearch.H"
 #include "unitConversion.H"
+#include "wallSearch.H"
+
+#include <functional>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -50,20 +52,6 @@ static wallSurface outerSurface(const prismLayers& layers, labelList& faces)
 }
 
 
-static triSurface toTriSurface(const wallSurface& surface)
-{
-    List<labelledTri> faces(surface.faces.size());
-
-    forAll(faces, i)
-    {
-        const face& f = surface.faces[i];
-        faces[i] = labelledTri(f[0], f[1], f[2], 0);
-    }
-
-    return triSurface(faces, surface.points);
-}
-
-
 //- Both surfaces, the points of the first before those of the second
 static wallSurface joined(const wallSurface& a, const wallSurface& b)
 {
@@ -82,30 +70,6 @@ static wallSurface joined(const wallSurface& a, const wallSurface& b)
     }
 
     return both;
-}
-
-
-//- Lengths of edges at the points of the far boundary
-static scalarField boundarySizes(const wallSurface& surface)
-{
-    scalarField sizes(surface.points.size(), 0);
-    labelList n(surface.points.size(), Zero);
-
-    for (const face& f : surface.faces)
-    {
-        forAll(f, k)
-        {
-            sizes[f[k]] += edge(f[k], f.nextLabel(k)).mag(surface.points);
-            ++n[f[k]];
-        }
-    }
-
-    forAll(sizes, p)
-    {
-        sizes[p] /= max(n[p], 1);
-    }
-
-    return sizes;
 }
 
 
@@ -264,8 +228,8 @@ Foam::farFieldMesh Foam::makeFarFieldMesh
     );
 
     wallSurface far(boundary.surface);
-    refineSurface(far, fromLayers, boundary.project);
-    sizes.append(boundarySizes(far));
+    refineSurface(far, std::cref(fromLayers), boundary.project);
+    sizes.append(meanEdges(far, makeWallAddressing(far)));
 
     const wallSurface both(joined(outer, far));
     mesh.patchIDs = far.patchIDs;
@@ -283,14 +247,10 @@ Foam::farFieldMesh Foam::makeFarFieldMesh
     (
         makeSizes(both.points, sizes, box, controls, bounds)
     );
-    const triSurface surface(toTriSurface(both));
-    const triSurfaceSearch search(surface);
+    const wallSearch search(both);
     const scalar nCells = tetsPerCube*wanted.nCubes
     (
-        [&](const point& x)
-        {
-            return search.tree().getVolumeType(x) == volumeType::OUTSIDE;
-        }
+        [&](const point& x) { return search.inFront(x); }
     );
 
     if (nCells > controls.maxCells)
@@ -303,7 +263,10 @@ Foam::farFieldMesh Foam::makeFarFieldMesh
     domain.facets = both.faces;
     domain.holes = layerSeeds(layers, outer);
 
-    tetMesh filled(tetrahedralize(domain, wanted, controls.maxCells));
+    tetMesh filled
+    (
+        tetrahedralize(domain, std::cref(wanted), controls.maxCells)
+    );
 
     if (filled.tets.size() > controls.maxCells)
     {
@@ -317,6 +280,13 @@ Foam::farFieldMesh Foam::makeFarFieldMesh
     splitCornerCells(mesh);
     mesh.neighbours = tetNeighbours(mesh.tets);
     movePoorPoints(layerCentres(layers, mesh), degToRad(poorAngle), mesh);
+
+    if (!allPositive(mesh.points, mesh.tets))
+    {
+        FatalErrorInFunction
+            << "The tetrahedra of the far field could not be certified"
+            << exit(FatalError);
+    }
 
     return mesh;
 }

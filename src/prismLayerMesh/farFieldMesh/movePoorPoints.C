@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "improveTets.H"
+#include "orientation.H"
 #include "HashSet.H"
 #include "prismQuality.H"
 #include "triangleIndex.H"
@@ -202,19 +203,16 @@ labelList pointMover::pointsAt(const scalar poor) const
         {
             const label beyond = mesh_.neighbours[t][i];
 
-            if (beyond > t || (beyond < 0 && cosine(t, i) < 1))
+            if ((beyond > t || beyond < 0) && cosine(t, i) < poor)
             {
-                if (cosine(t, i) < poor)
-                {
-                    points.insert(mesh_.tets[t].begin(), mesh_.tets[t].end());
+                points.insert(mesh_.tets[t].begin(), mesh_.tets[t].end());
 
-                    if (beyond >= 0)
-                    {
-                        points.insert
-                        (
-                            mesh_.tets[beyond].begin(), mesh_.tets[beyond].end()
-                        );
-                    }
+                if (beyond >= 0)
+                {
+                    points.insert
+                    (
+                        mesh_.tets[beyond].begin(), mesh_.tets[beyond].end()
+                    );
                 }
             }
         }

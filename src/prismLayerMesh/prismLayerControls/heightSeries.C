@@ -8,7 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "heightSeries.H"
-#include "layerSpacing.H"
+#include "geometricHeights.H"
 
 #include <sstream>
 

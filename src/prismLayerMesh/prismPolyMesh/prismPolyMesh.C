@@ -119,19 +119,27 @@ Foam::autoPtr<Foam::polyMesh> Foam::makePrismPolyMesh
     wordList names(prismPatchNames(layers.patchNames));
     wordList types(names.size(), word("wall"));
 
+    const label nColumns = layers.nColumns();
+
+    if (hasFarField)
+    {
+        topology = joinFarField
+        (
+            layers, topology,
+            layers.points.size() - layers.furtherRoots.size(), far
+        );
+        names.append(far.patchNames);
+        types.append(far.patchTypes);
+    }
+
     pointField points
     (
         layers.furtherRoots.size()
-      ? layers.meshPoints() : pointField(layers.points)
+      ? layers.meshPoints() : pointField(std::move(layers.points))
     );
 
     if (hasFarField)
     {
-        topology = joinFarField(layers, topology, points.size(), far);
-        names.append(far.patchNames);
-        types.append(far.patchTypes);
-
-        const label nColumns = layers.nColumns();
         points.append
         (
             SubList<point>(far.points, far.points.size() - nColumns, nColumns)

@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "engulfedBodies.H"
+#include "orientation.H"
 #include "disjointSets.H"
 #include "prismQuality.H"
 #include "boundBox.H"

@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "prismQuality.H"
+#include "orientation.H"
 #include "Random.H"
 
 #include <gtest/gtest.h>

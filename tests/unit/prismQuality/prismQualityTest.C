@@ -9,6 +9,7 @@ License
 
 
 #include "prismQuality.H"
+#include "orientation.H"
 #include "testLayers.H"
 #include "testSurfaces.H"
 #include "HashSet.H"

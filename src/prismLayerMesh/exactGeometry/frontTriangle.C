@@ -11,7 +11,7 @@ License
 #include <CGAL/intersections.h>
 
 #include "frontTriangle.H"
-#include "prismQuality.H"
+#include "orientation.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 

@@ -7,6 +7,7 @@ License
 
 \*---------------------------------------------------------------------------*/
 
+#include "farFieldReport.H"
 #include "prismPolyMesh.H"
 #include "polyMeshTools.H"
 #include "unitConversion.H"

@@ -13,7 +13,7 @@ License
 #include "quaternion.H"
 #include "error.H"
 #include "isolatedProcess.H"
-#include "prismQuality.H"
+#include "orientation.H"
 #include "triangleIndex.H"
 
 #include <string>
@@ -248,23 +248,6 @@ static bool keepsFacets(const tetDomain& domain, const tetMesh& mesh)
 }
 
 
-//- Coordinates that are turned back are rounded
-static bool allPositive(const tetMesh& mesh)
-{
-    for (const tetCell& tet : mesh.tets)
-    {
-        const pointField& x = mesh.points;
-
-        if (orientation(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]) <= 0)
-        {
-            return false;
-        }
-    }
-
-    return true;
-}
-
-
 //- Facets stay as they are: not split (Y), coplanar ones not merged (M), no
 //  tolerance (T) in place of the exact predicates. Points that are not used
 //  are not left out (J), or the others would change their labels.
@@ -294,8 +277,8 @@ static tetMesh attempts(const tetDomain& domain, const tetRun& how)
 
         if
         (
-            end == processEnd::complete
-         && keepsFacets(domain, mesh) && allPositive(mesh)
+            end == processEnd::complete && keepsFacets(domain, mesh)
+         && (!how.size || allPositive(mesh.points, mesh.tets))
         )
         {
             return mesh;
@@ -315,6 +298,20 @@ static tetMesh attempts(const tetDomain& domain, const tetRun& how)
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+bool Foam::allPositive(const pointField& x, const tetCellList& tets)
+{
+    for (const tetCell& tet : tets)
+    {
+        if (orientation(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]) <= 0)
+        {
+            return false;
+        }
+    }
+
+    return true;
+}
+
 
 Foam::tetMesh Foam::tetrahedralize(const tetDomain& domain)
 {

@@ -7,9 +7,9 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "prismLayerControls.H"
+#include "readPrismLayerControls.H"
 #include "controlEntries.H"
-#include "diffusionTensor.H"
+#include "readFieldControls.H"
 #include "readFarFieldControls.H"
 #include "readLayerControls.H"
 
@@ -82,38 +82,6 @@ static backgroundMeshControls readBackgroundMesh
     return controls;
 }
 
-
-static fieldControls readField(const dictionary& dict)
-{
-    const wordList models
-    (
-        diffusionTensor::dictionaryConstructorTablePtr_->sortedToc()
-    );
-    wordList keys({"tensor", "solver", "tolerance"});
-
-    for (const word& model : models)
-    {
-        keys.append(model + "Coeffs");
-    }
-
-    checkKeys(dict, keys);
-
-    fieldControls controls;
-    readChoice(dict, "tensor", models, controls.tensor);
-    readChoice(dict, "solver", {"krylov", "iteration"}, controls.solver);
-    readBounded
-    (
-        dict, "tolerance",
-        scalar(1e-14), scalar(0.1), controls.tolerance
-    );
-
-    // Its coefficients are checked here, not when they are used in mid-run
-    controls.tensorCoeffs = optionalDict(dict, controls.tensor + "Coeffs");
-    diffusionTensor::New(controls.tensor, controls.tensorCoeffs);
-
-    return controls;
-}
-
 } // End namespace Foam
 
 
@@ -143,7 +111,7 @@ Foam::prismLayerControls Foam::readPrismLayerControls(const dictionary& dict)
         (
             optionalDict(dict, "backgroundMesh"), controls.layers.onLevelSets
         );
-    controls.field = readField(optionalDict(dict, "field"));
+    controls.field = readFieldControls(optionalDict(dict, "field"));
     controls.farField = readFarFieldControls
     (
         optionalDict(dict, "farField"), controls.surface.fluidOutside

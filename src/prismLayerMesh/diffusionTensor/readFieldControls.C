@@ -1,0 +1,48 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "readFieldControls.H"
+#include "controlEntries.H"
+#include "diffusionTensor.H"
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::fieldControls Foam::readFieldControls(const dictionary& dict)
+{
+    const wordList models
+    (
+        diffusionTensor::dictionaryConstructorTablePtr_->sortedToc()
+    );
+    wordList keys({"tensor", "solver", "tolerance"});
+
+    for (const word& model : models)
+    {
+        keys.append(model + "Coeffs");
+    }
+
+    checkKeys(dict, keys);
+
+    fieldControls controls;
+    readChoice(dict, "tensor", models, controls.tensor);
+    readChoice(dict, "solver", {"krylov", "iteration"}, controls.solver);
+    readBounded
+    (
+        dict, "tolerance",
+        scalar(1e-14), scalar(0.1), controls.tolerance
+    );
+
+    // Its coefficients are checked here, not when they are used in mid-run
+    controls.tensorCoeffs = optionalDict(dict, controls.tensor + "Coeffs");
+    diffusionTensor::New(controls.tensor, controls.tensorCoeffs);
+
+    return controls;
+}
+
+
+// ************************************************************************* //
