@@ -96,14 +96,14 @@ static void mesh
         tell("noField", oneLine(m.noField));
     }
 
-    const std::string fault(findMeshFault(wall, m.layers));
-    const std::string embedding(findEmbeddingFault(wall, m.layers));
+    const std::string fault(findMeshFault(wall, m.made.layers));
+    const std::string embedding(findEmbeddingFault(wall, m.made.layers));
 
     if (!m.certificate.valid())
     {
         tell("failed", "the certificate is not valid");
     }
-    else if (m.layers.nLayers != nAsked(controls.layers, m.request))
+    else if (m.made.layers.nLayers != nAsked(controls.layers, m.request))
     {
         tell("failed", "the number of layers is not what was asked for");
     }

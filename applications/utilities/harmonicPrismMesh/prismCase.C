@@ -232,7 +232,7 @@ Foam::autoPtr<Foam::polyMesh> Foam::prismCase::writeMesh
     (
         makePrismPolyMesh
         (
-            m.layers,
+            m.made.layers,
             m.farField,
             IOobject
             (
@@ -275,19 +275,19 @@ void Foam::prismCase::write
     // What was certified is what is written: no digit may be lost
     IOstream::defaultPrecision(17);
 
-    writeOuter(m.layers);
+    writeOuter(m.made.layers);
     layerReport report
     (
         makeLayerReport
         (
-            wall, m.addressing, m.request, m.layers, m.certificate,
-            m.columns.causes
+            wall, m.addressing, m.request, m.made.layers, m.certificate,
+            m.made.causes
         )
     );
     report.noField = m.noField;
     report.points = countKinds(m.pointKinds);
     report.nFurtherColumns = m.front.furtherRoots().size();
-    report.nRetreats = m.columns.nRetreats;
+    report.nRetreats = m.made.nRetreats;
 
     const autoPtr<polyMesh> mesh(writeMesh(m));
     log.end

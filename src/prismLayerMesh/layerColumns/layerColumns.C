@@ -143,8 +143,9 @@ Foam::label Foam::layerColumns::layerAt
 }
 
 
-Foam::vector Foam::layerColumns::offset
+Foam::vector Foam::layerColumns::interpolated
 (
+    const vectorField& values,
     const label p,
     const scalar height
 ) const
@@ -152,18 +153,14 @@ Foam::vector Foam::layerColumns::offset
     const scalar* first = heights.cdata() + p*nLayers;
     const label i = layerAt(p, height);
 
-    if (i == 0)
+    if (i == 0 || i == nLayers)
     {
-        return offsets[p*nLayers];
-    }
-    if (i == nLayers)
-    {
-        return offsets[p*nLayers + nLayers - 1];
+        return values[p*nLayers + max(i - 1, 0)];
     }
 
     const scalar s = (height - first[i - 1])/(first[i] - first[i - 1]);
 
-    return (1 - s)*offsets[p*nLayers + i - 1] + s*offsets[p*nLayers + i];
+    return (1 - s)*values[p*nLayers + i - 1] + s*values[p*nLayers + i];
 }
 
 

@@ -16,9 +16,6 @@ License
 namespace Foam
 {
 
-//- lambda
-static const scalar damping = 1e-3;
-
 typedef Eigen::SparseMatrix<double> sparseMatrix;
 
 
@@ -56,12 +53,12 @@ static sparseMatrix heightsOfDisplacements
 }
 
 
-static sparseMatrix damped(const sparseMatrix& a)
+static sparseMatrix damped(const sparseMatrix& a, const scalar lambda)
 {
     sparseMatrix identity(a.rows(), a.rows());
     identity.setIdentity();
 
-    return a*sparseMatrix(a.transpose()) + damping*identity;
+    return a*sparseMatrix(a.transpose()) + lambda*identity;
 }
 
 } // End namespace Foam
@@ -79,10 +76,16 @@ struct Foam::heightFit::factors
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::heightFit::heightFit(const wallSurface& wall, const labelUList& faces)
+Foam::heightFit::heightFit
+(
+    const wallSurface& wall,
+    const labelUList& faces,
+    const scalar lambda
+)
 :
     wall_(wall),
     faces_(faces),
+    lambda_(lambda),
     factors_(new factors)
 {}
 
@@ -98,7 +101,7 @@ void Foam::heightFit::setMobilities(const scalarField& mobilities)
     factors_->mobilities = mobilities;
     factors_->a = heightsOfDisplacements(wall_, faces_, mobilities);
 
-    const sparseMatrix product(damped(factors_->a));
+    const sparseMatrix product(damped(factors_->a, lambda_));
 
     if (first)
     {

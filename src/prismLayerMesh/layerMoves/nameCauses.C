@@ -31,10 +31,10 @@ static labelList lowColumns
 (
     const layerFront& front,
     const layerSpacing& graded,
-    const prismLayers& layers,
-    const layerColumns& columns
+    const madeLayers& made
 )
 {
+    const prismLayers& layers = made.layers;
     stackHeights stack(layers);
     DynamicList<label> low;
 
@@ -47,7 +47,7 @@ static labelList lowColumns
             f.end(),
             [&](const label c)
             {
-                return columns.causes[c] == squeezeCause::none;
+                return made.causes[c] == squeezeCause::none;
             }
         );
 
@@ -140,13 +140,13 @@ void Foam::nameCauses
     const List<pointKind>& kinds,
     const layerSpacing& asked,
     const layerSpacing& graded,
-    const prismLayers& layers,
-    layerColumns& columns
+    const layerColumns& columns,
+    madeLayers& made
 )
 {
-    List<squeezeCause>& causes = columns.causes;
+    List<squeezeCause>& causes = made.causes;
 
-    for (const label c : lowColumns(front, graded, layers, columns))
+    for (const label c : lowColumns(front, graded, made))
     {
         causes[c] = causeOfLow(front, graded, columns, c);
     }

@@ -142,14 +142,6 @@ static labelList validLayers
 {
     labelList valid(layers.faces.size(), layers.nLayers);
 
-    if (certificate.nInvalidCells)
-    {
-        for (const labelPair& faceAndLayer : findInvalidStacks(layers))
-        {
-            valid[faceAndLayer.first()] = faceAndLayer.second() - 1;
-        }
-    }
-
     return valid;
 }
 
@@ -316,7 +308,7 @@ Foam::layerReport Foam::makeLayerReport
     report.nWallFaces = wall.faces.size();
     report.nWallPoints = wall.points.size();
     report.nCells = certificate.nCells;
-    report.nInvalidCells = certificate.nInvalidCells;
+    report.nInvalidCells = certificate.nStacksNotPositive;
     report.nIntersectingPairs = certificate.nIntersectingPairs;
 
     for (const label facei : certificate.outlyingCentres)

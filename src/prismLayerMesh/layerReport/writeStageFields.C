@@ -9,7 +9,7 @@ License
 
 #include "writeStageFields.H"
 #include "faceHeights.H"
-#include "poorStacks.H"
+#include "scaledJacobian.H"
 #include "harmonicField.H"
 #include "levelSetReport.H"
 #include "IOobject.H"
@@ -77,7 +77,7 @@ static vtkGrid backgroundGrid(const prismLayerMesh& mesh)
 
 static vtkGrid columnGrid(const prismLayerMesh& mesh)
 {
-    const prismLayers& layers = mesh.layers;
+    const prismLayers& layers = mesh.made.layers;
     const label n = layers.nLayers;
 
     vtkGrid grid;
@@ -106,7 +106,7 @@ static vtkGrid columnGrid(const prismLayerMesh& mesh)
 
 static vtkGrid layerGrid(const prismLayerMesh& mesh)
 {
-    const prismLayers& layers = mesh.layers;
+    const prismLayers& layers = mesh.made.layers;
 
     vtkGrid grid;
     grid.points = layers.points;
@@ -156,7 +156,7 @@ static scalarField largestOfFaces
 static vtkGrid wallGrid(const wallSurface& wall, const prismLayerMesh& mesh)
 {
     const layerSpacing& request = mesh.request;
-    const prismLayers& layers = mesh.layers;
+    const prismLayers& layers = mesh.made.layers;
 
     vtkGrid grid;
     grid.points = wall.points;
@@ -170,7 +170,7 @@ static vtkGrid wallGrid(const wallSurface& wall, const prismLayerMesh& mesh)
 
     for (label p = 0; p < nPoints; ++p)
     {
-        causes[p] = scalar(int(mesh.columns.causes[p]));
+        causes[p] = scalar(int(mesh.made.causes[p]));
         angles[p] = radToDeg(::acos(min(mesh.visibility.cones[p].cosine, 1.0)));
     }
 
@@ -210,7 +210,7 @@ static vtkGrid wallGrid(const wallSurface& wall, const prismLayerMesh& mesh)
 
     const scalarField best
     (
-        bestJacobians(mesh.front.surface, mesh.front.visibility)
+        attainableJacobians(mesh.front.surface, mesh.front.visibility)
     );
     scalarField relative(wall.faces.size());
     forAll(relative, facei)

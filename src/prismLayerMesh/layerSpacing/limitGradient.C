@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "limitGradient.H"
+#include "HashSet.H"
 
 #include <queue>
 
@@ -16,10 +17,12 @@ License
 namespace Foam
 {
 
-//- Lower values to bound(from, to) > values[from] of their neighbours
+//- Lower values to bound(from, to) > values[from] of their neighbours, from
+//  some points on. Returns the values that were lowered, as they were.
 template<class Bound>
-static labelList lowerTo
+static Map<scalar> lowerFrom
 (
+    const labelUList& points,
     const wallAddressing& addressing,
     const Bound& bound,
     scalarField& values
@@ -28,19 +31,12 @@ static labelList lowerTo
     // Dijkstra: a value is final when it is the lowest of those left
     typedef std::pair<scalar, label> entry;
     std::priority_queue<entry, std::vector<entry>, std::greater<entry>> front;
+    Map<scalar> before;
 
-    for (const edge& e : addressing.edges)
+    for (const label p : points)
     {
-        const label low = values[e.start()] < values[e.end()]
-          ? e.start() : e.end();
-
-        if (bound(low, e.otherVertex(low)) < values[e.otherVertex(low)])
-        {
-            front.push(entry(values[low], low));
-        }
+        front.push(entry(values[p], p));
     }
-
-    boolList lowered(values.size(), false);
 
     while (!front.empty())
     {
@@ -55,16 +51,60 @@ static labelList lowerTo
 
         for (const label to : addressing.pointPoints[from])
         {
-            if (bound(from, to) < values[to])
+            const scalar limit = bound(from, to);
+
+            if (limit < values[to])
             {
-                values[to] = bound(from, to);
-                lowered[to] = true;
-                front.push(entry(values[to], to));
+                before.insert(to, values[to]);
+                values[to] = limit;
+                front.push(entry(limit, to));
             }
         }
     }
 
-    return findIndices(lowered, true);
+    return before;
+}
+
+
+//- The same from all points that are too low for a neighbour
+template<class Bound>
+static labelList lowerAll
+(
+    const wallAddressing& addressing,
+    const Bound& bound,
+    scalarField& values
+)
+{
+    labelHashSet low;
+
+    for (const edge& e : addressing.edges)
+    {
+        const label from = values[e.start()] < values[e.end()]
+          ? e.start() : e.end();
+        const label to = e.otherVertex(from);
+
+        if (bound(from, to) < values[to])
+        {
+            low.insert(from);
+        }
+    }
+
+    return lowerFrom(low.toc(), addressing, bound, values).sortedToc();
+}
+
+
+//- The bound on the gradient
+static auto gradientBound
+(
+    const pointField& points,
+    const scalar slope,
+    const scalarField& values
+)
+{
+    return [&points, slope, &values](const label from, const label to)
+    {
+        return values[from] + slope*mag(points[to] - points[from]);
+    };
 }
 
 } // End namespace Foam
@@ -80,16 +120,25 @@ Foam::labelList Foam::limitGradient
     scalarField& values
 )
 {
-    const pointField& points = wall.points;
-
-    return lowerTo
+    return lowerAll
     (
-        addressing,
-        [&](const label from, const label to)
-        {
-            return values[from] + slope*mag(points[to] - points[from]);
-        },
-        values
+        addressing, gradientBound(wall.points, slope, values), values
+    );
+}
+
+
+Foam::Map<Foam::scalar> Foam::limitGradientFrom
+(
+    const labelUList& points,
+    const wallSurface& wall,
+    const wallAddressing& addressing,
+    const scalar slope,
+    scalarField& values
+)
+{
+    return lowerFrom
+    (
+        points, addressing, gradientBound(wall.points, slope, values), values
     );
 }
 
@@ -101,7 +150,7 @@ Foam::labelList Foam::limitRatio
     scalarField& values
 )
 {
-    return lowerTo
+    return lowerAll
     (
         addressing,
         [&](const label from, const label) { return ratio*values[from]; },

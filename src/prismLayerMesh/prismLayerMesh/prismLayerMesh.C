@@ -123,23 +123,24 @@ static void makeLayers
     observer.end(text(m.columns.room.size(), " columns"));
 
     observer.begin("prismLayers");
-    m.layers = makePrismLayers(front, spacing, m.columns);
+    m.made = makePrismLayers(front, spacing, m.columns);
     nameCauses
     (
-        front, m.pointKinds, m.request.at(front.wallPoints), spacing, m.layers,
-        m.columns
+        front, m.pointKinds, m.request.at(front.wallPoints), spacing,
+        m.columns, m.made
     );
+    const prismLayers& layers = m.made.layers;
     observer.end
     (
-        text(m.layers.faces.size()*m.layers.nLayers, " cells; columns ",
-            "retreated ", m.columns.nRetreats, " times")
+        text(layers.faces.size()*layers.nLayers, " cells; columns ",
+            "retreated ", m.made.nRetreats, " times")
     );
 
     observer.begin("prismQuality");
-    m.certificate = certify(m.layers);
+    m.certificate = certify(layers);
     observer.end
     (
-        text(m.certificate.nInvalidCells, " invalid cells, ",
+        text(m.certificate.nStacksNotPositive, " stacks not positive, ",
             m.certificate.nIntersectingPairs, " intersecting pairs")
     );
 
@@ -248,7 +249,8 @@ void Foam::addFarField
     observer.begin("farFieldMesh");
     m.farField = makeFarFieldMesh
     (
-        m.layers, m.front.addressing, domain.boundary, controls, domain.bounds
+        m.made.layers, m.front.addressing, domain.boundary, controls,
+        domain.bounds
     );
     observer.end
     (

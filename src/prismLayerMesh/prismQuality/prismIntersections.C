@@ -62,17 +62,17 @@ static bool addTriangles
 
 Foam::List<Foam::labelPair> Foam::findIntersections(const prismLayers& layers)
 {
-    return findIntersections(layers, boolList(layers.faces.size(), true));
+    return findIntersections(layers, identity(layers.faces.size()));
 }
 
 
 Foam::List<Foam::labelPair> Foam::findOverlaps
 (
     const prismLayers& layers,
-    const boolList& candidates
+    const labelUList& outerFaces
 )
 {
-    const List<labelPair> pairs(findIntersections(layers, candidates));
+    const List<labelPair> pairs(findIntersections(layers, outerFaces));
 
     return pairs.empty() ? findEngulfedBodies(layers) : pairs;
 }
@@ -81,10 +81,12 @@ Foam::List<Foam::labelPair> Foam::findOverlaps
 Foam::List<Foam::labelPair> Foam::findIntersections
 (
     const prismLayers& layers,
-    const boolList& candidates
+    const labelUList& outerFaces
 )
 {
     DynamicList<labelPair> pairs;
+    boolList candidates(layers.faces.size(), false);
+    UIndirectList<bool>(candidates, outerFaces) = true;
 
     // Each pair has one of the first
     std::vector<frontTriangle> first, second;

@@ -35,8 +35,8 @@ struct farCase
         const label maxCells = 1000000
     )
     {
-        const prismLayerMesh made(testSurfaces::layeredMesh(wall, 3, 0.1));
-        layers = made.layers;
+        const prismLayerMesh run(testSurfaces::layeredMesh(wall, 3, 0.1));
+        layers = run.made.layers;
         controls.type = "tet";
         controls.maxCells = maxCells;
 
@@ -54,7 +54,7 @@ struct farCase
         const autoPtr<Time> time(Time::New());
         mesh = makeFarFieldMesh
         (
-            layers, made.front.addressing, boundary, controls,
+            layers, run.front.addressing, boundary, controls,
             makeSizeBounds(controls, time())
         );
     }

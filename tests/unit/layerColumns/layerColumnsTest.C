@@ -57,6 +57,13 @@ static bool awayFromEdges(const point& x, const scalar distance)
 }
 
 
+//- Offset of the first column at a height
+static vector offset(const layerColumns& columns, const scalar height)
+{
+    return columns.interpolated(columns.offsets, 0, height);
+}
+
+
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
 TEST(requestedHeights, areGeometricSums)
@@ -90,7 +97,7 @@ TEST(layerColumns, offsetAtItsHeights)
 
     for (label i = 0; i < 3; ++i)
     {
-        EXPECT_EQ(columns.offset(0, columns.heights[i]), columns.offsets[i]);
+        EXPECT_EQ(offset(columns, columns.heights[i]), columns.offsets[i]);
     }
 }
 
@@ -99,8 +106,8 @@ TEST(layerColumns, offsetIsLinearBetween)
 {
     const layerColumns columns(oneColumn());
 
-    EXPECT_NEAR(mag(columns.offset(0, 1.5) - vector(0.5, 0, 1)), 0, 1e-15);
-    EXPECT_NEAR(mag(columns.offset(0, 3.5) - vector(2.5, 0, 1)), 0, 1e-15);
+    EXPECT_NEAR(mag(offset(columns, 1.5) - vector(0.5, 0, 1)), 0, 1e-15);
+    EXPECT_NEAR(mag(offset(columns, 3.5) - vector(2.5, 0, 1)), 0, 1e-15);
 }
 
 
@@ -108,8 +115,8 @@ TEST(layerColumns, offsetIsConstantBeyond)
 {
     const layerColumns columns(oneColumn());
 
-    EXPECT_EQ(columns.offset(0, 0.1), vector(0, 0, 1));
-    EXPECT_EQ(columns.offset(0, 9), vector(3, 0, 1));
+    EXPECT_EQ(offset(columns, 0.1), vector(0, 0, 1));
+    EXPECT_EQ(offset(columns, 9), vector(3, 0, 1));
 }
 
 

@@ -116,7 +116,7 @@ TEST(levelSets, haveTheHeightsAskedForOnASphere)
     ASSERT_EQ(m.noField, "");
     EXPECT_TRUE(m.columns.onLevelSets);
 
-    const faceHeights heights(makeFaceHeights(wall, m.request, m.layers));
+    const faceHeights heights(makeFaceHeights(wall, m.request, m.made.layers));
     scalarField first(heights.firstOverRequest), all(heights.totalOverRequest);
     const percentiles spread(makePercentiles(all));
     const percentiles firstSpread(makePercentiles(first));
@@ -197,7 +197,10 @@ TEST(localTensors, theChangeIsSmooth)
         changesOverEdges
         (
             ball.mesh.addressing,
-            makeFaceHeights(ball.wall, ball.mesh.request, ball.mesh.layers)
+            makeFaceHeights
+            (
+                ball.wall, ball.mesh.request, ball.mesh.made.layers
+            )
            .first
         )
     );

@@ -64,11 +64,11 @@ static const List<layeredShape>& shapes()
 }
 
 
-static label count(const layerColumns& columns, const squeezeCause cause)
+static label count(const madeLayers& made, const squeezeCause cause)
 {
     label n = 0;
 
-    for (const squeezeCause c : columns.causes)
+    for (const squeezeCause c : made.causes)
     {
         n += c == cause;
     }
@@ -119,11 +119,11 @@ static prismLayers asProposed
 
 
 //- Layers on columns of a mesh that were changed
-static prismLayers remade
+static madeLayers remade
 (
     const wallSurface& wall,
     const prismLayerMesh& m,
-    layerColumns& columns
+    const layerColumns& columns
 )
 {
     return makePrismLayers
@@ -141,7 +141,7 @@ TEST(makePrismLayers, areCertified)
     for (const layeredShape& s : shapes())
     {
         SCOPED_TRACE(s.name);
-        const layerCertificate certificate(certify(s.mesh.layers));
+        const layerCertificate certificate(certify(s.mesh.made.layers));
 
         EXPECT_TRUE(certificate.valid());
         EXPECT_EQ(certificate.nCells, nLayers*s.wall.faces.size());
@@ -154,7 +154,7 @@ TEST(makePrismLayers, areOnAllFacesOfTheWall)
     for (const layeredShape& s : shapes())
     {
         SCOPED_TRACE(s.name);
-        const prismLayers& layers = s.mesh.layers;
+        const prismLayers& layers = s.mesh.made.layers;
 
         EXPECT_EQ(layers.nLayers, nLayers);
         EXPECT_EQ(layers.faces, s.wall.faces);
@@ -176,12 +176,12 @@ TEST(makePrismLayers, haveAllTheirThicknessWhereNothingHinders)
         if (isFree(s))
         {
             SCOPED_TRACE(s.name);
-            EXPECT_EQ(s.mesh.columns.room, s.mesh.spacing.thickness);
+            EXPECT_EQ(s.mesh.made.thickness, s.mesh.spacing.thickness);
 
             // A face in a concave corner may be lower than its columns
             EXPECT_GT
             (
-                count(s.mesh.columns, squeezeCause::none),
+                count(s.mesh.made, squeezeCause::none),
                 0.99*s.wall.points.size()
             );
         }
@@ -196,24 +196,25 @@ TEST(makePrismLayers, endAtTheirRoom)
         SCOPED_TRACE(s.name);
         forAll(s.wall.points, p)
         {
-            const vector column(s.mesh.layers(p, nLayers) - s.wall.points[p]);
+            const point& end = s.mesh.made.layers(p, nLayers);
+            const vector column(end - s.wall.points[p]);
             const scalar h =
                 s.mesh.visibility.heightCosine(p, column);
 
             // Faces have the height rather than columns
             const scalar tolerance =
-                s.mesh.columns.room[p] < s.mesh.spacing.thickness[p]
+                s.mesh.made.thickness[p] < s.mesh.spacing.thickness[p]
               ? 0.3 : 0.1;
 
             // Less where the bound on the stretch is reached
-            EXPECT_LE(h, s.mesh.columns.room[p]*(1 + tolerance));
+            EXPECT_LE(h, s.mesh.made.thickness[p]*(1 + tolerance));
             if
             (
                 mag(column)
-              < 0.9*h*s.mesh.columns.stretch(p, s.mesh.columns.room[p])
+              < 0.9*h*s.mesh.columns.stretch(p, s.mesh.made.thickness[p])
             )
             {
-                EXPECT_NEAR(h/s.mesh.columns.room[p], 1, tolerance);
+                EXPECT_NEAR(h/s.mesh.made.thickness[p], 1, tolerance);
             }
         }
     }
@@ -235,7 +236,7 @@ TEST(makePrismLayers, firstHeightIsExactOnFlatFaces)
             ++nFlat;
             EXPECT_NEAR
             (
-                ((s.mesh.layers(p, 1) - s.wall.points[p]) & n)/h1, 1, 1e-10
+                ((s.mesh.made.layers(p, 1) - s.wall.points[p]) & n)/h1, 1, 1e-10
             );
         }
     }
@@ -249,6 +250,7 @@ TEST(makePrismLayers, heightsAscend)
     for (const layeredShape& s : shapes())
     {
         SCOPED_TRACE(s.name);
+        const prismLayers& layers = s.mesh.made.layers;
         forAll(s.wall.points, p)
         {
             const vector& n = s.mesh.visibility.cones[p].axis;
@@ -257,7 +259,7 @@ TEST(makePrismLayers, heightsAscend)
             {
                 EXPECT_GT
                 (
-                    (s.mesh.layers(p, i) - s.mesh.layers(p, i - 1)) & n, 0
+                    (layers(p, i) - layers(p, i - 1)) & n, 0
                 );
             }
         }
@@ -272,10 +274,10 @@ TEST(makePrismLayers, whatIsShorterThanAskedForHasACause)
         SCOPED_TRACE(s.name);
         forAll(s.wall.points, p)
         {
-            const squeezeCause cause = s.mesh.columns.causes[p];
+            const squeezeCause cause = s.mesh.made.causes[p];
 
             const bool full =
-                s.mesh.columns.room[p] == s.mesh.spacing.thickness[p];
+                s.mesh.made.thickness[p] == s.mesh.spacing.thickness[p];
 
             EXPECT_TRUE(cause != squeezeCause::none || full);
         }
@@ -302,11 +304,11 @@ TEST(makePrismLayers, columnsThatLeanTooFarTurnBeforeTheyRetreat)
     }
     ASSERT_FALSE(certify(asProposed(wall, columns)).valid());
 
-    const prismLayers layers(remade(wall, m, columns));
+    const madeLayers made(remade(wall, m, columns));
 
     // Their neighbours stand upright, so that no height need be lost
-    EXPECT_TRUE(certify(layers).valid());
-    EXPECT_EQ(columns.room, m.spacing.thickness);
+    EXPECT_TRUE(certify(made.layers).valid());
+    EXPECT_EQ(made.thickness, m.spacing.thickness);
 }
 
 
@@ -318,9 +320,11 @@ TEST(makePrismLayers, columnsBeyondTheMiddleRetreat)
     columns.room = m.spacing.thickness;
     columns.causes = squeezeCause::none;
 
-    EXPECT_TRUE(certify(remade(wall, m, columns)).valid());
-    EXPECT_GT(count(columns, squeezeCause::validity), 0);
-    EXPECT_LT(max(columns.room), 1);
+    const madeLayers made(remade(wall, m, columns));
+
+    EXPECT_TRUE(certify(made.layers).valid());
+    EXPECT_GT(count(made, squeezeCause::validity), 0);
+    EXPECT_LT(max(made.thickness), 1);
 }
 
 
@@ -338,11 +342,11 @@ TEST(makePrismLayers, columnsThroughTheOppositeWallRetreat)
     layerColumns columns(m.columns);
     columns.room = m.spacing.thickness;
     columns.causes = squeezeCause::none;
-    const prismLayers layers(remade(wall, m, columns));
+    const madeLayers made(remade(wall, m, columns));
 
-    EXPECT_TRUE(certify(layers).valid());
-    EXPECT_GT(count(columns, squeezeCause::intersection), 0);
-    EXPECT_GT(count(columns, squeezeCause::none), 0);
+    EXPECT_TRUE(certify(made.layers).valid());
+    EXPECT_GT(count(made, squeezeCause::intersection), 0);
+    EXPECT_GT(count(made, squeezeCause::none), 0);
 }
 
 
@@ -352,16 +356,16 @@ TEST(makePrismLayers, columnsWithTooMuchRoomInASlitRetreat)
     layerColumns columns(s.mesh.columns);
     columns.room = s.mesh.spacing.thickness;
     columns.causes = squeezeCause::none;
-    const prismLayers layers(remade(s.wall, s.mesh, columns));
+    const madeLayers made(remade(s.wall, s.mesh, columns));
 
-    EXPECT_TRUE(certify(layers).valid());
+    EXPECT_TRUE(certify(made.layers).valid());
     EXPECT_GT
     (
-        count(columns, squeezeCause::intersection)
-      + count(columns, squeezeCause::validity),
+        count(made, squeezeCause::intersection)
+      + count(made, squeezeCause::validity),
         0
     );
-    EXPECT_LT(min(columns.room), 0.05);
+    EXPECT_LT(min(made.thickness), 0.05);
 }
 
 

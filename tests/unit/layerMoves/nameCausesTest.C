@@ -8,7 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "nameCauses.H"
-#include "movableColumns.H"
+#include "editedColumns.H"
 
 #include <gtest/gtest.h>
 
@@ -21,9 +21,9 @@ struct namedColumns
 {
     wallSurface wall;
     wallAddressing addressing;
-    movableColumns m;
+    editedColumns m;
     layerSpacing asked;
-    prismLayers layers;
+    madeLayers made;
 
     explicit namedColumns(const wallSurface& w)
     :
@@ -31,7 +31,10 @@ struct namedColumns
         addressing(makeWallAddressing(wall)),
         m(testSurfaces::frontOf(wall, 0)),
         asked(m.spacing),
-        layers(m.moving.layers())
+        made
+        {
+            m.editor.layers(), m.editor.thickness(), m.editor.causes(), 0
+        }
     {}
 
     //- The point nearest to a place
@@ -43,10 +46,10 @@ struct namedColumns
     //- Bring a column down to a share of its height
     void lower(const label c, const scalar share)
     {
-        for (label i = 1; i <= layers.nLayers; ++i)
+        for (label i = 1; i <= made.layers.nLayers; ++i)
         {
-            point& x = layers.points[layers.index(c, i)];
-            x = layers(c, 0) + share*(x - layers(c, 0));
+            point& x = made.layers.points[made.layers.index(c, i)];
+            x = made.layers(c, 0) + share*(x - made.layers(c, 0));
         }
     }
 
@@ -61,11 +64,11 @@ struct namedColumns
             ),
             asked,
             m.spacing,
-            layers,
-            m.columns
+            m.columns,
+            made
         );
 
-        return m.columns.causes[c];
+        return made.causes[c];
     }
 };
 
@@ -77,7 +80,7 @@ TEST(nameCauses, fullColumnsHaveNone)
     namedColumns named(testSurfaces::sphere(8));
     named.causeOf(0);
 
-    for (const squeezeCause cause : named.m.columns.causes)
+    for (const squeezeCause cause : named.made.causes)
     {
         EXPECT_EQ(cause, squeezeCause::none);
     }
@@ -97,8 +100,8 @@ TEST(nameCauses, facesWithLowFirstLayersHaveOne)
 {
     // One of three columns by a tenth, of the first layer alone
     namedColumns named(testSurfaces::sphere(8));
-    point& x = named.layers.points[named.layers.index(5, 1)];
-    x = named.layers(5, 0) + 0.9*(x - named.layers(5, 0));
+    point& x = named.made.layers.points[named.made.layers.index(5, 1)];
+    x = named.made.layers(5, 0) + 0.9*(x - named.made.layers(5, 0));
 
     EXPECT_EQ(named.causeOf(5), squeezeCause::validity);
 }
@@ -107,9 +110,9 @@ TEST(nameCauses, facesWithLowFirstLayersHaveOne)
 TEST(nameCauses, concaveCornersAndNarrowConesAreToldApart)
 {
     namedColumns block(testSurfaces::lBlock(4));
-    forAll(block.m.columns.causes, c)
+    forAll(block.made.causes, c)
     {
-        block.m.columns.causes[c] = squeezeCause::validity;
+        block.made.causes[c] = squeezeCause::validity;
     }
     block.causeOf(0);
 
@@ -117,38 +120,47 @@ TEST(nameCauses, concaveCornersAndNarrowConesAreToldApart)
     forAll(block.wall.points, p)
     {
         nHollow +=
-            block.m.columns.causes[p] == squeezeCause::concaveCorner;
+            block.made.causes[p] == squeezeCause::concaveCorner;
     }
     EXPECT_GT(nHollow, 5);
     EXPECT_LT(nHollow, block.wall.points.size()/2);
 
-    // A convex edge of 30 degrees
-    namedColumns wedge(testSurfaces::wedgeBlock(2, 30));
-    forAll(wedge.m.columns.causes, c)
+    // A solid of three sides with a convex edge of 27 degrees
+    namedColumns wedge
+    (
+        testSurfaces::extruded
+        (
+            {vector2D(0, 0), vector2D(1, 0), vector2D(1, 0.5)}, 1, 0.25
+        )
+    );
+    forAll(wedge.made.causes, c)
     {
-        wedge.m.columns.causes[c] = squeezeCause::validity;
+        wedge.made.causes[c] = squeezeCause::validity;
     }
     wedge.causeOf(0);
 
+    label nNarrow = 0;
     forAll(wedge.wall.points, p)
     {
-        if (wedge.m.columns.causes[p] == squeezeCause::visibility)
-        {
-            EXPECT_LT(wedge.m.front.visibility.cones[p].cosine, 0.5);
-        }
+        const bool narrow = wedge.m.front.visibility.cones[p].cosine < 0.5;
+        nNarrow += narrow;
+
+        EXPECT_EQ(wedge.made.causes[p] == squeezeCause::visibility, narrow);
     }
+    EXPECT_GT(nNarrow, 0);
+    EXPECT_LT(nNarrow, wedge.wall.points.size());
 }
 
 
 TEST(nameCauses, otherCausesStay)
 {
     namedColumns named(testSurfaces::sphere(8));
-    named.m.columns.causes[3] = squeezeCause::gap;
-    named.m.columns.causes[4] = squeezeCause::intersection;
+    named.made.causes[3] = squeezeCause::gap;
+    named.made.causes[4] = squeezeCause::intersection;
     named.lower(3, 0.5);
 
     EXPECT_EQ(named.causeOf(3), squeezeCause::gap);
-    EXPECT_EQ(named.m.columns.causes[4], squeezeCause::intersection);
+    EXPECT_EQ(named.made.causes[4], squeezeCause::intersection);
 }
 
 
@@ -157,10 +169,10 @@ TEST(nameCauses, transitionsAreNamedWhereNothingElseIs)
     namedColumns named(testSurfaces::sphere(8));
     named.asked.firstThickness[7] *= 2;
     named.asked.thickness[8] *= 2;
-    named.m.columns.causes[8] = squeezeCause::gap;
+    named.made.causes[8] = squeezeCause::gap;
 
     EXPECT_EQ(named.causeOf(7), squeezeCause::transition);
-    EXPECT_EQ(named.m.columns.causes[8], squeezeCause::gap);
+    EXPECT_EQ(named.made.causes[8], squeezeCause::gap);
 }
 
 

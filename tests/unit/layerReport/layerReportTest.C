@@ -196,38 +196,6 @@ TEST(makeLayerReport, fullCoverage)
 }
 
 
-TEST(makeLayerReport, invalidStacksAreNotFull)
-{
-    cubeRun run;
-    labelList faces;
-    const label p = run.middlePoint(faces);
-
-    // Level 3 of the column falls below level 2
-    run.layers.points[run.layers.pointLabel(p, 3)] = run.layers(p, 1);
-
-    const layerReport report(run.report());
-    const label patchi = run.wall.patchIDs[faces[0]];
-
-    EXPECT_EQ(report.nInvalidCells, faces.size());
-    EXPECT_EQ(report.patches[patchi].layersReached, 2);
-    EXPECT_NEAR
-    (
-        report.patches[patchi].fullLayersArea,
-        100*(1 - faces.size()/32.0),
-        1e-10
-    );
-    EXPECT_LT(report.patches[patchi].worstJacobian, 0);
-
-    forAll(report.patches, otheri)
-    {
-        if (otheri != patchi)
-        {
-            EXPECT_EQ(report.patches[otheri].layersReached, n);
-        }
-    }
-}
-
-
 TEST(makeLayerReport, squeezedColumns)
 {
     cubeRun run;

@@ -206,4 +206,47 @@ TEST(limitRatio, powersOfTheRatioAroundOneLowPoint)
 }
 
 
+TEST(limitGradientFrom, isWhatTheWholeWallGives)
+{
+    const wallSurface wall(testSurfaces::sphere(10));
+    const wallAddressing addressing(makeWallAddressing(wall));
+    Random random(3);
+    scalarField values(wall.points.size());
+
+    for (scalar& v : values)
+    {
+        v = 1 + random.sample01<scalar>();
+    }
+    limitGradient(wall, addressing, 0.5, values);
+
+    for (label round = 0; round < 20; ++round)
+    {
+        const labelList some
+        ({
+            random.position<label>(0, values.size() - 1),
+            random.position<label>(0, values.size() - 1)
+        });
+        for (const label p : some)
+        {
+            values[p] *= 0.8;
+        }
+
+        scalarField whole(values);
+        const scalarField before(values);
+        const labelList lowered(limitGradient(wall, addressing, 0.5, whole));
+        const Map<scalar> followers
+        (
+            limitGradientFrom(some, wall, addressing, 0.5, values)
+        );
+
+        EXPECT_EQ(values, whole);
+        EXPECT_EQ(followers.sortedToc(), lowered);
+        forAllConstIters(followers, iter)
+        {
+            EXPECT_EQ(iter.val(), before[iter.key()]);
+        }
+    }
+}
+
+
 // ************************************************************************* //

@@ -89,7 +89,7 @@ static prismLayers multipleNormals(const wallSurface& wall)
         controls,
         localHeights(),
         stageObserver{[](const word&) {}, [](const string&) {}}
-    ).layers;
+    ).made.layers;
 }
 
 

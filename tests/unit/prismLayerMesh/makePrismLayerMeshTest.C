@@ -28,11 +28,11 @@ static wallSurface scaled(const wallSurface& wall, const scalar factor)
 }
 
 
-static labelList countCauses(const layerColumns& columns)
+static labelList countCauses(const madeLayers& made)
 {
     labelList counts(nSqueezeCauses, 0);
 
-    for (const squeezeCause cause : columns.causes)
+    for (const squeezeCause cause : made.causes)
     {
         ++counts[int(cause)];
     }
@@ -60,10 +60,10 @@ TEST(makePrismLayerMesh, fluidInsideASphere)
     const prismLayerMesh m(layeredMesh(wall, 5, 0.1));
 
     EXPECT_TRUE(m.certificate.valid());
-    EXPECT_EQ(countCauses(m.columns)[0], wall.points.size());
+    EXPECT_EQ(countCauses(m.made)[0], wall.points.size());
     for (label p = 0; p < wall.points.size(); ++p)
     {
-        EXPECT_LT(mag(m.layers(p, 5)), 1);
+        EXPECT_LT(mag(m.made.layers(p, 5)), 1);
     }
 }
 
@@ -123,10 +123,10 @@ TEST(makePrismLayerMesh, powersOfTwoScaleEverything)
         );
 
         EXPECT_EQ(other.background.tets, m.background.tets);
-        EXPECT_EQ(countCauses(other.columns), countCauses(m.columns));
+        EXPECT_EQ(countCauses(other.made), countCauses(m.made));
         EXPECT_LT
         (
-            max(mag(other.columns.room/(factor*m.columns.room) - 1)), 1e-9
+            max(mag(other.made.thickness/(factor*m.made.thickness) - 1)), 1e-9
         );
     }
 }
@@ -138,7 +138,7 @@ TEST(makePrismLayerMesh, unitOfLengthDoesNotMatter)
     // decide how often a column retreats
     const wallSurface wall(testSurfaces::slitBlock(6, 0.1));
     const label nFree =
-        countCauses(layeredMesh(wall, 5, 0.1).columns)[0];
+        countCauses(layeredMesh(wall, 5, 0.1).made)[0];
 
     for (const scalar factor : {1e-3, 1e3})
     {
@@ -148,7 +148,7 @@ TEST(makePrismLayerMesh, unitOfLengthDoesNotMatter)
         );
 
         EXPECT_TRUE(other.certificate.valid());
-        EXPECT_NEAR(scalar(countCauses(other.columns)[0])/nFree, 1, 0.02);
+        EXPECT_NEAR(scalar(countCauses(other.made)[0])/nFree, 1, 0.02);
     }
 }
 
@@ -168,7 +168,7 @@ TEST(makePrismLayerMesh, placeDoesNotMatter)
     EXPECT_TRUE(other.certificate.valid());
     EXPECT_NEAR
     (
-        scalar(countCauses(other.columns)[0])/countCauses(m.columns)[0],
+        scalar(countCauses(other.made)[0])/countCauses(m.made)[0],
         1,
         0.02
     );
@@ -216,13 +216,13 @@ TEST(makePrismLayerMesh, pointThatSeesNothingHasMultipleNormals)
     const prismLayerMesh mesh(layeredMesh(wall, 3, 0.1));
 
     EXPECT_EQ(mesh.visibility.emptyCones().size(), 1);
-    EXPECT_GE(mesh.layers.furtherRoots.size(), 1);
+    EXPECT_GE(mesh.made.layers.furtherRoots.size(), 1);
     EXPECT_TRUE(mesh.certificate.valid());
-    EXPECT_EQ(mesh.layers.nWallFaces(), wall.faces.size());
+    EXPECT_EQ(mesh.made.layers.nWallFaces(), wall.faces.size());
     EXPECT_EQ
     (
-        mesh.layers.faces.size() - wall.faces.size(),
-        2*mesh.layers.furtherRoots.size()
+        mesh.made.layers.faces.size() - wall.faces.size(),
+        2*mesh.made.layers.furtherRoots.size()
     );
 }
 

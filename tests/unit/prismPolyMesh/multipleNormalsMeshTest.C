@@ -50,7 +50,7 @@ struct dividedMesh
             controls,
             localHeights(),
             stageObserver{[](const word&) {}, [](const string&) {}}
-        ).layers;
+        ).made.layers;
         mesh.reset(new memoryMesh(layers));
     }
 

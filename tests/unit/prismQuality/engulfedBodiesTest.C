@@ -111,7 +111,7 @@ TEST(findEngulfedBodies, columnsRetreatFromThem)
     const wallSurface wall(cubes(point(0.6, 0.3, 1.1)));
     const prismLayers layers
     (
-        testSurfaces::layeredMesh(wall, 3, 0.5).layers
+        testSurfaces::layeredMesh(wall, 3, 0.5).made.layers
     );
 
     EXPECT_TRUE(certify(layers).valid());

@@ -50,9 +50,7 @@ static prismLayers outerSurface
 
 static label nIntersections(const pointField& points, const faceList& faces)
 {
-    const boolList all(faces.size(), true);
-
-    return findIntersections(outerSurface(points, faces), all).size();
+    return findIntersections(outerSurface(points, faces)).size();
 }
 
 
@@ -338,7 +336,7 @@ TEST(findIntersections, candidatesAreAmongThePairs)
 
             EXPECT_EQ
             (
-                findIntersections(layers, candidates),
+                findIntersections(layers, findIndices(candidates, true)),
                 pairsWith(findIntersections(layers), candidates)
             );
         }
@@ -356,7 +354,10 @@ TEST(findIntersections, oneCandidateHasItsPairs)
     {
         boolList candidates(layers.faces.size(), false);
         candidates[facei] = true;
-        const List<labelPair> pairs(findIntersections(layers, candidates));
+        const List<labelPair> pairs
+        (
+            findIntersections(layers, labelList(1, facei))
+        );
         n += pairs.size();
 
         EXPECT_EQ(pairs, pairsWith(all, candidates));

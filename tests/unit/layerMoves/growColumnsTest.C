@@ -7,7 +7,9 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "movableColumns.H"
+#include "editedColumns.H"
+#include "growColumns.H"
+#include "retreatColumns.H"
 
 #include <gtest/gtest.h>
 
@@ -27,20 +29,20 @@ static bool alwaysAtFault(label)
 }
 
 
-static bool grow(movableColumns& m, const label c)
+static bool grow(editedColumns& m, const label c)
 {
-    return m.moving.grow(m.moving.columnsBeside(c), neverAtFault);
+    return growColumns(m.editor, m.editor.columnsBeside(c), neverAtFault);
 }
 
 
 //- A column that has retreated, with neighbours that had to follow
-static label retreated(movableColumns& m)
+static label retreated(editedColumns& m)
 {
     const label c = m.nColumns() - 1;
 
     for (label i = 0; i < 20; ++i)
     {
-        m.moving.retreat(labelList(1, c), squeezeCause::validity);
+        retreatColumns(m.editor, labelList(1, c), squeezeCause::validity);
     }
 
     return c;
@@ -49,15 +51,15 @@ static label retreated(movableColumns& m)
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
-TEST(growingColumns, columnsBesideStandOnThePoint)
+TEST(growColumns, columnsBesideStandOnThePoint)
 {
     for (const layerFront& front : fronts())
     {
-        const movableColumns m(front);
+        const editedColumns m(front);
 
         for (label c = 0; c < m.nColumns(); ++c)
         {
-            const labelHashSet beside(m.moving.columnsBeside(c));
+            const labelHashSet beside(m.editor.columnsBeside(c));
 
             for (label q = 0; q < m.nColumns(); ++q)
             {
@@ -72,31 +74,31 @@ TEST(growingColumns, columnsBesideStandOnThePoint)
 }
 
 
-TEST(growingColumns, thoseThatDidNotRetreatStay)
+TEST(growColumns, thoseThatDidNotRetreatStay)
 {
     for (const layerFront& front : fronts())
     {
-        movableColumns m(front);
-        m.moving.takeCandidates();
+        editedColumns m(front);
+        const label now = m.editor.now();
 
         for (label c = 0; c < m.nColumns(); ++c)
         {
-            EXPECT_FALSE(m.moving.lowered(c));
+            EXPECT_FALSE(isLowered(m.editor, c));
             EXPECT_FALSE(grow(m, c));
         }
 
-        EXPECT_TRUE(m.moving.takeCandidates().empty());
+        EXPECT_TRUE(m.editor.touchedSince(now).empty());
     }
 }
 
 
-TEST(growingColumns, allGrowBackInTheEnd)
+TEST(growColumns, allGrowBackInTheEnd)
 {
     for (const layerFront& front : fronts())
     {
-        movableColumns m(front);
-        const scalarField room(m.moving.room());
-        const List<squeezeCause> causes(m.columns.causes);
+        editedColumns m(front);
+        const scalarField room(m.editor.thickness());
+        const List<squeezeCause> causes(m.editor.causes());
         retreated(m);
 
         label nGrown = 1;
@@ -109,17 +111,17 @@ TEST(growingColumns, allGrowBackInTheEnd)
             }
         }
 
-        EXPECT_EQ(m.moving.room(), room);
-        EXPECT_EQ(m.columns.causes, causes);
+        EXPECT_EQ(m.editor.thickness(), room);
+        EXPECT_EQ(m.editor.causes(), causes);
     }
 }
 
 
-TEST(growingColumns, theGradientStaysBounded)
+TEST(growColumns, theGradientStaysBounded)
 {
     for (const layerFront& front : fronts())
     {
-        movableColumns m(front);
+        editedColumns m(front);
         retreated(m);
 
         for (label c = 0; c < m.nColumns(); ++c)
@@ -130,7 +132,7 @@ TEST(growingColumns, theGradientStaysBounded)
             {
                 EXPECT_LE
                 (
-                    mag(m.moving.room()[q] - m.moving.room()[c]),
+                    mag(m.editor.thickness()[q] - m.editor.thickness()[c]),
                     layerColumns::maxSlope
                    *mag(front.surface.points[q] - front.surface.points[c])
                   + 1e-15
@@ -141,68 +143,66 @@ TEST(growingColumns, theGradientStaysBounded)
 }
 
 
-TEST(growingColumns, noneGrowsMoreThanItRetreats)
+TEST(growColumns, noneGrowsMoreThanItRetreats)
 {
     for (const layerFront& front : fronts())
     {
-        movableColumns m(front);
+        editedColumns m(front);
         const label c = retreated(m);
-        const scalar before = m.moving.room()[c];
+        const scalar before = m.editor.thickness()[c];
 
         EXPECT_TRUE(grow(m, c));
-        EXPECT_GT(m.moving.room()[c], before);
-        EXPECT_LE(m.moving.room()[c], before/0.8*(1 + 1e-12));
+        EXPECT_GT(m.editor.thickness()[c], before);
+        EXPECT_LE(m.editor.thickness()[c], before/0.8*(1 + 1e-12));
     }
 }
 
 
-TEST(growingColumns, thoseAtFaultThenStayAsTheyWere)
+TEST(growColumns, thoseAtFaultThenStayAsTheyWere)
 {
     for (const layerFront& front : fronts())
     {
-        movableColumns m(front);
+        editedColumns m(front);
         const label c = retreated(m);
-        const scalarField room(m.moving.room());
-        const pointField points(m.moving.layers().points);
-        m.moving.takeCandidates();
+        const scalarField room(m.editor.thickness());
+        const pointField points(m.editor.layers().points);
+        const label now = m.editor.now();
 
         EXPECT_FALSE
         (
-            m.moving.grow(m.moving.columnsBeside(c), alwaysAtFault)
+            growColumns
+            (
+                m.editor, m.editor.columnsBeside(c), alwaysAtFault
+            )
         );
-        EXPECT_EQ(m.moving.room(), room);
-        EXPECT_EQ(m.moving.layers().points, points);
-        EXPECT_EQ(m.columns.causes[c], squeezeCause::validity);
-        EXPECT_TRUE(m.moving.takeCandidates().empty());
+        EXPECT_EQ(m.editor.thickness(), room);
+        EXPECT_EQ(m.editor.layers().points, points);
+        EXPECT_EQ(m.editor.causes()[c], squeezeCause::validity);
+        EXPECT_TRUE(m.editor.touchedSince(now).empty());
     }
 }
 
 
-TEST(growingColumns, restoredOnesAreAsTheyWere)
+TEST(growColumns, thoseRolledBackAreAsTheyWere)
 {
     for (const layerFront& front : fronts())
     {
-        movableColumns m(front);
-        const labelList all(m.moving.columnsBeside(retreated(m)));
-        const scalarField room(m.moving.room());
-        const pointField points(m.moving.layers().points);
+        editedColumns m(front);
+        const labelList all(m.editor.columnsBeside(retreated(m)));
+        const scalarField room(m.editor.thickness());
+        const pointField points(m.editor.layers().points);
 
-        List<movingColumns::posture> before;
+        m.editor.record();
+        EXPECT_TRUE(growColumns(m.editor, all, neverAtFault));
+        EXPECT_NE(m.editor.layers().points, points);
+
         for (const label c : all)
         {
-            before.append(m.moving.postureOf(c));
+            m.editor.rollBack(c);
         }
 
-        EXPECT_TRUE(m.moving.grow(all, neverAtFault));
-        EXPECT_NE(m.moving.layers().points, points);
-
-        forAll(all, i)
-        {
-            m.moving.restore(all[i], before[i]);
-        }
-
-        EXPECT_EQ(m.moving.room(), room);
-        EXPECT_EQ(m.moving.layers().points, points);
+        EXPECT_EQ(m.editor.thickness(), room);
+        EXPECT_EQ(m.editor.layers().points, points);
     }
 }
 

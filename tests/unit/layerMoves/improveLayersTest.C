@@ -7,10 +7,10 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "improveStacks.H"
-#include "movableColumns.H"
-#include "poorStacks.H"
+#include "editedColumns.H"
+#include "improveLayers.H"
 #include "prismQuality.H"
+#include "retreatColumns.H"
 
 #include <gtest/gtest.h>
 
@@ -19,59 +19,58 @@ License
 using namespace Foam;
 
 //- Columns of which some are lower than they need to be
-static void lower(movableColumns& m)
+static void lower(editedColumns& m)
 {
     for (label i = 0; i < 4; ++i)
     {
-        m.moving.retreat(someColumns(m, 3), squeezeCause::validity);
+        retreatColumns(m.editor, someColumns(m, 3), squeezeCause::validity);
     }
 }
 
 
-static void improve(movableColumns& m)
+static void improve(editedColumns& m)
 {
-    improveStacks
+    const layerJudge judge
     (
-        m.moving,
-        bestJacobians(m.front.surface, m.front.visibility),
-        labelList(m.front.surface.faces.size(), 1)
+        m.editor.layers(), m.front.surface, m.front.visibility, m.controls
     );
+    improveLayers(m.editor, judge);
 }
 
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
-TEST(improveStacks, needlessRetreatsAreUndone)
+TEST(improveLayers, needlessRetreatsAreUndone)
 {
-    movableColumns m(fronts()[0]);
-    const scalarField room(m.moving.room());
+    editedColumns m(fronts()[0]);
+    const scalarField room(m.editor.thickness());
     lower(m);
-    ASSERT_LT(min(m.moving.room() - room), 0);
+    ASSERT_LT(min(m.editor.thickness() - room), 0);
 
     improve(m);
 
-    EXPECT_EQ(m.moving.room(), room);
-    EXPECT_FALSE(m.columns.causes.found(squeezeCause::validity));
+    EXPECT_EQ(m.editor.thickness(), room);
+    EXPECT_FALSE(m.editor.causes().found(squeezeCause::validity));
 }
 
 
-TEST(improveStacks, certifiedLayersStayCertified)
+TEST(improveLayers, certifiedLayersStayCertified)
 {
     label nCertified = 0;
 
     for (const layerFront& front : fronts())
     {
-        movableColumns m(front);
+        editedColumns m(front);
         lower(m);
-        const scalarField room(m.moving.room());
+        const scalarField room(m.editor.thickness());
 
-        if (certify(m.moving.layers()).valid())
+        if (certify(m.editor.layers()).valid())
         {
             ++nCertified;
             improve(m);
 
-            EXPECT_TRUE(certify(m.moving.layers()).valid());
-            EXPECT_GE(min(m.moving.room() - room), 0);
+            EXPECT_TRUE(certify(m.editor.layers()).valid());
+            EXPECT_GE(min(m.editor.thickness() - room), 0);
         }
     }
 

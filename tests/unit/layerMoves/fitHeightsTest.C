@@ -7,7 +7,8 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "movableColumns.H"
+#include "editedColumns.H"
+#include "fitHeights.H"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +17,7 @@ License
 using namespace Foam;
 
 //- Mean heights of a level above the wall's faces, over those asked for
-static scalarField heightsAt(const movableColumns& m, const label level)
+static scalarField heightsAt(const editedColumns& m, const label level)
 {
     const scalarField asked(requestedHeights(m.spacing));
     const wallSurface& surface = m.front.surface;
@@ -32,7 +33,7 @@ static scalarField heightsAt(const movableColumns& m, const label level)
             heights[facei] +=
             (
                 normals[facei]
-              & (m.moving.layers()(c, level) - surface.points[c])
+              & (m.editor.layers()(c, level) - surface.points[c])
             )/(f.size()*asked[c*m.spacing.nLayers + level - 1]);
         }
     }
@@ -41,7 +42,7 @@ static scalarField heightsAt(const movableColumns& m, const label level)
 }
 
 
-static scalarField firstHeights(const movableColumns& m)
+static scalarField firstHeights(const editedColumns& m)
 {
     return heightsAt(m, 1);
 }
@@ -64,16 +65,32 @@ static layerFront unevenBall(const label n = 4, const scalar roughness = 0.15)
 
 
 //- The columns that fit moves
-static labelList fitted(movableColumns& m, const scalar reach = 1)
+static labelList changedColumns(const editedColumns& m)
 {
-    DynamicList<label> moved;
-    m.moving.fitFirst
-    (
-        boolList(m.nColumns(), true), reach,
-        [&](const label c) { moved.append(c); }
-    );
+    DynamicList<label> changed;
+    for (label c = 0; c < m.nColumns(); ++c)
+    {
+        if (m.editor.isChanged(c))
+        {
+            changed.append(c);
+        }
+    }
 
-    return labelList(std::move(moved));
+    return labelList(std::move(changed));
+}
+
+
+static labelList fitted
+(
+    editedColumns& m,
+    const scalar reach = 1,
+    const bool wanted = true
+)
+{
+    m.editor.record();
+    fitFirstHeights(m.editor, boolList(m.nColumns(), wanted), reach);
+
+    return changedColumns(m);
 }
 
 
@@ -85,9 +102,9 @@ static scalar largestError(const scalarField& heights)
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
-TEST(fittingColumns, facesGetTheHeightAskedFor)
+TEST(fitHeights, facesGetTheHeightAskedFor)
 {
-    movableColumns m(unevenBall());
+    editedColumns m(unevenBall());
 
     EXPECT_GT(largestError(firstHeights(m)), 0.02);
     EXPECT_GT(fitted(m).size(), 0);
@@ -95,17 +112,17 @@ TEST(fittingColumns, facesGetTheHeightAskedFor)
 }
 
 
-TEST(fittingColumns, facesThatAreTooThickLoseTheirExcess)
+TEST(fitHeights, facesThatAreTooThickLoseTheirExcess)
 {
-    movableColumns m(unevenBall(16, 0.05));
+    editedColumns m(unevenBall(16, 0.05));
     const label n = m.spacing.nLayers;
     const scalarField before(heightsAt(m, n));
-    DynamicList<label> moved;
 
-    m.moving.fitThickness([&](const label c) { moved.append(c); });
+    m.editor.record();
+    fitThickness(m.editor);
 
     const scalarField after(heightsAt(m, n));
-    EXPECT_GT(moved.size(), 0);
+    EXPECT_GT(changedColumns(m).size(), 0);
     EXPECT_GT(max(before), 1.08);
     EXPECT_LT(max(after) - 1, 0.5*(max(before) - 1));
     EXPECT_GT(min(after), min(before) - 0.02);
@@ -113,43 +130,43 @@ TEST(fittingColumns, facesThatAreTooThickLoseTheirExcess)
     // Less of it where layers are low
     EXPECT_LT
     (
-        sum(mag(heightsAt(m, 1) - firstHeights(movableColumns(m.front)))),
+        sum(mag(heightsAt(m, 1) - firstHeights(editedColumns(m.front)))),
         0.5*sum(mag(after - before))
     );
 }
 
 
-TEST(fittingColumns, facesThatAreNotTooThickKeepTheirColumns)
+TEST(fitHeights, facesThatAreNotTooThickKeepTheirColumns)
 {
-    movableColumns m(testSurfaces::frontOf(testSurfaces::cube(8), 0));
-    const pointField before(m.moving.layers().points);
+    editedColumns m(testSurfaces::frontOf(testSurfaces::cube(8), 0));
+    const pointField before(m.editor.layers().points);
 
-    m.moving.fitThickness([](const label) {});
+    fitThickness(m.editor);
 
-    EXPECT_EQ(m.moving.layers().points, before);
+    EXPECT_EQ(m.editor.layers().points, before);
 }
 
 
-TEST(fittingColumns, thoseOfRightHeightOrFullLengthStay)
+TEST(fitHeights, thoseOfRightHeightOrFullLengthStay)
 {
     // Full length: those on the corners of the cube
-    movableColumns m(testSurfaces::frontOf(testSurfaces::cube(8), 0));
-    const pointField before(m.moving.layers().points);
+    editedColumns m(testSurfaces::frontOf(testSurfaces::cube(8), 0));
+    const pointField before(m.editor.layers().points);
 
     EXPECT_TRUE(fitted(m).empty());
-    EXPECT_EQ(m.moving.layers().points, before);
+    EXPECT_EQ(m.editor.layers().points, before);
 }
 
 
-TEST(fittingColumns, reachIsWhereDisplacementsFade)
+TEST(fitHeights, reachIsWhereDisplacementsFade)
 {
     const auto displacements = [](const scalar reach)
     {
-        movableColumns m(unevenBall());
-        const pointField before(m.moving.layers().points);
+        editedColumns m(unevenBall());
+        const pointField before(m.editor.layers().points);
         fitted(m, reach);
 
-        return scalarField(mag(m.moving.layers().points - before));
+        return scalarField(mag(m.editor.layers().points - before));
     };
     const scalarField far(displacements(1)), near(displacements(0.05));
 
@@ -158,36 +175,28 @@ TEST(fittingColumns, reachIsWhereDisplacementsFade)
 }
 
 
-TEST(fittingColumns, thoseNotWantedMoveForLargeErrorsOnly)
+TEST(fitHeights, thoseNotWantedMoveForLargeErrorsOnly)
 {
     const auto moved = [](const bool wanted)
     {
-        movableColumns m(unevenBall(10, 0.02));
-        label n = 0;
-        m.moving.fitFirst
-        (
-            boolList(m.nColumns(), wanted), 1, [&](const label) { ++n; }
-        );
+        editedColumns m(unevenBall(10, 0.02));
 
-        return n;
+        return fitted(m, 1, wanted).size();
     };
 
-    EXPECT_LT(moved(false), moved(true));
+    EXPECT_LT(moved(false), 0.8*moved(true));
 }
 
 
-TEST(fittingColumns, facesAroundThoseDisplacedAreMoved)
+TEST(fitHeights, facesAroundThoseDisplacedAreMoved)
 {
-    movableColumns m(unevenBall());
-    m.moving.takeCandidates();
-    m.moving.takeMoved();
-
-    const pointField before(m.moving.layers().points);
+    editedColumns m(unevenBall());
+    const label now = m.editor.now();
+    const pointField before(m.editor.layers().points);
     const labelList displaced(fitted(m));
     const labelList faces(facesOf(m, displaced));
 
-    EXPECT_EQ(m.moving.takeCandidates(), faces);
-    EXPECT_EQ(findIndices(m.moving.takeMoved(), true), faces);
+    EXPECT_EQ(m.editor.touchedSince(now), faces);
 
     for (const label c : movedColumns(m, before))
     {
@@ -196,12 +205,12 @@ TEST(fittingColumns, facesAroundThoseDisplacedAreMoved)
 }
 
 
-TEST(fittingColumns, noneGoesFar)
+TEST(fitHeights, noneGoesFar)
 {
     for (const layerFront& front : fronts())
     {
-        movableColumns m(front);
-        const pointField before(m.moving.layers().points);
+        editedColumns m(front);
+        const pointField before(m.editor.layers().points);
         fitted(m);
 
         forAll(before, k)
@@ -211,7 +220,7 @@ TEST(fittingColumns, noneGoesFar)
 
             EXPECT_LE
             (
-                mag(m.moving.layers().points[k] - before[k]),
+                mag(m.editor.layers().points[k] - before[k]),
                 0.4*height*(1 + SMALL)
             );
         }
@@ -219,14 +228,12 @@ TEST(fittingColumns, noneGoesFar)
 }
 
 
-TEST(fittingColumns, restoredOnesAreWhereTheyWere)
+TEST(fitHeights, thoseRolledBackAreWhereTheyWere)
 {
-    movableColumns m(unevenBall());
-    const pointField before(m.moving.layers().points);
-    const movingColumns::posture own(m.moving.postureOf(5));
-
-    fitted(m);
-    m.moving.restore(5, own);
+    editedColumns m(unevenBall());
+    const pointField before(m.editor.layers().points);
+    ASSERT_TRUE(fitted(m).found(5));
+    m.editor.rollBack(5);
 
     EXPECT_FALSE(movedColumns(m, before).found(5));
 }

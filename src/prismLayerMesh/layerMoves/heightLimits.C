@@ -7,7 +7,7 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "evenHeights.H"
+#include "heightLimits.H"
 #include "DynamicList.H"
 #include "labelList.H"
 
@@ -16,27 +16,13 @@ License
 namespace Foam
 {
 
-//- Sweeps over all faces and neighbours at most; each carries a change at
-//  least one face further
-static const label maxSweeps = 100;
-
-//- What is left of the height of a column at least where a face is too high,
-//  and where it is higher than a neighbour: a first height that is right counts
-//  for more than one that is even beside a place that is not
-static const scalar leastForBound = 0.1;
-static const scalar leastForNeighbour = 0.7;
-
-//- Height to which columns are lowered at least, over that of the neighbour for
-//  which they are
-static const scalar lowestShare = 0.8;
-
-//- Excess of a face that is let be
-static const scalar slack = 1e-3;
-
+namespace
+{
 
 class heightSweeps
 {
-    const evenHeights& given_;
+    const heightLimits& given_;
+    const layerMoveControls& controls_;
 
     //- Faces of each column
     List<DynamicList<label>> columnFaces_;
@@ -52,7 +38,7 @@ class heightSweeps
     void setFaceHeight(label facei);
 
     //- Lower a column by a factor, not below least of what it was at first.
-    //  False where it stays.
+    //  False if it stays.
     bool lower(label c, scalar factor, scalar least);
 
     //- Lower the tallest columns of a face that is too high
@@ -61,12 +47,16 @@ class heightSweeps
     //- Lower the columns of a face that another one does not have
     bool lowerBeside(label facei, label other);
 
-
 public:
 
-    heightSweeps(const evenHeights& given, label nColumns);
+    heightSweeps
+    (
+        const heightLimits& given,
+        const layerMoveControls& controls,
+        label nColumns
+    );
 
-    //- False where nothing had to be lowered
+    //- False if nothing had to be lowered
     bool sweep();
 
     const scalarField& factors() const
@@ -76,9 +66,15 @@ public:
 };
 
 
-heightSweeps::heightSweeps(const evenHeights& given, const label nColumns)
+heightSweeps::heightSweeps
+(
+    const heightLimits& given,
+    const layerMoveControls& controls,
+    const label nColumns
+)
 :
     given_(given),
+    controls_(controls),
     columnFaces_(nColumns),
     factors_(nColumns, 1.0),
     faceHeights_(given.faces.size())
@@ -160,7 +156,7 @@ bool heightSweeps::lowerTallest(const label facei)
         const scalar h = height(facei, k);
         any |=
             h > level
-         && lower(given_.faces[facei][k], level/h, leastForBound);
+         && lower(given_.faces[facei][k], level/h, controls_.leastForExcess);
     }
 
     return any;
@@ -170,7 +166,7 @@ bool heightSweeps::lowerTallest(const label facei)
 bool heightSweeps::lowerBeside(const label facei, const label other)
 {
     const face& f = given_.faces[facei];
-    const scalar bound = given_.maxChange*faceHeights_[other];
+    const scalar bound = controls_.maxHeightJump*faceHeights_[other];
     scalar shared = 0, own = 0;
     label nOwn = 0;
 
@@ -184,7 +180,8 @@ bool heightSweeps::lowerBeside(const label facei, const label other)
     // Not so low that they would be the low ones
     const scalar lowered = max
     (
-        f.size()*bound - shared, nOwn*lowestShare*faceHeights_[other]
+        f.size()*bound - shared,
+        nOwn*controls_.leastOverNeighbour*faceHeights_[other]
     );
     bool any = false;
 
@@ -192,7 +189,7 @@ bool heightSweeps::lowerBeside(const label facei, const label other)
     {
         any |=
             !given_.faces[other].found(c)
-         && lower(c, lowered/max(own, VSMALL), leastForNeighbour);
+         && lower(c, lowered/max(own, VSMALL), controls_.leastForJump);
     }
 
     return any;
@@ -205,7 +202,7 @@ bool heightSweeps::sweep()
 
     forAll(given_.faces, facei)
     {
-        if (faceHeights_[facei] > (1 + slack)*given_.largest[facei])
+        if (faceHeights_[facei] > (1 + controls_.slack)*given_.largest[facei])
         {
             any |= lowerTallest(facei);
         }
@@ -221,7 +218,7 @@ bool heightSweeps::sweep()
         if
         (
             faceHeights_[high]
-          > (1 + slack)*given_.maxChange*faceHeights_[low]
+          > (1 + controls_.slack)*controls_.maxHeightJump*faceHeights_[low]
         )
         {
             any |= lowerBeside(high, low);
@@ -231,16 +228,22 @@ bool heightSweeps::sweep()
     return any;
 }
 
+}
+
 } // End namespace Foam
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalarField Foam::evenHeights::factors(const label nColumns) const
+Foam::scalarField Foam::heightLimits::factors
+(
+    const label nColumns,
+    const layerMoveControls& controls
+) const
 {
-    heightSweeps sweeps(*this, nColumns);
+    heightSweeps sweeps(*this, controls, nColumns);
 
-    for (label i = 0; i < maxSweeps && sweeps.sweep(); ++i)
+    for (label i = 0; i < controls.maxSweeps && sweeps.sweep(); ++i)
     {}
 
     return sweeps.factors();

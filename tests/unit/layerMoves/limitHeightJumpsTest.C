@@ -7,7 +7,9 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "movableColumns.H"
+#include "editedColumns.H"
+#include "limitHeightJumps.H"
+#include "retreatColumns.H"
 #include "stackHeights.H"
 
 #include <gtest/gtest.h>
@@ -16,20 +18,21 @@ using namespace Foam;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-static labelList evened(movableColumns& m)
+//- The columns that are lowered
+static labelList limited(editedColumns& m)
 {
-    DynamicList<label> moved;
-    m.moving.even([&](const label c) { moved.append(c); });
+    const pointField before(m.editor.layers().points);
+    limitHeightJumps(m.editor, neighboursOnWall(m.front));
 
-    return labelList(std::move(moved));
+    return movedColumns(m, before);
 }
 
 
 //- First heights of the faces of the wall
-static scalarField firstHeights(const movableColumns& m)
+static scalarField firstHeights(const editedColumns& m)
 {
     scalarField heights(m.front.nWallFaces);
-    stackHeights stack(m.moving.layers());
+    stackHeights stack(m.editor.layers());
 
     forAll(heights, facei)
     {
@@ -43,22 +46,22 @@ static scalarField firstHeights(const movableColumns& m)
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
-TEST(eveningColumns, exactOnesStay)
+TEST(limitHeightJumps, exactOnesStay)
 {
-    movableColumns m(testSurfaces::frontOf(testSurfaces::sphere(10), 0));
+    editedColumns m(testSurfaces::frontOf(testSurfaces::sphere(10), 0));
 
-    EXPECT_TRUE(evened(m).empty());
+    EXPECT_TRUE(limited(m).empty());
 }
 
 
-TEST(eveningColumns, changesAreBoundedBesideSqueezedColumns)
+TEST(limitHeightJumps, changesAreBoundedBesideSqueezedColumns)
 {
-    movableColumns m(testSurfaces::frontOf(testSurfaces::cube(16), 0));
+    editedColumns m(testSurfaces::frontOf(testSurfaces::cube(16), 0));
     const wallAddressing& addressing = m.front.addressing;
 
     for (label i = 0; i < 8; ++i)
     {
-        m.moving.retreat(labelList(1, 100), squeezeCause::validity);
+        retreatColumns(m.editor, labelList(1, 100), squeezeCause::validity);
     }
 
     const auto largestChange = [&]()
@@ -76,20 +79,20 @@ TEST(eveningColumns, changesAreBoundedBesideSqueezedColumns)
 
     EXPECT_GT(largestChange(), 1.33);
 
-    const pointField before(m.moving.layers().points);
-    const labelList lowered(evened(m));
+    const pointField before(m.editor.layers().points);
+    const labelList lowered(limited(m));
     const label n = m.spacing.nLayers;
 
     // Faces are not exactly as high as the mean of their columns
-    evened(m);
-    evened(m);
+    limited(m);
+    limited(m);
 
     EXPECT_LT(largestChange(), 1.3);
     EXPECT_FALSE(lowered.empty());
 
     for (const label c : lowered)
     {
-        const prismLayers& layers = m.moving.layers();
+        const prismLayers& layers = m.editor.layers();
 
         // The first layer is, the last point stays
         EXPECT_LT
@@ -98,42 +101,33 @@ TEST(eveningColumns, changesAreBoundedBesideSqueezedColumns)
             mag(before[layers.index(c, 1)] - layers(c, 0))
         );
         EXPECT_NEAR(mag(layers(c, n) - before[layers.index(c, n)]), 0, 1e-12);
-        EXPECT_NE(m.columns.causes[c], squeezeCause::none);
+        EXPECT_NE(m.editor.causes()[c], squeezeCause::none);
     }
 }
 
 
-TEST(eveningColumns, restoredOnesAreWhereTheyWere)
+TEST(limitHeightJumps, thoseRolledBackAreWhereTheyWere)
 {
-    movableColumns m(testSurfaces::frontOf(testSurfaces::cube(16), 0));
+    editedColumns m(testSurfaces::frontOf(testSurfaces::cube(16), 0));
 
     for (label i = 0; i < 20; ++i)
     {
-        m.moving.retreat(labelList(1, 100), squeezeCause::validity);
+        retreatColumns(m.editor, labelList(1, 100), squeezeCause::validity);
     }
 
-    const pointField before(m.moving.layers().points);
-    const List<squeezeCause> causes(m.columns.causes);
-    List<movingColumns::posture> postures(m.nColumns());
-    DynamicList<label> moved;
+    const pointField before(m.editor.layers().points);
+    const List<squeezeCause> causes(m.editor.causes());
+    m.editor.record();
+    const labelList lowered(limited(m));
+    EXPECT_FALSE(lowered.empty());
 
-    m.moving.even
-    (
-        [&](const label c)
-        {
-            postures[c] = m.moving.postureOf(c);
-            moved.append(c);
-        }
-    );
-    EXPECT_NE(m.moving.layers().points, before);
-
-    for (const label c : moved)
+    for (const label c : lowered)
     {
-        m.moving.restore(c, postures[c]);
+        m.editor.rollBack(c);
     }
 
-    EXPECT_EQ(m.moving.layers().points, before);
-    EXPECT_TRUE(m.columns.causes == causes);
+    EXPECT_EQ(m.editor.layers().points, before);
+    EXPECT_TRUE(m.editor.causes() == causes);
 }
 
 

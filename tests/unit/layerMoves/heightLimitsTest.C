@@ -7,7 +7,7 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "evenHeights.H"
+#include "heightLimits.H"
 #include "testSurfaces.H"
 #include "Random.H"
 
@@ -20,9 +20,9 @@ using namespace Foam;
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Faces of a wall on columns of these heights
-static evenHeights given(const wallSurface& wall, const scalarField& columns)
+static heightLimits given(const wallSurface& wall, const scalarField& columns)
 {
-    evenHeights heights;
+    heightLimits heights;
     heights.faces = wall.faces;
     heights.neighbours = makeWallAddressing(wall).edgeFaces;
     heights.largest.setSize(wall.faces.size(), 10);
@@ -40,7 +40,7 @@ static evenHeights given(const wallSurface& wall, const scalarField& columns)
 
 static scalarField faceHeights
 (
-    const evenHeights& heights,
+    const heightLimits& heights,
     const scalarField& factors
 )
 {
@@ -61,7 +61,7 @@ static scalarField faceHeights
 
 static scalar largestChange
 (
-    const evenHeights& heights,
+    const heightLimits& heights,
     const scalarField& factors
 )
 {
@@ -86,7 +86,7 @@ static label nEqualToOne(const scalarField& factors)
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
-TEST(evenHeights, evenOnesStay)
+TEST(heightLimits, equalOnesStay)
 {
     const wallSurface wall(testSurfaces::sphere(6));
     const label n = wall.points.size();
@@ -98,7 +98,7 @@ TEST(evenHeights, evenOnesStay)
 }
 
 
-TEST(evenHeights, changesAreBoundedAroundLowColumns)
+TEST(heightLimits, changesAreBoundedAroundLowColumns)
 {
     for
     (
@@ -112,7 +112,7 @@ TEST(evenHeights, changesAreBoundedAroundLowColumns)
         {
             scalarField columns(n, 1.0);
             columns[17] = low;
-            const evenHeights heights(given(wall, columns));
+            const heightLimits heights(given(wall, columns));
             const scalarField factors(heights.factors(n));
 
             EXPECT_LT(largestChange(heights, factors), 1.302);
@@ -125,7 +125,7 @@ TEST(evenHeights, changesAreBoundedAroundLowColumns)
 }
 
 
-TEST(evenHeights, roughColumnsBecomeEven)
+TEST(heightLimits, roughColumnsBecomeEven)
 {
     const wallSurface wall(testSurfaces::sphere(10));
     const label n = wall.points.size();
@@ -137,7 +137,7 @@ TEST(evenHeights, roughColumnsBecomeEven)
         h = std::exp(0.9*random.sample01<scalar>());
     }
 
-    evenHeights heights(given(wall, columns));
+    heightLimits heights(given(wall, columns));
     heights.largest = 100;
     const scalarField factors(heights.factors(n));
 
@@ -148,7 +148,7 @@ TEST(evenHeights, roughColumnsBecomeEven)
 }
 
 
-TEST(evenHeights, muchLowerColumnsAreLeftAlone)
+TEST(heightLimits, muchLowerColumnsAreLeftAlone)
 {
     // A whole neighbourhood, whose height nobody else is to have
     const wallSurface wall(testSurfaces::sphere(10));
@@ -172,9 +172,9 @@ TEST(evenHeights, muchLowerColumnsAreLeftAlone)
 }
 
 
-TEST(evenHeights, tallestColumnsOfFacesTooHighComeDown)
+TEST(heightLimits, tallestColumnsOfFacesTooHighComeDown)
 {
-    evenHeights heights;
+    heightLimits heights;
     heights.faces = faceList({face({0, 1, 2})});
     heights.heights = List<scalarList>({scalarList({1, 2, 3})});
     heights.largest = scalarField(1, 1.5);

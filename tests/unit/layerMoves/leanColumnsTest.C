@@ -7,8 +7,11 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "movableColumns.H"
-#include "poorStacks.H"
+#include "editedColumns.H"
+#include "leanColumns.H"
+#include "retreatColumns.H"
+#include "scaledJacobian.H"
+#include "turnColumns.H"
 
 #include <gtest/gtest.h>
 #include <omp.h>
@@ -18,9 +21,9 @@ License
 using namespace Foam;
 
 //- How far the ends of a face's columns are from a point
-static movingColumns::faceFault distanceTo
+static stackPenalty distanceTo
 (
-    const movableColumns& m,
+    const editedColumns& m,
     const point& x
 )
 {
@@ -39,12 +42,15 @@ static movingColumns::faceFault distanceTo
 //- Lean one column. False where it stays.
 static bool lean
 (
-    movableColumns& m,
+    editedColumns& m,
     const label c,
-    const movingColumns::faceFault& fault
+    const stackPenalty& fault
 )
 {
-    return m.moving.lean(labelList(1, c), fault).size();
+    return leanColumns
+    (
+        m.editor, labelList(1, c), fault, m.controls.maxLeans, m.nTries
+    ).size();
 }
 
 
@@ -55,9 +61,9 @@ static scalar atFault(label, label, scalar)
 
 
 //- None where the end of a column is not at a point
-static movingColumns::faceFault awayFrom
+static stackPenalty awayFrom
 (
-    const movableColumns& m,
+    const editedColumns& m,
     const label c,
     const point& x
 )
@@ -72,9 +78,9 @@ static movingColumns::faceFault awayFrom
 //- Sum of the faults of the faces around a column
 static scalar sumOf
 (
-    const movableColumns& m,
+    const editedColumns& m,
     const label c,
-    const movingColumns::faceFault& fault
+    const stackPenalty& fault
 )
 {
     scalar sum = 0;
@@ -89,11 +95,11 @@ static scalar sumOf
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
-TEST(leaningColumns, columnsLeanToWhatFaultsAsk)
+TEST(leanColumns, columnsLeanToWhatFaultsAsk)
 {
     for (const layerFront& front : fronts())
     {
-        movableColumns m(front);
+        editedColumns m(front);
 
         for (const label c : someColumns(m, 10))
         {
@@ -112,12 +118,12 @@ TEST(leaningColumns, columnsLeanToWhatFaultsAsk)
 }
 
 
-TEST(leaningColumns, leanWhereAnyPlaceIsBetter)
+TEST(leanColumns, leanWhereAnyPlaceIsBetter)
 {
     // But for those that would be too long for their height
     for (const layerFront& front : fronts())
     {
-        movableColumns m(front);
+        editedColumns m(front);
 
         for (label c = 0; c < m.nColumns(); ++c)
         {
@@ -126,7 +132,7 @@ TEST(leaningColumns, leanWhereAnyPlaceIsBetter)
                 c, front.visibility.cones[c].axis
             );
 
-            if (heightCosine*movableColumns::maxStretch > 1.1)
+            if (heightCosine*editedColumns::maxStretch > 1.1)
             {
                 EXPECT_TRUE(lean(m, c, awayFrom(m, c, m.end(c))));
             }
@@ -135,27 +141,27 @@ TEST(leaningColumns, leanWhereAnyPlaceIsBetter)
 }
 
 
-TEST(leaningColumns, faultsNeverGrow)
+TEST(leanColumns, faultsNeverGrow)
 {
     for (const layerFront& front : fronts())
     {
-        movableColumns m(front);
+        editedColumns m(front);
         const scalarField best
         (
-            bestJacobians(front.surface, front.visibility)
+            attainableJacobians(front.surface, front.visibility)
         );
         const auto fault = [&](label facei, label lowest, scalar enough)
         {
-            return poorness
+            return jacobianPenalty
             (
-                m.moving.layers(), facei, 20*best[facei], enough, lowest
+                m.editor.layers(), facei, 20*best[facei], enough, lowest
             );
         };
 
         for (label round = 0; round < 5; ++round)
         {
             const labelList some(someColumns(m, 15));
-            m.moving.retreat(some, squeezeCause::validity);
+            retreatColumns(m.editor, some, squeezeCause::validity);
 
             for (const label c : some)
             {
@@ -171,7 +177,7 @@ TEST(leaningColumns, faultsNeverGrow)
 
 //- How far the ends of a face's columns are from points beside those where they
 //  are now
-static movingColumns::faceFault distanceBeside(const movableColumns& m)
+static stackPenalty distanceBeside(const editedColumns& m)
 {
     pointField aims(m.nColumns());
     forAll(aims, c)
@@ -197,16 +203,19 @@ static pointField leantOver(const layerFront& front, const int nThreads)
     const int before = omp_get_max_threads();
     omp_set_num_threads(nThreads);
 
-    movableColumns m(front);
-    m.moving.lean(identity(m.nColumns()), distanceBeside(m));
+    editedColumns m(front);
+    leanColumns
+    (
+        m.editor, identity(m.nColumns()), distanceBeside(m), 10, m.nTries
+    );
 
     omp_set_num_threads(before);
 
-    return m.moving.layers().points;
+    return m.editor.layers().points;
 }
 
 
-TEST(leaningColumns, threadsChangeNothing)
+TEST(leanColumns, threadsChangeNothing)
 {
     for (const layerFront& front : fronts())
     {
@@ -218,11 +227,11 @@ TEST(leaningColumns, threadsChangeNothing)
 }
 
 
-TEST(leaningColumns, manyThatLeanAtOnceAreNotInEachOthersWay)
+TEST(leanColumns, manyThatLeanAtOnceAreNotInEachOthersWay)
 {
     for (const layerFront& front : fronts())
     {
-        movableColumns m(front);
+        editedColumns m(front);
         const auto fault = distanceBeside(m);
         const auto sum = [&]()
         {
@@ -237,7 +246,10 @@ TEST(leaningColumns, manyThatLeanAtOnceAreNotInEachOthersWay)
         const scalar before = sum();
         const labelList leaned
         (
-            m.moving.lean(identity(m.nColumns()), fault)
+            leanColumns
+            (
+                m.editor, identity(m.nColumns()), fault, 10, m.nTries
+            )
         );
 
         EXPECT_GT(leaned.size(), m.nColumns()/4);
@@ -246,101 +258,97 @@ TEST(leaningColumns, manyThatLeanAtOnceAreNotInEachOthersWay)
 }
 
 
-TEST(leaningColumns, stayWhereNothingIsBetter)
+TEST(leanColumns, stayWhereNothingIsBetter)
 {
     for (const layerFront& front : fronts())
     {
-        movableColumns m(front);
-        const pointField before(m.moving.layers().points);
+        editedColumns m(front);
+        const pointField before(m.editor.layers().points);
 
         for (label c = 0; c < m.nColumns(); ++c)
         {
             EXPECT_FALSE(lean(m, c, atFault));
         }
 
-        EXPECT_LT(max(mag(m.moving.layers().points - before)), 1e-14);
+        EXPECT_LT(max(mag(m.editor.layers().points - before)), 1e-14);
     }
 }
 
 
-TEST(leaningColumns, stayAlsoAfterTheyHaveMoved)
+TEST(leanColumns, stayAlsoAfterTheyHaveMoved)
 {
     for (const layerFront& front : fronts())
     {
-        movableColumns m(front);
+        editedColumns m(front);
         const labelList some(someColumns(m, 20));
 
         for (label round = 0; round < 3; ++round)
         {
-            m.moving.turn(some);
+            turnColumns(m.editor, some, m.nTurns);
             const label c = some[round];
             lean(m, c, awayFrom(m, c, m.end(c)));
-            m.moving.retreat(some, squeezeCause::validity);
+            retreatColumns(m.editor, some, squeezeCause::validity);
         }
 
-        const pointField before(m.moving.layers().points);
+        const pointField before(m.editor.layers().points);
         for (label c = 0; c < m.nColumns(); ++c)
         {
             EXPECT_FALSE(lean(m, c, atFault));
         }
 
-        EXPECT_EQ(m.moving.layers().points, before);
+        EXPECT_EQ(m.editor.layers().points, before);
     }
 }
 
 
-TEST(leaningColumns, stayWithoutFaults)
+TEST(leanColumns, stayWithoutFaults)
 {
     for (const layerFront& front : fronts())
     {
-        movableColumns m(front);
+        editedColumns m(front);
 
         EXPECT_FALSE(lean(m, 3, [](label, label, scalar) { return 0; }));
     }
 }
 
 
-TEST(leaningColumns, thoseThatStayAreNotMoved)
+TEST(leanColumns, thoseThatStayAreNotMoved)
 {
     for (const layerFront& front : fronts())
     {
-        movableColumns m(front);
-        m.moving.takeCandidates();
-        m.moving.takeMoved();
+        editedColumns m(front);
+        const label now = m.editor.now();
         lean(m, 3, atFault);
 
-        EXPECT_TRUE(m.moving.takeCandidates().empty());
-        EXPECT_FALSE(m.moving.takeMoved().found(true));
+        EXPECT_TRUE(m.editor.touchedSince(now).empty());
     }
 }
 
 
-TEST(leaningColumns, facesAroundThoseThatLeanAreMoved)
+TEST(leanColumns, facesAroundThoseThatLeanAreMoved)
 {
     for (const layerFront& front : fronts())
     {
-        movableColumns m(front);
-        m.moving.takeCandidates();
-        m.moving.takeMoved();
+        editedColumns m(front);
 
         for (const label c : someColumns(m, 15))
         {
+            const label now = m.editor.now();
             const labelList faces
             (
                 lean(m, c, awayFrom(m, c, m.end(c)))
               ? facesOf(m, labelList(1, c)) : labelList()
             );
 
-            EXPECT_EQ(m.moving.takeCandidates(), faces);
-            EXPECT_EQ(findIndices(m.moving.takeMoved(), true), faces);
+            EXPECT_EQ(m.editor.touchedSince(now), faces);
         }
     }
 }
 
 
-TEST(leaningColumns, leanTenTimesAtMost)
+TEST(leanColumns, leanTenTimesAtMost)
 {
-    movableColumns m(fronts()[0]);
+    editedColumns m(fronts()[0]);
     label n = 0;
 
     // Each time better than before
@@ -357,11 +365,11 @@ TEST(leaningColumns, leanTenTimesAtMost)
 }
 
 
-TEST(leaningColumns, leanInsideTheirCones)
+TEST(leanColumns, leanInsideTheirCones)
 {
     for (const layerFront& front : fronts())
     {
-        movableColumns m(front);
+        editedColumns m(front);
 
         for (const label c : someColumns(m, 15))
         {

@@ -1,0 +1,349 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "certifyLayers.H"
+#include "leanColumns.H"
+#include "retreatColumns.H"
+#include "turnColumns.H"
+#include "wallPointsError.H"
+#include "HashSet.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static labelList columnsOf(const faceList& faces, const labelUList& some)
+{
+    labelHashSet columns;
+    for (const label facei : some)
+    {
+        columns.insert(faces[facei]);
+    }
+
+    return columns.sortedToc();
+}
+
+
+//- The columns of groups of faces that are nearly as tall as the tallest of
+//  their group
+static labelHashSet tallColumns
+(
+    const layerEditor& editor,
+    const UList<labelPair>& groups
+)
+{
+    const faceList& faces = editor.layers().faces;
+    labelHashSet tall;
+
+    for (const labelPair& group : groups)
+    {
+        scalar tallest = 0;
+        for (const label facei : group)
+        {
+            for (const label c : faces[facei])
+            {
+                tallest = max(tallest, editor.thickness()[c]);
+            }
+        }
+
+        const scalar least = editor.controls().tallShare*tallest;
+        for (const label facei : group)
+        {
+            for (const label c : faces[facei])
+            {
+                if (editor.thickness()[c] >= least)
+                {
+                    tall.insert(c);
+                }
+            }
+        }
+    }
+
+    return tall;
+}
+
+
+//- By how much the worst cell of a stack gains if each of its columns retreats;
+//  0 of columns that are too short to be in the way
+static scalarField gainsOfRetreats(layerEditor& editor, const label facei)
+{
+    const face& f = editor.layers().faces[facei];
+    const scalarField thickness(editor.thickness(), f);
+    const scalar least = editor.controls().shortShare*max(thickness);
+    const scalar before = worstJacobian(editor.layers(), facei);
+    scalarField gains(f.size(), 0);
+
+    forAll(f, k)
+    {
+        if (thickness[k] > least && !editor.isFixed(f[k]))
+        {
+            gains[k] = jacobianOfRetreat(editor, facei, f[k]) - before;
+        }
+    }
+
+    return gains;
+}
+
+
+//- The columns of stacks by whose retreat their worst cells gain most; the tall
+//  ones if none does
+static labelList columnsInTheWay
+(
+    layerEditor& editor,
+    const labelUList& stacks
+)
+{
+    labelHashSet columns;
+    DynamicList<labelPair> others;
+
+    for (const label facei : stacks)
+    {
+        const face& f = editor.layers().faces[facei];
+        const scalarField gains(gainsOfRetreats(editor, facei));
+        const scalar largest = max(gains);
+
+        if (largest <= 0)
+        {
+            others.append(labelPair(facei, facei));
+            continue;
+        }
+
+        forAll(f, k)
+        {
+            if (gains[k] >= editor.controls().gainShare*largest)
+            {
+                columns.insert(f[k]);
+            }
+        }
+    }
+
+    columns |= tallColumns(editor, others);
+
+    return columns.sortedToc();
+}
+
+
+namespace
+{
+
+class certification
+{
+    layerEditor& editor_;
+    layerJudge& judge_;
+
+    //- How often each column has turned, and tried to lean
+    labelList nTurns_;
+    labelList nLeans_;
+
+    label nRetreats_ = 0;
+
+    //- Times of the journal up to which cells and overlaps were judged
+    label cellsJudged_ = 0;
+    label overlapsJudged_ = 0;
+
+    //- Lean columns to where the penalties around them are less. False if all
+    //  stay.
+    bool lean(const labelUList& columns);
+
+    void retreat
+    (
+        const labelUList& columns,
+        squeezeCause cause,
+        const char* whatFails
+    );
+
+    //- Until all cells are positive and good enough
+    void makePositive();
+
+    //- Columns of stacks that overlap, of those moved since the last look
+    labelList overlappingColumns();
+
+public:
+
+    certification(layerEditor& editor, layerJudge& judge)
+    :
+        editor_(editor),
+        judge_(judge),
+        nTurns_(editor.thickness().size(), 0),
+        nLeans_(editor.thickness().size(), 0)
+    {}
+
+    //- Returns the number of retreats
+    label run();
+};
+
+
+bool certification::lean(const labelUList& columns)
+{
+    const layerMoveControls& controls = editor_.controls();
+    const auto penalty = [&]
+    (
+        const label facei,
+        const label lowest,
+        const scalar enough
+    )
+    {
+        return jacobianPenalty
+        (
+            editor_.layers(), facei,
+            controls.certifyJacobian*judge_.attainable(facei), enough, lowest
+        );
+    };
+
+    return leanColumns
+    (
+        editor_, columns, penalty, controls.maxLeans, nLeans_
+    ).size();
+}
+
+
+void certification::retreat
+(
+    const labelUList& columns,
+    const squeezeCause cause,
+    const char* whatFails
+)
+{
+    const layerFront& front = editor_.front();
+    DynamicList<label> hopeless;
+
+    for (const label c : columns)
+    {
+        const scalar least =
+            editor_.controls().hopelessShare*editor_.spacing().thickness[c];
+
+        if (editor_.isFixed(c) || editor_.thickness()[c] < least)
+        {
+            hopeless.append(front.wallPoints[c]);
+        }
+    }
+
+    if (hopeless.size())
+    {
+        throw wallPointsError(front.surface, hopeless, whatFails);
+    }
+
+    nRetreats_ += columns.size();
+    retreatColumns(editor_, columns, cause);
+}
+
+
+void certification::makePositive()
+{
+    labelHashSet below, unjudged;
+
+    while (true)
+    {
+        const labelList moved(editor_.touchedSince(cellsJudged_));
+        cellsJudged_ = editor_.now();
+        unjudged.insert(moved);
+        below.unset(moved);
+
+        for
+        (
+            const faultyStack& stack
+          : judge_.findFaults
+            (
+                moved,
+                stackFault::belowAttainable, stackFault::belowAttainable
+            )
+        )
+        {
+            below.insert(stack.facei);
+        }
+
+        labelList faulty(below.sortedToc());
+
+        if (faulty.empty())
+        {
+            const List<faultyStack> faults
+            (
+                judge_.findFaults
+                (
+                    unjudged.sortedToc(),
+                    stackFault::notPositive, stackFault::centreOutside
+                )
+            );
+
+            if (faults.empty())
+            {
+                return;
+            }
+
+            judge_.useCentreTries(faults);
+            unjudged.clear();
+            for (const faultyStack& stack : faults)
+            {
+                faulty.append(stack.facei);
+            }
+            unjudged.insert(faulty);
+        }
+
+        const labelList moving(columnsOf(editor_.layers().faces, faulty));
+
+        if (!turnColumns(editor_, moving, nTurns_) && !lean(moving))
+        {
+            retreat
+            (
+                columnsInTheWay(editor_, faulty),
+                squeezeCause::validity,
+                "have columns whose cells are not positive at any thickness"
+            );
+        }
+    }
+}
+
+
+labelList certification::overlappingColumns()
+{
+    const labelList moved(editor_.touchedSince(overlapsJudged_));
+    overlapsJudged_ = editor_.now();
+
+    return tallColumns(editor_, judge_.findOverlapping(moved)).sortedToc();
+}
+
+
+label certification::run()
+{
+    makePositive();
+
+    for
+    (
+        labelList columns(overlappingColumns());
+        columns.size();
+        columns = overlappingColumns()
+    )
+    {
+        retreat
+        (
+            columns,
+            squeezeCause::intersection,
+            "have columns whose outer faces intersect at any thickness"
+        );
+        makePositive();
+    }
+
+    return nRetreats_;
+}
+
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::label Foam::certifyLayers(layerEditor& editor, layerJudge& judge)
+{
+    return certification(editor, judge).run();
+}
+
+
+// ************************************************************************* //

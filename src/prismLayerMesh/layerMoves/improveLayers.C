@@ -1,0 +1,313 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "improveLayers.H"
+#include "fitHeights.H"
+#include "growColumns.H"
+#include "leanColumns.H"
+#include "limitHeightJumps.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Penalty of a stack that must not be
+static const scalar forbidden = 1e3;
+
+namespace
+{
+
+class improvement
+{
+    layerEditor& editor_;
+    const layerJudge& judge_;
+
+    //- Columns that had to be rolled back, and stay
+    boolList barred_;
+
+    //- How often a stack was found below its aim
+    label nBelowAim_ = 0;
+
+    //- Times of the journal: when the last round began, and up to which all is
+    //  judged
+    label roundBegan_ = 0;
+    label judged_;
+
+
+    //- Whether a stack has a fault that its own cells show
+    bool isAtFault(const label facei) const
+    {
+        return judge_.faultOf
+        (
+            facei, stackFault::belowAttainable, stackFault::notPositive
+        ) != stackFault::none;
+    }
+
+    //- Front faces moved in the last round; now another one begins
+    labelList beginRound();
+
+    //- Lean columns of stacks that are below their aim
+    void lean(const labelUList& faces);
+
+    //- Give height back to columns of faces that retreated
+    void grow(const labelUList& faces);
+
+    //- Front faces that cannot be certified, of those moved since the last look
+    labelList faultyFaces();
+
+    //- Roll back a column, and those on its point
+    void rollBack(label c);
+
+    //- Roll back columns until all can be certified
+    void settle();
+
+public:
+
+    improvement(layerEditor& editor, const layerJudge& judge);
+
+    void leanAndGrow();
+
+    //- Fit columns to the first heights that are asked for, those that have to
+    //  be rolled back again nearer to the wall
+    void fitFirst();
+
+    void limitJumps();
+
+    void fitAll();
+};
+
+
+improvement::improvement(layerEditor& editor, const layerJudge& judge)
+:
+    editor_(editor),
+    judge_(judge),
+    barred_(editor.thickness().size(), false),
+    judged_(editor.now())
+{
+    editor_.record();
+}
+
+
+labelList improvement::beginRound()
+{
+    const labelList moved(editor_.touchedSince(roundBegan_));
+    roundBegan_ = editor_.now();
+
+    return moved;
+}
+
+
+void improvement::lean(const labelUList& faces)
+{
+    const layerMoveControls& controls = editor_.controls();
+    const auto penalty = [&]
+    (
+        const label facei,
+        const label lowest,
+        const scalar enough
+    )
+    {
+        const scalar own = jacobianPenalty
+        (
+            editor_.layers(), facei,
+            controls.improveJacobian*judge_.attainable(facei), enough, lowest
+        );
+
+        return lowest == 1 && own <= enough && isAtFault(facei)
+          ? forbidden : own;
+    };
+
+    const labelList belowAim
+    (
+        judge_.findBelowAttainable(faces, controls.improveJacobian)
+    );
+    nBelowAim_ += belowAim.size();
+
+    labelHashSet leaning;
+    for (const label facei : belowAim)
+    {
+        for (const label c : editor_.layers().faces[facei])
+        {
+            if (!barred_[c])
+            {
+                leaning.insert(c);
+            }
+        }
+    }
+
+    labelList nTries(barred_.size(), 0);
+    leanColumns(editor_, leaning.sortedToc(), penalty, 1, nTries);
+}
+
+
+void improvement::grow(const labelUList& faces)
+{
+    const auto atFault = [&](const label facei) { return isAtFault(facei); };
+    labelHashSet grown;
+
+    for (const label facei : faces)
+    {
+        for (const label c : editor_.layers().faces[facei])
+        {
+            if (isLowered(editor_, c) && !barred_[c] && !grown.found(c))
+            {
+                const labelList all(editor_.columnsBeside(c));
+
+                if (growColumns(editor_, all, atFault))
+                {
+                    grown.insert(all);
+                }
+            }
+        }
+    }
+}
+
+
+labelList improvement::faultyFaces()
+{
+    const labelList moved(editor_.touchedSince(judged_));
+    judged_ = editor_.now();
+    DynamicList<label> faulty;
+
+    for (const faultyStack& stack : judge_.findFaults(moved))
+    {
+        faulty.append(stack.facei);
+    }
+    for (const labelPair& pair : judge_.findOverlapping(moved))
+    {
+        faulty.append(pair.first());
+        faulty.append(pair.second());
+    }
+
+    return labelList(std::move(faulty));
+}
+
+
+void improvement::rollBack(const label c)
+{
+    for (const label q : editor_.columnsBeside(c))
+    {
+        if (editor_.isChanged(q))
+        {
+            editor_.rollBack(q);
+            barred_[q] = true;
+        }
+    }
+}
+
+
+void improvement::settle()
+{
+    // What is rolled back may be in the way of what is not
+    for
+    (
+        labelList faulty(faultyFaces());
+        faulty.size();
+        faulty = faultyFaces()
+    )
+    {
+        for (const label facei : faulty)
+        {
+            for (const label c : editor_.layers().faces[facei])
+            {
+                if (editor_.isChanged(c))
+                {
+                    rollBack(c);
+                }
+            }
+        }
+    }
+
+    editor_.keep();
+}
+
+
+void improvement::leanAndGrow()
+{
+    const layerMoveControls& controls = editor_.controls();
+    const scalar enough = controls.enoughShare*editor_.layers().faces.size();
+
+    for
+    (
+        label round = 0;
+        round < controls.maxRounds && nBelowAim_ <= enough;
+        ++round
+    )
+    {
+        const labelList faces(beginRound());
+        lean(faces);
+        grow(faces);
+        settle();
+    }
+
+    lean(beginRound());
+    settle();
+}
+
+
+void improvement::fitFirst()
+{
+    boolList wanted(barred_.size(), true);
+
+    for (const scalar reach : editor_.controls().reaches)
+    {
+        barred_ = false;
+        fitFirstHeights(editor_, wanted, reach);
+        settle();
+        wanted = barred_;
+    }
+}
+
+
+void improvement::limitJumps()
+{
+    const List<labelPair> neighbours(neighboursOnWall(editor_.front()));
+
+    for
+    (
+        label i = 0;
+        i < editor_.controls().maxLimits
+     && limitHeightJumps(editor_, neighbours);
+        ++i
+    )
+    {
+        settle();
+    }
+}
+
+
+void improvement::fitAll()
+{
+    fitThickness(editor_);
+    settle();
+}
+
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void Foam::improveLayers(layerEditor& editor, const layerJudge& judge)
+{
+    improvement better(editor, judge);
+    better.leanAndGrow();
+
+    if (!editor.proposed().onLevelSets)
+    {
+        better.fitFirst();
+        better.limitJumps();
+        better.fitAll();
+    }
+}
+
+
+// ************************************************************************* //

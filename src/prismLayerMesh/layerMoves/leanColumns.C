@@ -1,0 +1,222 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "leanColumns.H"
+#include "mathematicalConstants.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Directions [n] in which a column might stand
+static List<vectorField> trialDirections
+(
+    const layerEditor& editor,
+    const label c
+)
+{
+    const layerMoveControls& controls = editor.controls();
+    const label n = editor.spacing().nLayers;
+    const vector& axis = editor.front().visibility.cones[c].axis;
+
+    vectorField means(n), own(n);
+    scalarField shares(n);
+
+    for (label i = 0; i < n; ++i)
+    {
+        means[i] = editor.neighboursOffset(c, i);
+        own[i] = editor.straightenedOffset(c, i);
+        shares[i] = editor.turnShare(c, i);
+    }
+
+    DynamicList<vectorField> all;
+    all.append(vectorField(n, axis));
+    all.append(means);
+
+    const vector across
+    (
+        mag(axis.x()) < 0.6 ? vector(1, 0, 0) : vector(0, 1, 0)
+    );
+    const vector u(normalised(axis ^ across));
+    const vector v(axis ^ u);
+
+    for (const scalar size : {controls.leanSize/4, controls.leanSize})
+    {
+        for (label k = 0; k < controls.nLeanSides; ++k)
+        {
+            const scalar angle =
+                constant::mathematical::twoPi*k/controls.nLeanSides;
+            const vector side(size*(::cos(angle)*u + ::sin(angle)*v));
+
+            all.append(vectorField(own + shares*side));
+        }
+    }
+
+    return List<vectorField>(std::move(all));
+}
+
+
+//- Sum of the penalties on the faces around a column, up to where it is enough
+static scalar penaltyAround
+(
+    const layerEditor& editor,
+    const label c,
+    const stackPenalty& penalty,
+    const label lowest,
+    const scalar enough
+)
+{
+    const labelList& faces = editor.front().addressing.pointFaces[c];
+    scalar sum = 0;
+
+    for (label i = 0; i < faces.size() && sum < enough; ++i)
+    {
+        sum += penalty(faces[i], lowest, enough - sum);
+    }
+
+    return sum;
+}
+
+
+//- The best of the directions in which a column might stand, -1 if none has a
+//  penalty below 'least'. The column is left in some of them.
+static label bestOf
+(
+    layerEditor& editor,
+    const label c,
+    const List<vectorField>& directions,
+    const stackPenalty& penalty,
+    scalar least
+)
+{
+    // No column has a lower penalty than its outermost cells
+    const label n = editor.spacing().nLayers;
+    scalarField outermost(directions.size());
+
+    forAll(directions, k)
+    {
+        editor.setDirections(c, directions[k], 0, n);
+        outermost[k] = penaltyAround(editor, c, penalty, n, least);
+    }
+
+    label best = -1;
+    for (const label k : sortedOrder(outermost))
+    {
+        if (outermost[k] >= least)
+        {
+            break;
+        }
+
+        editor.setDirections(c, directions[k], 0);
+        const scalar sum = penaltyAround(editor, c, penalty, 1, least);
+
+        if (sum < least)
+        {
+            least = sum;
+            best = k;
+        }
+    }
+
+    return best;
+}
+
+
+//- Lean one column. False if it stays.
+static bool lean
+(
+    layerEditor& editor,
+    const label c,
+    const stackPenalty& penalty,
+    const columnState& before,
+    label& nTries
+)
+{
+    const layerMoveControls& controls = editor.controls();
+    const scalar least =
+        controls.leanGain*penaltyAround(editor, c, penalty, 1, GREAT);
+
+    if (least <= 0)
+    {
+        return false;
+    }
+
+    const List<vectorField> directions(trialDirections(editor, c));
+    const label best = bestOf(editor, c, directions, penalty, least);
+    nTries += best < 0 ? controls.vainLean : 1;
+
+    if (best < 0)
+    {
+        editor.restore(c, before);
+
+        return false;
+    }
+
+    editor.setDirections(c, directions[best], 0);
+
+    return true;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::labelList Foam::leanColumns
+(
+    layerEditor& editor,
+    const labelUList& columns,
+    const stackPenalty& penalty,
+    const label maxTries,
+    labelList& nTries
+)
+{
+    const labelList& colours = editor.colours();
+    DynamicList<DynamicList<label>> groups;
+
+    for (const label c : columns)
+    {
+        if (nTries[c] < maxTries && !editor.isFixed(c))
+        {
+            groups(colours[c]).append(c);
+        }
+    }
+
+    DynamicList<label> leaned;
+
+    for (const labelUList& group : groups)
+    {
+        List<columnState> before(group.size());
+        boolList leans(group.size(), false);
+
+        #pragma omp parallel for schedule(dynamic, 4) if (group.size() > 8)
+        forAll(group, i)
+        {
+            const label c = group[i];
+            before[i] = editor.state(c);
+            leans[i] = lean(editor, c, penalty, before[i], nTries[c]);
+        }
+
+        forAll(group, i)
+        {
+            if (leans[i])
+            {
+                editor.accept(group[i], before[i]);
+                leaned.append(group[i]);
+            }
+        }
+    }
+
+    sort(leaned);
+
+    return labelList(std::move(leaned));
+}
+
+
+// ************************************************************************* //

@@ -1,0 +1,181 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "limitHeightJumps.H"
+#include "EdgeMap.H"
+#include "geometricHeights.H"
+#include "heightLimits.H"
+#include "stackHeights.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- First heights of the faces of the wall by their columns, and the limits
+static heightLimits firstHeights
+(
+    const layerEditor& editor,
+    const List<labelPair>& neighbours
+)
+{
+    const layerFront& front = editor.front();
+    const prismLayers& layers = editor.layers();
+    const pointField& wall = front.surface.points;
+    const vectorField normals(front.surface.faceNormals());
+
+    heightLimits first;
+    first.faces = SubList<face>(layers.faces, front.nWallFaces);
+    first.heights.setSize(front.nWallFaces);
+    first.largest.setSize(front.nWallFaces, 0);
+    first.neighbours = neighbours;
+
+    stackHeights stack(layers);
+
+    forAll(first.faces, facei)
+    {
+        const face& f = first.faces[facei];
+        const vector& n = normals[facei];
+        scalarList& heights = first.heights[facei];
+        heights.setSize(f.size());
+        stack.compute(facei, 1);
+        scalar mean = 0;
+
+        forAll(f, k)
+        {
+            heights[k] = max((layers(f[k], 1) - wall[f[k]]) & n, VSMALL);
+            mean += heights[k]/f.size();
+            first.largest[facei] += editor.controls().maxExcess
+               *editor.spacing().firstThickness[f[k]]/f.size();
+        }
+
+        // So that together they are what the cell has
+        for (scalar& h : heights)
+        {
+            h *= stack.heights()[0]/mean;
+        }
+    }
+
+    return first;
+}
+
+
+//- Lower the first level of a column by a factor, along the column as it
+//  stands; its last level stays
+static void lowerFirst(layerEditor& editor, const label c, const scalar factor)
+{
+    const label n = editor.spacing().nLayers;
+    const scalar* before = editor.heights(c);
+    const scalar first = factor*before[1];
+    scalarList after(n + 1, 0.0);
+    after[1] = first;
+
+    if (n > 1)
+    {
+        layerHeights
+        (
+            n, first, fittedRatio(n, first, before[n]), before[n], after
+        );
+    }
+
+    pointField points(n + 1);
+    forAll(points, i)
+    {
+        points[i] = editor.layers()(c, i);
+    }
+
+    label k = 1;
+    for (label i = 1; i <= n; ++i)
+    {
+        while (k < n && before[k] < after[i])
+        {
+            ++k;
+        }
+
+        const scalar s = (after[i] - before[k - 1])/(before[k] - before[k - 1]);
+        editor.setPoint(c, i, points[k - 1] + s*(points[k] - points[k - 1]));
+    }
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::List<Foam::labelPair> Foam::neighboursOnWall
+(
+    const layerFront& front
+)
+{
+    EdgeMap<label> firstFaces;
+    DynamicList<labelPair> neighbours(2*front.nWallFaces);
+
+    for (label facei = 0; facei < front.nWallFaces; ++facei)
+    {
+        const face& f = front.surface.faces[facei];
+
+        forAll(f, k)
+        {
+            const edge e
+            (
+                front.wallPoints[f[k]], front.wallPoints[f[f.fcIndex(k)]]
+            );
+            const auto other = firstFaces.cfind(e);
+
+            if (other.found())
+            {
+                neighbours.append(labelPair(other.val(), facei));
+            }
+            else
+            {
+                firstFaces.insert(e, facei);
+            }
+        }
+    }
+
+    return List<labelPair>(std::move(neighbours));
+}
+
+
+bool Foam::limitHeightJumps
+(
+    layerEditor& editor,
+    const List<labelPair>& neighbours
+)
+{
+    const scalarField factors
+    (
+        firstHeights(editor, neighbours).factors
+        (
+            editor.front().wallPoints.size(), editor.controls()
+        )
+    );
+    bool any = false;
+
+    forAll(factors, c)
+    {
+        if (factors[c] < 1 && !editor.isFixed(c))
+        {
+            any = true;
+            editor.remember(c);
+            lowerFirst(editor, c, factors[c]);
+
+            if (editor.causes()[c] == squeezeCause::none)
+            {
+                editor.setCause(c, squeezeCause::neighbour);
+            }
+            editor.touch(c);
+        }
+    }
+
+    return any;
+}
+
+
+// ************************************************************************* //

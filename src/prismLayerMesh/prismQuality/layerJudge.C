@@ -1,0 +1,182 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "layerJudge.H"
+#include "prismQuality.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- The items of a list for which a test holds, in their order. Many threads
+//  make the test at once.
+template<class Test>
+static labelList selected(const labelUList& items, const Test& test)
+{
+    boolList holds(items.size(), false);
+
+    #pragma omp parallel for schedule(dynamic, 64) if (items.size() > 128)
+    for (label i = 0; i < items.size(); ++i)
+    {
+        holds[i] = test(items[i]);
+    }
+
+    const labelList held(findIndices(holds, true));
+
+    return labelList(UIndirectList<label>(items, held));
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool Foam::layerJudge::isCentreOutside(const label facei) const
+{
+    const bool isPrism = layers_.faces[facei].size() == 3;
+    const scalar surelyInside =
+        isPrism ? controls_.centreJacobian*attainable_[facei] : GREAT;
+
+    return centreTriesLeft_[facei] > 0
+        && worstJacobian(layers_, facei, surelyInside) < surelyInside
+        && !hasPositivePyramids(layers_, facei);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::layerJudge::layerJudge
+(
+    const prismLayers& layers,
+    const wallSurface& front,
+    const wallVisibility& visibility,
+    const layerMoveControls& controls
+)
+:
+    layers_(layers),
+    controls_(controls),
+    attainable_(attainableJacobians(front, visibility)),
+    centreTriesLeft_(front.faces.size(), controls.maxCentreTries)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool Foam::layerJudge::isBelowAttainable
+(
+    const label facei,
+    const scalar share
+) const
+{
+    const scalar smallest = share*attainable_[facei];
+
+    return worstJacobian(layers_, facei, smallest) < smallest;
+}
+
+
+Foam::stackFault Foam::layerJudge::faultOf
+(
+    const label facei,
+    const stackFault first,
+    const stackFault last
+) const
+{
+    const auto isAsked = [&](const stackFault fault)
+    {
+        return first <= fault && fault <= last;
+    };
+
+    return
+        isAsked(stackFault::belowAttainable)
+     && isBelowAttainable(facei, controls_.minJacobian)
+      ? stackFault::belowAttainable
+      : isAsked(stackFault::notPositive) && !isPositiveStack(layers_, facei)
+      ? stackFault::notPositive
+      : isAsked(stackFault::centreOutside) && isCentreOutside(facei)
+      ? stackFault::centreOutside
+      : stackFault::none;
+}
+
+
+Foam::List<Foam::faultyStack> Foam::layerJudge::findFaults
+(
+    const labelUList& faces,
+    const stackFault first,
+    const stackFault last
+) const
+{
+    List<stackFault> faults(faces.size());
+
+    #pragma omp parallel for schedule(dynamic, 64) if (faces.size() > 128)
+    for (label i = 0; i < faces.size(); ++i)
+    {
+        faults[i] = faultOf(faces[i], first, last);
+    }
+
+    DynamicList<faultyStack> found;
+    forAll(faces, i)
+    {
+        if (faults[i] != stackFault::none)
+        {
+            found.append({faces[i], faults[i]});
+        }
+    }
+
+    return List<faultyStack>(std::move(found));
+}
+
+
+Foam::labelList Foam::layerJudge::findBelowAttainable
+(
+    const labelUList& faces,
+    const scalar share
+) const
+{
+    return selected
+    (
+        faces,
+        [&](const label facei) { return isBelowAttainable(facei, share); }
+    );
+}
+
+
+Foam::List<Foam::labelPair> Foam::layerJudge::findOverlapping
+(
+    const labelUList& faces
+) const
+{
+    const label nFaces = layers_.faces.size();
+    List<labelPair> pairs(findOverlaps(layers_, faces));
+
+    for (labelPair& pair : pairs)
+    {
+        const label outer = max(pair.first(), pair.second());
+
+        for (label& f : pair)
+        {
+            f = (f < nFaces ? outer : f) - nFaces;
+        }
+    }
+
+    return pairs;
+}
+
+
+void Foam::layerJudge::useCentreTries(const UList<faultyStack>& faults)
+{
+    for (const faultyStack& stack : faults)
+    {
+        centreTriesLeft_[stack.facei] -=
+            stack.fault == stackFault::centreOutside;
+    }
+}
+
+
+// ************************************************************************* //

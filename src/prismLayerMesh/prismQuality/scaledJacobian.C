@@ -1,0 +1,215 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "scaledJacobian.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+namespace
+{
+
+//- A corner of a front face on some level
+struct levelCorner
+{
+    vector edge;
+    scalar length;
+
+    //- e1 x e2/(|e1||e2|) of the edges at the corner
+    vector normal;
+};
+
+}
+
+
+template<class Corners>
+static void compute
+(
+    const prismLayers& layers,
+    const face& f,
+    const label level,
+    Corners& corners
+)
+{
+    const label n = corners.size();
+
+    for (label k = 0; k < n; ++k)
+    {
+        corners[k].edge =
+            layers(f[k + 1 < n ? k + 1 : 0], level) - layers(f[k], level);
+        corners[k].length = mag(corners[k].edge);
+    }
+
+    for (label k = 0; k < n; ++k)
+    {
+        const levelCorner& before = corners[k > 0 ? k - 1 : n - 1];
+
+        corners[k].normal = (before.edge ^ corners[k].edge)
+           /max(before.length*corners[k].length, VSMALL);
+    }
+}
+
+
+//- worstJacobian with storage for the corners
+template<class Corners>
+static scalar worstJacobian
+(
+    const prismLayers& layers,
+    const label facei,
+    const scalar enough,
+    const label lowest,
+    Corners&& corners
+)
+{
+    const face& f = layers.faces[facei];
+    const label n = corners.size();
+    const bool hasArea = facei < layers.nWallFaces();
+
+    scalar worst = GREAT;
+    compute(layers, f, layers.nLayers, corners);
+
+    // Mostly the upper cells are the worst
+    for (label i = layers.nLayers; i >= lowest && worst >= enough; --i)
+    {
+        const auto lookAt = [&]()
+        {
+            for (label k = 0; k < n; ++k)
+            {
+                const vector side(layers(f[k], i) - layers(f[k], i - 1));
+
+                worst = min
+                (
+                    worst, (corners[k].normal & side)/max(mag(side), VSMALL)
+                );
+            }
+        };
+
+        lookAt();
+
+        if (worst >= enough && (i > 1 || hasArea))
+        {
+            compute(layers, f, i - 1, corners);
+            lookAt();
+        }
+    }
+
+    return worst;
+}
+
+
+static scalar attainableJacobian
+(
+    const face& f,
+    const pointField& points,
+    const wallVisibility& visibility
+)
+{
+    scalar worst = GREAT;
+
+    forAll(f, k)
+    {
+        const vector next = points[f.nextLabel(k)] - points[f[k]];
+        const vector prev = points[f.prevLabel(k)] - points[f[k]];
+
+        worst = min
+        (
+            worst,
+            ((next ^ prev) & visibility.cones[f[k]].axis)
+           /max(mag(next)*mag(prev), VSMALL)
+        );
+    }
+
+    return worst;
+}
+
+
+//- The share of a good Jacobian below which the penalty is larger
+static scalar shareOfPenalty(const scalar penalty)
+{
+    if (penalty < 1)
+    {
+        return 1 - penalty;
+    }
+
+    return penalty < 2 ? (1 - penalty)/(2 - penalty) : -GREAT;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::scalar Foam::worstJacobian
+(
+    const prismLayers& layers,
+    const label facei,
+    const scalar enough,
+    const label lowest
+)
+{
+    const label n = layers.faces[facei].size();
+
+    if (n == 3)
+    {
+        return worstJacobian
+        (
+            layers, facei, enough, lowest, FixedList<levelCorner, 3>()
+        );
+    }
+    if (n == 4)
+    {
+        return worstJacobian
+        (
+            layers, facei, enough, lowest, FixedList<levelCorner, 4>()
+        );
+    }
+
+    return worstJacobian(layers, facei, enough, lowest, List<levelCorner>(n));
+}
+
+
+Foam::scalarField Foam::attainableJacobians
+(
+    const wallSurface& front,
+    const wallVisibility& visibility
+)
+{
+    scalarField jacobians(front.faces.size());
+
+    forAll(jacobians, facei)
+    {
+        jacobians[facei] =
+            attainableJacobian(front.faces[facei], front.points, visibility);
+    }
+
+    return jacobians;
+}
+
+
+Foam::scalar Foam::jacobianPenalty
+(
+    const prismLayers& layers,
+    const label facei,
+    const scalar goodJacobian,
+    const scalar enough,
+    const label lowest
+)
+{
+    // Faces without area on the wall have only to be positive
+    const scalar good = max(goodJacobian, SMALL);
+    const scalar smallest = shareOfPenalty(enough)*good;
+    const scalar share = worstJacobian(layers, facei, smallest, lowest)/good;
+
+    return share >= 0 ? max(1 - share, scalar(0)) : 1 - share/(1 - share);
+}
+
+
+// ************************************************************************* //
