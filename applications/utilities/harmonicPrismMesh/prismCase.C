@@ -15,6 +15,7 @@ License
 #include "OSspecific.H"
 #include "polyMesh.H"
 #include "prismPolyMesh.H"
+#include "replacedFiles.H"
 #include "Time.H"
 #include "wallPointsError.H"
 #include "writeStageFields.H"
@@ -26,6 +27,9 @@ namespace Foam
 {
 
 static const word dictName("harmonicPrismMeshDict");
+
+//- The end of the last line of OpenFOAM's files
+static const char* const dividerEnd = "* //";
 
 
 static IOobject dictObject(const argList& args, const Time& time)
@@ -69,7 +73,7 @@ static MeshedSurface<face> outerSurface(const prismLayers& layers)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::prismCase::prismCase(const argList& args, const Time& time)
+Foam::prismCase::prismCase(const argList& args, Time& time)
 :
     args_(args),
     time_(time),
@@ -80,11 +84,17 @@ Foam::prismCase::prismCase(const argList& args, const Time& time)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::fileName Foam::prismCase::polyMeshFolder() const
+Foam::fileName Foam::prismCase::polyMeshPath() const
 {
-    return time_.path()/time_.constant()
+    return time_.constant()
        /(region_ == polyMesh::defaultRegion ? word::null : region_)
        /polyMesh::meshSubDir;
+}
+
+
+Foam::fileName Foam::prismCase::polyMeshFolder() const
+{
+    return time_.path()/polyMeshPath();
 }
 
 
@@ -92,6 +102,12 @@ Foam::fileName Foam::prismCase::reportFolder() const
 {
     return time_.path()/"postProcessing"/"harmonicPrismMesh"
        /(region_ == polyMesh::defaultRegion ? word::null : region_);
+}
+
+
+Foam::fileName Foam::prismCase::reportFile() const
+{
+    return reportFolder()/"report";
 }
 
 
@@ -181,53 +197,44 @@ Foam::fileName Foam::prismCase::outerFile() const
 }
 
 
-void Foam::prismCase::writeOuter(const prismLayers& layers) const
+void Foam::prismCase::writeOuter
+(
+    const prismLayers& layers,
+    replacedFiles& files
+) const
 {
-    mkDir(outerFile().path());
-    outerSurface(layers).write(outerFile());
+    const word name(outerFile().name());
+    const fileName file(files.scratch(outerFile(), name)/name);
 
-    // The surface's own writer does not look whether its last bytes arrived
-    if (!isFile(outerFile(), false) || !fileSize(outerFile(), false))
-    {
-        FatalErrorInFunction
-            << "Cannot write " << outerFile() << exit(FatalError);
-    }
+    outerSurface(layers).write(file);
+    checkEnd(file, "# </faces>");
 }
 
 
-void Foam::prismCase::writeReport(const dictionary& report) const
+void Foam::prismCase::writeReport
+(
+    const dictionary& report,
+    replacedFiles& files
+) const
 {
     IOstream::defaultPrecision(6);
-    mkDir(reportFolder());
-    OFstream os(reportFolder()/"report");
-    IOobject::writeBanner(os);
-    report.write(os, false);
-    IOobject::writeEndDivider(os);
-    os.flush();
-
-    if (!os.good())
+    const fileName file(files.scratch(reportFile(), "report")/"report");
     {
-        FatalErrorInFunction
-            << "Cannot write " << os.name() << exit(FatalError);
+        OFstream os(file);
+        IOobject::writeBanner(os);
+        report.write(os, false);
+        IOobject::writeEndDivider(os);
     }
+    checkEnd(file, dividerEnd);
 }
 
 
 Foam::autoPtr<Foam::polyMesh> Foam::prismCase::writeMesh
 (
-    prismLayerMesh& m
+    prismLayerMesh& m,
+    replacedFiles& files
 ) const
 {
-    // The old mesh is there until the new one is; nothing of it may stay, and
-    // polyMesh would read its tetBasePtIs
-    const fileName folder(polyMeshFolder());
-    const fileName aside(folder + ".old");
-    if (isDir(aside))
-    {
-        rmDir(aside);
-    }
-    const bool replaces = isDir(folder) && mv(folder, aside);
-
     autoPtr<polyMesh> mesh
     (
         makePrismPolyMesh
@@ -242,31 +249,35 @@ Foam::autoPtr<Foam::polyMesh> Foam::prismCase::writeMesh
         )
     );
 
-    if (!mesh->write())
-    {
-        rmDir(folder);
-        if (replaces)
-        {
-            mv(aside, folder);
-        }
+    // The scratch folder is the case while the mesh is written
+    const fileName scratch(files.scratch(polyMeshFolder(), polyMeshPath()));
+    const fileName caseName(time_.caseName());
+    time_.caseName() = scratch.relative(time_.rootPath());
+    const bool written = mesh->write();
+    time_.caseName() = caseName;
 
-        FatalErrorInFunction << "Cannot write " << folder << exit(FatalError);
+    if (!written)
+    {
+        FatalErrorInFunction << "Cannot write to it" << exit(FatalError);
     }
 
-    if (replaces)
+    // OpenFOAM does not look whether the last bytes of a file arrived
+    const fileName folder(scratch/polyMeshPath());
+    for (const fileName& file : readDir(folder, fileName::FILE))
     {
-        rmDir(aside);
+        checkEnd(folder/file, dividerEnd);
     }
 
     return mesh;
 }
 
 
-void Foam::prismCase::write
+void Foam::prismCase::writeAll
 (
     const wallSurface& wall,
     prismLayerMesh& m,
-    stageLog& log
+    stageLog& log,
+    replacedFiles& files
 ) const
 {
     log.begin("prismPolyMesh");
@@ -275,7 +286,7 @@ void Foam::prismCase::write
     // What was certified is what is written: no digit may be lost
     IOstream::defaultPrecision(17);
 
-    writeOuter(m.layers);
+    writeOuter(m.layers, files);
     layerReport report
     (
         makeLayerReport
@@ -289,7 +300,7 @@ void Foam::prismCase::write
     report.nFurtherColumns = m.front.furtherRoots().size();
     report.nRetreats = m.columns.nRetreats;
 
-    const autoPtr<polyMesh> mesh(writeMesh(m));
+    const autoPtr<polyMesh> mesh(writeMesh(m, files));
     log.end
     (
         name(mesh->nCells()) + " cells, " + name(mesh->nFaces()) + " faces"
@@ -306,12 +317,45 @@ void Foam::prismCase::write
         Foam::write(Info, far);
     }
 
-    writeReport(entries);
+    writeReport(entries, files);
+    files.replaceAll();
+}
+
+
+void Foam::prismCase::write
+(
+    const wallSurface& wall,
+    prismLayerMesh& m,
+    stageLog& log
+) const
+{
+    replacedFiles files;
+    FatalError.throwExceptions(true);
+    FatalIOError.throwExceptions(true);
+
+    try
+    {
+        writeAll(wall, m, log, files);
+    }
+    catch (const Foam::error& failure)
+    {
+        FatalError.throwExceptions(false);
+        FatalIOError.throwExceptions(false);
+        files.removeScratch();
+
+        FatalErrorInFunction
+            << "Cannot write " << files.current() << nl
+            << failure.message().c_str() << nl
+            << "All files of the case are as they were" << exit(FatalError);
+    }
+
+    FatalError.throwExceptions(false);
+    FatalIOError.throwExceptions(false);
     rm(failedPointsFile());
 
     Info<< nl << "Mesh:   " << polyMeshFolder() << nl
         << "Outer:  " << outerFile() << nl
-        << "Report: " << reportFolder()/"report" << nl << endl;
+        << "Report: " << reportFile() << nl << endl;
 }
 
 
