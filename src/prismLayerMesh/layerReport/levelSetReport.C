@@ -10,37 +10,9 @@ License
 #include "levelSetReport.H"
 #include "criticalPoints.H"
 #include "levelSets.H"
-#include "DynamicField.H"
+#include "ListOps.H"
 
 #include <algorithm>
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-
-static percentiles spreadOf
-(
-    const scalarField& values,
-    const List<pointKind>& kinds,
-    const pointKind kind
-)
-{
-    DynamicField<scalar> some;
-
-    forAll(values, p)
-    {
-        if (kinds[p] == kind)
-        {
-            some.append(values[p]);
-        }
-    }
-
-    return makePercentiles(some);
-}
-
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
@@ -104,13 +76,15 @@ Foam::levelSetReport Foam::makeLevelSetReport(const prismLayerMesh& mesh)
 
     for (label kind = 0; kind < nPointKinds; ++kind)
     {
+        const labelList points(findIndices(mesh.pointKinds, pointKind(kind)));
+
         report.firstOfKind.append
         (
-            spreadOf(report.first, mesh.pointKinds, pointKind(kind))
+            makePercentiles(scalarField(report.first, points))
         );
         report.lastOfKind.append
         (
-            spreadOf(report.last, mesh.pointKinds, pointKind(kind))
+            makePercentiles(scalarField(report.last, points))
         );
     }
 

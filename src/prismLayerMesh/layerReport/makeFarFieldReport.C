@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "farFieldReport.H"
+#include "DynamicField.H"
 #include "prismPolyMesh.H"
 #include "polyMeshTools.H"
 #include "unitConversion.H"
@@ -22,31 +23,49 @@ static const scalar goodAngle = 70;
 static const scalar goodSkewness = 4;
 
 
+static scalarField nonOrthogonality(const polyMesh& mesh)
+{
+    scalarField angles
+    (
+        polyMeshTools::faceOrthogonality
+        (
+            mesh, mesh.faceAreas(), mesh.cellCentres()
+        )
+    );
+    for (scalar& angle : angles)
+    {
+        angle = radToDeg(::acos(max(-1.0, min(1.0, angle))));
+    }
+
+    return angles;
+}
+
+
 static faceQuality qualityOf
 (
     const labelUList& faces,
-    const scalarField& angles,
-    const scalarField& skewness,
+    const scalarField& allAngles,
+    const scalarField& allSkewness,
     const vectorField& centres
 )
 {
+    const scalarField angles(allAngles, faces);
+    const scalarField skewness(allSkewness, faces);
+
     faceQuality quality;
     quality.nFaces = faces.size();
+    quality.nonOrthogonality = makePercentiles(angles);
+    quality.skewness = makePercentiles(skewness);
 
-    scalarField ofFaces(angles, faces);
-    quality.nonOrthogonality = makePercentiles(ofFaces);
-    ofFaces = scalarField(skewness, faces);
-    quality.skewness = makePercentiles(ofFaces);
-
-    DynamicList<point> places;
-    for (const label facei : faces)
+    DynamicField<point> places;
+    forAll(faces, i)
     {
-        if (angles[facei] > goodAngle || skewness[facei] > goodSkewness)
+        if (angles[i] > goodAngle || skewness[i] > goodSkewness)
         {
-            places.append(centres[facei]);
+            places.append(centres[faces[i]]);
         }
     }
-    quality.poorPlaces = pointField(std::move(places));
+    quality.poorPlaces = places;
 
     return quality;
 }
@@ -61,19 +80,7 @@ Foam::farFieldReport Foam::makeFarFieldReport(const polyMesh& mesh)
     const label nLayerCells = mesh.cellZones()[boundaryLayerName].size();
     const vectorField& centres = mesh.faceCentres();
     const scalarField& volumes = mesh.cellVolumes();
-
-    scalarField angles
-    (
-        polyMeshTools::faceOrthogonality
-        (
-            mesh, mesh.faceAreas(), mesh.cellCentres()
-        )
-    );
-    for (scalar& angle : angles)
-    {
-        angle = radToDeg(::acos(max(-1.0, min(1.0, angle))));
-    }
-
+    const scalarField angles(nonOrthogonality(mesh));
     const scalarField skewness
     (
         polyMeshTools::faceSkewness
@@ -82,36 +89,29 @@ Foam::farFieldReport Foam::makeFarFieldReport(const polyMesh& mesh)
         )
     );
 
-    DynamicList<label> inLayers, between, inFarField;
-    DynamicList<scalar> ratios;
+    // By the number of cells in the far field
+    FixedList<DynamicList<label>, 3> faces;
+    DynamicField<scalar> volumeRatios;
 
     for (label facei = 0; facei < mesh.nInternalFaces(); ++facei)
     {
         const label owner = mesh.faceOwner()[facei];
         const label neighbour = mesh.faceNeighbour()[facei];
+        const label nFar = (owner >= nLayerCells) + (neighbour >= nLayerCells);
 
-        if (neighbour < nLayerCells)
+        faces[nFar].append(facei);
+
+        if (nFar == 1)
         {
-            inLayers.append(facei);
-        }
-        else if (owner < nLayerCells)
-        {
-            between.append(facei);
-            ratios.append(volumes[neighbour]/volumes[owner]);
-        }
-        else
-        {
-            inFarField.append(facei);
+            volumeRatios.append(volumes[neighbour]/volumes[owner]);
         }
     }
 
     farFieldReport report;
     report.nCells = mesh.nCells() - nLayerCells;
-    report.layers = qualityOf(inLayers, angles, skewness, centres);
-    report.transition = qualityOf(between, angles, skewness, centres);
-    report.farField = qualityOf(inFarField, angles, skewness, centres);
-
-    scalarField volumeRatios(std::move(ratios));
+    report.layers = qualityOf(faces[0], angles, skewness, centres);
+    report.transition = qualityOf(faces[1], angles, skewness, centres);
+    report.farField = qualityOf(faces[2], angles, skewness, centres);
     report.volumeRatio = makePercentiles(volumeRatios);
 
     for (const polyPatch& patch : mesh.boundaryMesh())
