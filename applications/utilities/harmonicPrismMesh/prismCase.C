@@ -11,7 +11,6 @@ License
 #include "argList.H"
 #include "farFieldReport.H"
 #include "MeshedSurface.H"
-#include "OFstream.H"
 #include "OSspecific.H"
 #include "polyMesh.H"
 #include "prismPolyMesh.H"
@@ -211,24 +210,6 @@ void Foam::prismCase::writeOuter
 }
 
 
-void Foam::prismCase::writeReport
-(
-    const dictionary& report,
-    replacedFiles& files
-) const
-{
-    IOstream::defaultPrecision(6);
-    const fileName file(files.scratch(reportFile(), "report")/"report");
-    {
-        OFstream os(file);
-        IOobject::writeBanner(os);
-        report.write(os, false);
-        IOobject::writeEndDivider(os);
-    }
-    checkEnd(file, dividerEnd);
-}
-
-
 Foam::autoPtr<Foam::polyMesh> Foam::prismCase::writeMesh
 (
     prismLayerMesh& m,
@@ -317,7 +298,8 @@ void Foam::prismCase::writeAll
         Foam::write(Info, far);
     }
 
-    writeReport(entries, files);
+    IOstream::defaultPrecision(6);
+    writeReport(files.scratch(reportFile(), "report")/"report", entries);
     files.replaceAll();
 }
 

@@ -12,7 +12,9 @@ License
 #include "prismPolyMesh.H"
 #include "bitSet.H"
 #include "DynamicField.H"
+#include "IOobject.H"
 #include "ListOps.H"
+#include "OFstream.H"
 
 #include <algorithm>
 #include <fstream>
@@ -227,6 +229,21 @@ Foam::layerReport Foam::makeLayerReport
     }
 
     return report;
+}
+
+
+void Foam::writeReport(const fileName& file, const dictionary& report)
+{
+    OFstream os(file);
+    IOobject::writeBanner(os);
+    report.write(os, false);
+    IOobject::writeEndDivider(os);
+    os.flush();
+
+    if (!os.good())
+    {
+        FatalErrorInFunction << "Cannot write " << file << exit(FatalError);
+    }
 }
 
 

@@ -12,6 +12,7 @@ License
 #include "Switch.H"
 
 #include <iomanip>
+#include <numeric>
 #include <sstream>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -93,14 +94,13 @@ static dictionary pointsDictionary(const layerReport& report)
 
 static dictionary columnsDictionary(const layerReport& report)
 {
-    label nColumns = 0;
-    for (const label n : report.columns)
-    {
-        nColumns += n;
-    }
+    const auto& columns = report.columns;
 
     dictionary dict;
-    dict.add("total", nColumns);
+    dict.add
+    (
+        "total", std::accumulate(columns.begin(), columns.end(), label(0))
+    );
     dict.add("fullThickness", report.columns[0]);
     dict.add("squeezed", squeezedDictionary(report.columns));
     dict.add("multipleNormals", report.nFurtherColumns);
