@@ -25,33 +25,20 @@ License
 namespace Foam
 {
 
-static const word dictName("harmonicPrismMeshDict");
-
 //- The end of the last line of OpenFOAM's files
 static const char* const dividerEnd = "* //";
 
 
 static IOobject dictObject(const argList& args, const Time& time)
 {
-    if (args.found("dict"))
-    {
-        fileName file(args["dict"]);
-
-        if (isDir(file))
-        {
-            file = file/dictName;
-        }
-
-        return IOobject(file, time, IOobject::MUST_READ, IOobject::NO_WRITE);
-    }
-
-    return IOobject
+    return IOobject::selectIO
     (
-        dictName,
-        time.system(),
-        time,
-        IOobject::MUST_READ,
-        IOobject::NO_WRITE
+        IOobject
+        (
+            "harmonicPrismMeshDict", time.system(), time,
+            IOobject::MUST_READ, IOobject::NO_WRITE
+        ),
+        args.found("dict") ? fileName(args["dict"]) : fileName::null
     );
 }
 
@@ -168,15 +155,16 @@ Foam::fileName Foam::prismCase::writeFailedPoints
 {
     vtkGrid grid;
     grid.points = failure.points();
-    scalarField labels(grid.points.size());
-
-    forAll(labels, i)
+    forAll(grid.points, i)
     {
-        labels[i] = failure.labels()[i];
         grid.addCell(vtkCell::vertex, labelList(1, i));
     }
 
-    grid.pointFields.add("wallPoint", labels);
+    const labelList& labels = failure.labels();
+    grid.pointFields.add
+    (
+        "wallPoint", scalarList(labels.begin(), labels.end())
+    );
     mkDir(reportFolder());
     writeVtk(failedPointsFile(), grid);
 
