@@ -67,28 +67,6 @@ static scalarField componentsOf(const UList<Type>& field)
 }
 
 
-static void writeCells(std::ostream& os, const vtkGrid& grid)
-{
-    const label nCells = grid.cellTypes.size();
-    DynamicList<label> cells(nCells + grid.cellPoints.size());
-
-    for (label celli = 0; celli < nCells; ++celli)
-    {
-        const label start = grid.cellStarts[celli];
-        const label n = grid.cellStarts[celli + 1] - start;
-
-        cells.append(n);
-        cells.append(SubList<label>(grid.cellPoints, n, start));
-    }
-
-    os << "CELLS " << nCells << ' ' << cells.size() << '\n';
-    writeNumbers<int32_t>(os, cells);
-
-    os << "CELL_TYPES " << nCells << '\n';
-    writeNumbers<int32_t>(os, grid.cellTypes);
-}
-
-
 static void writeFields
 (
     std::ostream& os,
@@ -140,20 +118,20 @@ static void checkSizes
 
 void Foam::vtkFields::add(const word& name, const UList<scalar>& field)
 {
-    fields_.append(namedValues{name, 1, scalarField(field)});
+    fields.append(namedValues{name, 1, scalarField(field)});
 }
 
 
 void Foam::vtkFields::add(const word& name, const UList<vector>& field)
 {
-    fields_.append(namedValues{name, 3, componentsOf(field)});
+    fields.append(namedValues{name, 3, componentsOf(field)});
 }
 
 
 void Foam::vtkFields::add(const word& name, const UList<symmTensor>& field)
 {
     const List<tensor> full(field.begin(), field.end());
-    fields_.append(namedValues{name, 9, componentsOf(full)});
+    fields.append(namedValues{name, 9, componentsOf(full)});
 }
 
 
@@ -163,8 +141,8 @@ void Foam::writeVtk(const fileName& file, const vtkGrid& grid)
 {
     const label nCells = grid.cellTypes.size();
 
-    checkSizes(file, grid.points.size(), grid.pointFields.fields());
-    checkSizes(file, nCells, grid.cellFields.fields());
+    checkSizes(file, grid.points.size(), grid.pointFields.fields);
+    checkSizes(file, nCells, grid.cellFields.fields);
 
     std::ofstream os(file, std::ios::binary);
 
@@ -175,12 +153,15 @@ void Foam::writeVtk(const fileName& file, const vtkGrid& grid)
         << "POINTS " << grid.points.size() << " double\n";
 
     writeNumbers<double>(os, componentsOf(grid.points));
-    writeCells(os, grid);
+    os << "CELLS " << nCells << ' ' << grid.cells.size() << '\n';
+    writeNumbers<int32_t>(os, grid.cells);
+    os << "CELL_TYPES " << nCells << '\n';
+    writeNumbers<int32_t>(os, grid.cellTypes);
     writeFields
     (
-        os, "POINT_DATA", grid.points.size(), grid.pointFields.fields()
+        os, "POINT_DATA", grid.points.size(), grid.pointFields.fields
     );
-    writeFields(os, "CELL_DATA", nCells, grid.cellFields.fields());
+    writeFields(os, "CELL_DATA", nCells, grid.cellFields.fields);
 
     os.close();
 
