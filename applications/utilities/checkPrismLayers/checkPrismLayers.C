@@ -183,6 +183,18 @@ static label layersAsked(const argList& args)
 }
 
 
+static void end(const bool certified)
+{
+    Info<< nl << (certified ? "Certified" : "NOT certified") << nl << endl;
+
+    // What main returns is lost: the destructor of args exits with 0
+    if (!certified)
+    {
+        UPstream::exit(1);
+    }
+}
+
+
 int main(int argc, char *argv[])
 {
     addOptions();
@@ -196,9 +208,7 @@ int main(int argc, char *argv[])
         IOobject
         (
             args.lookupOrDefault<word>("region", polyMesh::defaultRegion),
-            runTime.timeName(),
-            runTime,
-            IOobject::MUST_READ
+            runTime.timeName(), runTime, IOobject::MUST_READ
         )
     );
 
@@ -239,18 +249,12 @@ int main(int argc, char *argv[])
         writeSet(mesh, certificate.invalidCells);
     }
 
-    const bool certified =
+    end
+    (
         certificate.invalidCells.empty()
      && certificate.intersections.empty()
-     && complete;
-
-    Info<< nl << (certified ? "Certified" : "NOT certified") << nl << endl;
-
-    // What main returns is lost: the destructor of args exits with 0
-    if (!certified)
-    {
-        UPstream::exit(1);
-    }
+     && complete
+    );
 
     return 0;
 }

@@ -54,6 +54,13 @@ static MeshedSurface<face> outerSurface(const prismLayers& layers)
     );
 }
 
+
+static void throwErrors(const bool on)
+{
+    FatalError.throwExceptions(on);
+    FatalIOError.throwExceptions(on);
+}
+
 } // End namespace Foam
 
 
@@ -300,8 +307,7 @@ void Foam::prismCase::write
 ) const
 {
     replacedFiles files;
-    FatalError.throwExceptions(true);
-    FatalIOError.throwExceptions(true);
+    throwErrors(true);
 
     try
     {
@@ -309,8 +315,7 @@ void Foam::prismCase::write
     }
     catch (const Foam::error& failure)
     {
-        FatalError.throwExceptions(false);
-        FatalIOError.throwExceptions(false);
+        throwErrors(false);
         files.removeScratch();
 
         FatalErrorInFunction
@@ -319,8 +324,7 @@ void Foam::prismCase::write
             << "All files of the case are as they were" << exit(FatalError);
     }
 
-    FatalError.throwExceptions(false);
-    FatalIOError.throwExceptions(false);
+    throwErrors(false);
     rm(failedPointsFile());
 
     Info<< nl << "Mesh:   " << polyMeshFolder() << nl
