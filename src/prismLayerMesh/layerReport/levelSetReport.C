@@ -14,6 +14,31 @@ License
 
 #include <algorithm>
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+static List<percentiles> spreadsByKind
+(
+    const scalarField& values,
+    const List<pointKind>& kinds
+)
+{
+    List<percentiles> spreads(nPointKinds);
+
+    forAll(spreads, kind)
+    {
+        const labelList points(findIndices(kinds, pointKind(kind)));
+        spreads[kind] = makePercentiles(scalarField(values, points));
+    }
+
+    return spreads;
+}
+
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 bool Foam::hasLevelSetReport(const prismLayerMesh& mesh)
@@ -73,20 +98,8 @@ Foam::levelSetReport Foam::makeLevelSetReport(const prismLayerMesh& mesh)
     report.nSaddles = above(critical.saddles);
     report.first = levelSets.firstThickness/uniform.firstThickness;
     report.last = levelSets.thickness/uniform.thickness;
-
-    for (label kind = 0; kind < nPointKinds; ++kind)
-    {
-        const labelList points(findIndices(mesh.pointKinds, pointKind(kind)));
-
-        report.firstOfKind.append
-        (
-            makePercentiles(scalarField(report.first, points))
-        );
-        report.lastOfKind.append
-        (
-            makePercentiles(scalarField(report.last, points))
-        );
-    }
+    report.firstOfKind = spreadsByKind(report.first, mesh.pointKinds);
+    report.lastOfKind = spreadsByKind(report.last, mesh.pointKinds);
 
     return report;
 }
