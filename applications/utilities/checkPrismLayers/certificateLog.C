@@ -15,11 +15,11 @@ License
 namespace Foam
 {
 
-//- What is wrong is named so many times
+//- Number of faults that are named
 static const label nExamples = 10;
 
 
-//- A name of a row, as wide as all are
+//- The name of a row, as wide as those of the other rows
 static std::string padded(const std::string& name)
 {
     const size_t width = 20;
@@ -45,68 +45,40 @@ static word nameOfPatch(const polyMesh& mesh, const label facei)
 }
 
 
-//- Layers on faces of a wall
-struct wallLayers
-{
-    label nFaces = 0;
-    label least = labelMax;
-    label most = 0;
-
-    //- In all, and of the faces with fewer layers than most or asked for
-    scalar area = 0;
-    scalar lacking = 0;
-    label nLacking = 0;
-
-    void count(const labelUList& layers)
-    {
-        nFaces = layers.size();
-
-        for (const label n : layers)
-        {
-            least = min(least, n);
-            most = max(most, n);
-        }
-    }
-
-    void addArea(const scalar a, const bool lacks)
-    {
-        area += a;
-        lacking += lacks ? a : 0;
-        nLacking += lacks;
-    }
-
-    void write(const string& name) const
-    {
-        const scalar share = area > 0 ? 100*(1 - lacking/area) : 100;
-
-        Info<< "    " << padded(name).c_str() << setw(10) << nFaces
-            << setw(8) << (nFaces ? least : 0) << setw(8) << most
-            << setw(12) << (nLacking ? share : 100) << nl;
-    }
-};
-
-
-static wallLayers layersOn
+//- Write a row for faces of walls, with the share of their area that has as
+//  many layers as asked, or as the face with most layers if asked is 0. Returns
+//  whether all faces have as many.
+static bool writeRow
 (
+    const string& name,
     const polyMesh& mesh,
     const labelUList& faces,
     const labelUList& layers,
     const label asked
 )
 {
-    wallLayers wall;
-    wall.count(layers);
+    const label most = faces.empty() ? 0 : max(layers);
+    const label enough = asked ? asked : most;
+    label nLacking = 0;
+    scalar area = 0;
+    scalar lacking = 0;
 
     forAll(faces, i)
     {
-        wall.addArea
-        (
-            mag(mesh.faces()[faces[i]].areaNormal(mesh.points())),
-            layers[i] < (asked ? asked : wall.most)
-        );
+        const scalar a =
+            mag(mesh.faces()[faces[i]].areaNormal(mesh.points()));
+
+        area += a;
+        lacking += layers[i] < enough ? a : 0;
+        nLacking += layers[i] < enough;
     }
 
-    return wall;
+    Info<< "    " << padded(name).c_str() << setw(10) << faces.size()
+        << setw(8) << (faces.empty() ? 0 : min(layers)) << setw(8) << most
+        << setw(12) << (nLacking && area > 0 ? 100*(1 - lacking/area) : 100)
+        << nl;
+
+    return !nLacking;
 }
 
 } // End namespace Foam
@@ -197,27 +169,17 @@ bool Foam::writeLayers
     {
         const polyPatch& patch = mesh.boundaryMesh()[patchi];
         const labelList faces(identity(patch.size(), patch.start()));
+        const SubList<label> layers(certificate.nLayers, patch.size(), start);
 
-        layersOn
-        (
-            mesh,
-            faces,
-            SubList<label>(certificate.nLayers, patch.size(), start),
-            asked
-        ).write(patch.name());
-
+        writeRow(patch.name(), mesh, faces, layers, asked);
         start += patch.size();
         allFaces.append(faces);
     }
 
-    const wallLayers all
-    (
-        layersOn(mesh, allFaces, certificate.nLayers, asked)
-    );
+    const bool complete =
+        writeRow("all walls", mesh, allFaces, certificate.nLayers, asked);
 
-    all.write("all walls");
-
-    return !asked || (all.nFaces && !all.nLacking);
+    return !asked || (complete && allFaces.size());
 }
 
 

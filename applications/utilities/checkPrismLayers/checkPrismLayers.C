@@ -14,10 +14,9 @@ Group
 Description
     The certificate of harmonicPrismMesh for a mesh that any program has made.
 
-    Certified is a mesh whose cells are all positive by exact predicates, where
-    wall and outer surface together do not intersect themselves, and, where
-    layers are asked for, with at least so many on every face of the wall. The
-    exit status is 1 where it is not certified.
+    A mesh is certified if all cells are positive by exact predicates, wall and
+    outer surface together do not intersect themselves, and every face of the
+    wall has as many layers as are asked for. Otherwise the exit status is 1.
 
 Usage
     \b checkPrismLayers [OPTIONS]
@@ -30,8 +29,8 @@ Usage
         Patches with layers; default those of type wall
 
       - \par -outer \<wordRes\>
-        Patches of the outer surface of the layers; default layerOuter. Where
-        there is none no intersections are looked for.
+        Patches of the outer surface of the layers; default layerOuter. Without
+        an outer surface no intersections are looked for.
 
       - \par -layers \<n\>
         Ask for n layers on every face of the walls
@@ -48,8 +47,6 @@ Usage
 #include "wallPolyPatch.H"
 #include "certificateLog.H"
 #include "prismPolyMesh.H"
-
-#include <functional>
 
 using namespace Foam;
 
@@ -94,47 +91,35 @@ static void addOptions()
 }
 
 
-//- The patches of an option, in ascending order, or the default ones
+//- The patches of an option in ascending order, or the default ones
 static labelList patchesOf
 (
     const argList& args,
     const word& option,
-    const polyMesh& mesh,
-    const std::function<bool(const polyPatch&)>& isDefault
+    const polyBoundaryMesh& patches,
+    const labelList& defaults
 )
 {
-    const polyBoundaryMesh& patches = mesh.boundaryMesh();
-
-    if (args.found(option))
+    if (!args.found(option))
     {
-        const wordRes names(args.getList<wordRe>(option));
-        const labelList found(patches.patchSet(names).sortedToc());
-
-        if (found.empty())
-        {
-            FatalErrorInFunction
-                << "No patch is called " << args[option].c_str() << ", only "
-                << patches.names() << exit(FatalError);
-        }
-
-        return found;
+        return defaults;
     }
 
-    DynamicList<label> found;
+    const wordRes names(args.getList<wordRe>(option));
+    const labelList found(patches.patchSet(names).sortedToc());
 
-    for (const polyPatch& patch : patches)
+    if (found.empty())
     {
-        if (isDefault(patch))
-        {
-            found.append(patch.index());
-        }
+        FatalErrorInFunction
+            << "No patch is called " << args[option].c_str() << ", only "
+            << patches.names() << exit(FatalError);
     }
 
-    return labelList(std::move(found));
+    return found;
 }
 
 
-//- No patch is one of both
+//- Errors: FatalError if a patch is a wall and an outer one
 static void checkApart
 (
     const polyMesh& mesh,
@@ -161,11 +146,7 @@ static labelList facesOf(const polyMesh& mesh, const labelUList& patches)
     for (const label patchi : patches)
     {
         const polyPatch& patch = mesh.boundaryMesh()[patchi];
-
-        for (label i = 0; i < patch.size(); ++i)
-        {
-            faces.append(patch.start() + i);
-        }
+        faces.append(identity(patch.size(), patch.start()));
     }
 
     return labelList(std::move(faces));
@@ -187,15 +168,10 @@ static void writeSet(const polyMesh& mesh, const labelUList& cells)
 }
 
 
-int main(int argc, char *argv[])
+//- The layers that -layers asks for, 0 if there is none
+static label layersAsked(const argList& args)
 {
-    addOptions();
-
-    #include "setRootCase.H"
-    #include "createTime.H"
-
-    const label asked =
-        args.found("layers") ? args.get<label>("layers") : 0;
+    const label asked = args.lookupOrDefault<label>("layers", 0);
 
     if (asked < 0)
     {
@@ -203,34 +179,56 @@ int main(int argc, char *argv[])
             << "-layers " << asked << " is negative" << exit(FatalError);
     }
 
+    return asked;
+}
+
+
+static void end(const bool certified)
+{
+    Info<< nl << (certified ? "Certified" : "NOT certified") << nl << endl;
+
+    // What main returns is lost: the destructor of args exits with 0
+    if (!certified)
+    {
+        UPstream::exit(1);
+    }
+}
+
+
+int main(int argc, char *argv[])
+{
+    addOptions();
+
+    #include "setRootCase.H"
+    #include "createTime.H"
+
+    const label asked = layersAsked(args);
     const polyMesh mesh
     (
         IOobject
         (
             args.lookupOrDefault<word>("region", polyMesh::defaultRegion),
-            runTime.timeName(),
-            runTime,
-            IOobject::MUST_READ
+            runTime.timeName(), runTime, IOobject::MUST_READ
         )
     );
 
+    const polyBoundaryMesh& patches = mesh.boundaryMesh();
+    const label outeri = patches.findPatchID(layerOuterName);
     const labelList walls
     (
         patchesOf
         (
-            args, "walls", mesh,
-            [](const polyPatch& p) { return isA<wallPolyPatch>(p); }
+            args, "walls", patches,
+            patches.findPatchIDs<wallPolyPatch>().sortedToc()
         )
     );
     const labelList outer
     (
         patchesOf
         (
-            args, "outer", mesh,
-            [](const polyPatch& p) { return p.name() == layerOuterName; }
+            args, "outer", patches, labelList(outeri < 0 ? 0 : 1, outeri)
         )
     );
-
     checkApart(mesh, walls, outer);
 
     const polyhedralMesh cells
@@ -251,18 +249,12 @@ int main(int argc, char *argv[])
         writeSet(mesh, certificate.invalidCells);
     }
 
-    const bool certified =
+    end
+    (
         certificate.invalidCells.empty()
      && certificate.intersections.empty()
-     && complete;
-
-    Info<< nl << (certified ? "Certified" : "NOT certified") << nl << endl;
-
-    // What main returns is lost: the destructor of args exits with 0
-    if (!certified)
-    {
-        UPstream::exit(1);
-    }
+     && complete
+    );
 
     return 0;
 }

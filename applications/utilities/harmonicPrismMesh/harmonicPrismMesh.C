@@ -130,33 +130,32 @@ static wallSurface readWall
 }
 
 
-//- Whether the wall has defects; reported
-static bool checkWall
+//- The defects of the wall, reported; empty if there are none
+static string checkWall
 (
     const wallSurface& wall,
     const wallReading& reading,
-    stageLog& log,
-    string& defects
+    stageLog& log
 )
 {
     log.begin("wallDefects");
     const List<wallDefect> found(findWallDefects(wall));
     log.end(found.empty() ? "none" : name(found.size()) + " kinds");
 
-    defects = describe(found);
+    string defects(describe(found));
 
-    if (reading.nearPoints)
+    if (found.size() && reading.nearPoints)
     {
         defects += "\n" + name(reading.nearPoints) + " points are nearer than "
           + name(wallReading::nearTolerance) + " of the diagonal to others:"
           + " surface.mergeTolerance makes such points one.";
     }
 
-    return found.size();
+    return defects;
 }
 
 
-//- What is asked for in parts of the wall, looked up and reported
+//- The requests for parts of the wall, looked up and reported
 static localHeights readLocal
 (
     const prismCase& files,
@@ -183,7 +182,7 @@ static localHeights readLocal
 }
 
 
-//- Where the far field is to be: nothing where there is to be none
+//- The domain of the far field, empty if no far field is wanted
 static farFieldDomain readFarField
 (
     const prismCase& files,
@@ -208,11 +207,13 @@ static farFieldDomain readFarField
     );
     domain.bounds = makeSizeBounds(controls, time);
 
-    const wordList& patches = domain.boundary.surface.patchNames;
     const wordList wallPatches(prismPatchNames(wall.patchNames));
+    string names;
 
-    for (const word& patch : patches)
+    for (const word& patch : domain.boundary.surface.patchNames)
     {
+        names += ' ' + patch;
+
         if (wallPatches.found(patch))
         {
             FatalErrorInFunction
@@ -221,18 +222,14 @@ static farFieldDomain readFarField
         }
     }
 
-    string names;
-    for (const word& patch : patches)
-    {
-        names += ' ' + patch;
-    }
     log.end(controls.boundary.type + names);
 
     return domain;
 }
 
 
-//- The points where no layers are possible are named and written
+//- The mesh. Errors: FatalError with the file of the points at which no layers
+//  are possible
 static prismLayerMesh makeMesh
 (
     const prismCase& files,
@@ -273,24 +270,18 @@ int main(int argc, char *argv[])
     wallReading reading;
     const wallSurface wall(readWall(files, controls.surface, reading, log));
 
-    string defects;
-    const bool defective = checkWall(wall, reading, log, defects);
+    const string defects(checkWall(wall, reading, log));
 
     if (args.found("checkSurface"))
     {
-        Info<< nl << (defective ? defects.c_str() : "Surface OK.") << nl
+        Info<< nl << (defects.empty() ? "Surface OK." : defects.c_str()) << nl
             << nl << "End" << nl << endl;
 
         // What main returns is lost: the destructor of args exits with 0
-        if (defective)
-        {
-            UPstream::exit(1);
-        }
-
-        return 0;
+        UPstream::exit(defects.empty() ? 0 : 1);
     }
 
-    if (defective)
+    if (defects.size())
     {
         FatalErrorInFunction
             << "The surface " << controls.surface.file

@@ -11,10 +11,10 @@ License
 #include "argList.H"
 #include "farFieldReport.H"
 #include "MeshedSurface.H"
-#include "OFstream.H"
 #include "OSspecific.H"
 #include "polyMesh.H"
 #include "prismPolyMesh.H"
+#include "replacedFiles.H"
 #include "Time.H"
 #include "wallPointsError.H"
 #include "writeStageFields.H"
@@ -25,30 +25,20 @@ License
 namespace Foam
 {
 
-static const word dictName("harmonicPrismMeshDict");
+//- The end of the last line of OpenFOAM's files
+static const char* const dividerEnd = "* //";
 
 
 static IOobject dictObject(const argList& args, const Time& time)
 {
-    if (args.found("dict"))
-    {
-        fileName file(args["dict"]);
-
-        if (isDir(file))
-        {
-            file = file/dictName;
-        }
-
-        return IOobject(file, time, IOobject::MUST_READ, IOobject::NO_WRITE);
-    }
-
-    return IOobject
+    return IOobject::selectIO
     (
-        dictName,
-        time.system(),
-        time,
-        IOobject::MUST_READ,
-        IOobject::NO_WRITE
+        IOobject
+        (
+            "harmonicPrismMeshDict", time.system(), time,
+            IOobject::MUST_READ, IOobject::NO_WRITE
+        ),
+        args.found("dict") ? fileName(args["dict"]) : fileName::null
     );
 }
 
@@ -64,12 +54,19 @@ static MeshedSurface<face> outerSurface(const prismLayers& layers)
     );
 }
 
+
+static void throwErrors(const bool on)
+{
+    FatalError.throwExceptions(on);
+    FatalIOError.throwExceptions(on);
+}
+
 } // End namespace Foam
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::prismCase::prismCase(const argList& args, const Time& time)
+Foam::prismCase::prismCase(const argList& args, Time& time)
 :
     args_(args),
     time_(time),
@@ -80,11 +77,17 @@ Foam::prismCase::prismCase(const argList& args, const Time& time)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::fileName Foam::prismCase::polyMeshFolder() const
+Foam::fileName Foam::prismCase::polyMeshPath() const
 {
-    return time_.path()/time_.constant()
+    return time_.constant()
        /(region_ == polyMesh::defaultRegion ? word::null : region_)
        /polyMesh::meshSubDir;
+}
+
+
+Foam::fileName Foam::prismCase::polyMeshFolder() const
+{
+    return time_.path()/polyMeshPath();
 }
 
 
@@ -92,6 +95,12 @@ Foam::fileName Foam::prismCase::reportFolder() const
 {
     return time_.path()/"postProcessing"/"harmonicPrismMesh"
        /(region_ == polyMesh::defaultRegion ? word::null : region_);
+}
+
+
+Foam::fileName Foam::prismCase::reportFile() const
+{
+    return reportFolder()/"report";
 }
 
 
@@ -153,15 +162,16 @@ Foam::fileName Foam::prismCase::writeFailedPoints
 {
     vtkGrid grid;
     grid.points = failure.points();
-    scalarField labels(grid.points.size());
-
-    forAll(labels, i)
+    forAll(grid.points, i)
     {
-        labels[i] = failure.labels()[i];
         grid.addCell(vtkCell::vertex, labelList(1, i));
     }
 
-    grid.pointFields.add("wallPoint", labels);
+    const labelList& labels = failure.labels();
+    grid.pointFields.add
+    (
+        "wallPoint", scalarList(labels.begin(), labels.end())
+    );
     mkDir(reportFolder());
     writeVtk(failedPointsFile(), grid);
 
@@ -181,53 +191,26 @@ Foam::fileName Foam::prismCase::outerFile() const
 }
 
 
-void Foam::prismCase::writeOuter(const prismLayers& layers) const
+void Foam::prismCase::writeOuter
+(
+    const prismLayers& layers,
+    replacedFiles& files
+) const
 {
-    mkDir(outerFile().path());
-    outerSurface(layers).write(outerFile());
+    const word name(outerFile().name());
+    const fileName file(files.scratch(outerFile(), name)/name);
 
-    // The surface's own writer does not look whether its last bytes arrived
-    if (!isFile(outerFile(), false) || !fileSize(outerFile(), false))
-    {
-        FatalErrorInFunction
-            << "Cannot write " << outerFile() << exit(FatalError);
-    }
-}
-
-
-void Foam::prismCase::writeReport(const dictionary& report) const
-{
-    IOstream::defaultPrecision(6);
-    mkDir(reportFolder());
-    OFstream os(reportFolder()/"report");
-    IOobject::writeBanner(os);
-    report.write(os, false);
-    IOobject::writeEndDivider(os);
-    os.flush();
-
-    if (!os.good())
-    {
-        FatalErrorInFunction
-            << "Cannot write " << os.name() << exit(FatalError);
-    }
+    outerSurface(layers).write(file);
+    checkEnd(file, "# </faces>");
 }
 
 
 Foam::autoPtr<Foam::polyMesh> Foam::prismCase::writeMesh
 (
-    prismLayerMesh& m
+    prismLayerMesh& m,
+    replacedFiles& files
 ) const
 {
-    // The old mesh is there until the new one is; nothing of it may stay, and
-    // polyMesh would read its tetBasePtIs
-    const fileName folder(polyMeshFolder());
-    const fileName aside(folder + ".old");
-    if (isDir(aside))
-    {
-        rmDir(aside);
-    }
-    const bool replaces = isDir(folder) && mv(folder, aside);
-
     autoPtr<polyMesh> mesh
     (
         makePrismPolyMesh
@@ -242,31 +225,35 @@ Foam::autoPtr<Foam::polyMesh> Foam::prismCase::writeMesh
         )
     );
 
-    if (!mesh->write())
-    {
-        rmDir(folder);
-        if (replaces)
-        {
-            mv(aside, folder);
-        }
+    // The scratch folder is the case while the mesh is written
+    const fileName scratch(files.scratch(polyMeshFolder(), polyMeshPath()));
+    const fileName caseName(time_.caseName());
+    time_.caseName() = scratch.relative(time_.rootPath());
+    const bool written = mesh->write();
+    time_.caseName() = caseName;
 
-        FatalErrorInFunction << "Cannot write " << folder << exit(FatalError);
+    if (!written)
+    {
+        FatalErrorInFunction << "Cannot write to it" << exit(FatalError);
     }
 
-    if (replaces)
+    // OpenFOAM does not look whether the last bytes of a file arrived
+    const fileName folder(scratch/polyMeshPath());
+    for (const fileName& file : readDir(folder, fileName::FILE))
     {
-        rmDir(aside);
+        checkEnd(folder/file, dividerEnd);
     }
 
     return mesh;
 }
 
 
-void Foam::prismCase::write
+void Foam::prismCase::writeAll
 (
     const wallSurface& wall,
     prismLayerMesh& m,
-    stageLog& log
+    stageLog& log,
+    replacedFiles& files
 ) const
 {
     log.begin("prismPolyMesh");
@@ -275,7 +262,7 @@ void Foam::prismCase::write
     // What was certified is what is written: no digit may be lost
     IOstream::defaultPrecision(17);
 
-    writeOuter(m.made.layers);
+    writeOuter(m.made.layers, files);
     layerReport report
     (
         makeLayerReport
@@ -289,7 +276,7 @@ void Foam::prismCase::write
     report.nFurtherColumns = m.front.furtherRoots().size();
     report.nRetreats = m.made.nRetreats;
 
-    const autoPtr<polyMesh> mesh(writeMesh(m));
+    const autoPtr<polyMesh> mesh(writeMesh(m, files));
     log.end
     (
         name(mesh->nCells()) + " cells, " + name(mesh->nFaces()) + " faces"
@@ -306,12 +293,43 @@ void Foam::prismCase::write
         Foam::write(Info, far);
     }
 
-    writeReport(entries);
+    IOstream::defaultPrecision(6);
+    writeReport(files.scratch(reportFile(), "report")/"report", entries);
+    files.replaceAll();
+}
+
+
+void Foam::prismCase::write
+(
+    const wallSurface& wall,
+    prismLayerMesh& m,
+    stageLog& log
+) const
+{
+    replacedFiles files;
+    throwErrors(true);
+
+    try
+    {
+        writeAll(wall, m, log, files);
+    }
+    catch (const Foam::error& failure)
+    {
+        throwErrors(false);
+        files.removeScratch();
+
+        FatalErrorInFunction
+            << "Cannot write " << files.current() << nl
+            << failure.message().c_str() << nl
+            << "All files of the case are as they were" << exit(FatalError);
+    }
+
+    throwErrors(false);
     rm(failedPointsFile());
 
     Info<< nl << "Mesh:   " << polyMeshFolder() << nl
         << "Outer:  " << outerFile() << nl
-        << "Report: " << reportFolder()/"report" << nl << endl;
+        << "Report: " << reportFile() << nl << endl;
 }
 
 

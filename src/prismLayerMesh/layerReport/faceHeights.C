@@ -10,27 +10,6 @@ License
 #include "faceHeights.H"
 #include "stackHeights.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-
-//- Mean over the points of a face
-static scalar faceMean(const scalarField& field, const face& f)
-{
-    scalar sum = 0;
-
-    for (const label p : f)
-    {
-        sum += field[p];
-    }
-
-    return sum/f.size();
-}
-
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 Foam::faceHeights Foam::makeFaceHeights
@@ -57,14 +36,14 @@ Foam::faceHeights Foam::makeFaceHeights
         const face& f = wall.faces[facei];
         stack.compute(facei);
         const scalarField& heights = stack.heights();
-        const scalar ratio = faceMean(request.ratio, f);
+        const scalar ratio = average(scalarField(request.ratio, f));
 
         result.areas[facei] = stack.wallArea();
         result.first[facei] = heights[0];
         result.firstOverRequest[facei] =
-            heights[0]/faceMean(request.firstThickness, f);
+            heights[0]/average(scalarField(request.firstThickness, f));
         result.totalOverRequest[facei] =
-            sum(heights)/faceMean(request.thickness, f);
+            sum(heights)/average(scalarField(request.thickness, f));
 
         for (label i = 1; i < n; ++i)
         {

@@ -8,7 +8,10 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "farFieldReport.H"
-#include "dictionary.H"
+#include "DynamicField.H"
+#include "polyMeshTools.H"
+#include "prismPolyMesh.H"
+#include "unitConversion.H"
 
 #include <iomanip>
 #include <sstream>
@@ -17,6 +20,59 @@ License
 
 namespace Foam
 {
+
+//- What checkMesh accepts: non-orthogonality [deg] and skewness
+static const scalar goodAngle = 70;
+static const scalar goodSkewness = 4;
+
+
+static scalarField nonOrthogonality(const polyMesh& mesh)
+{
+    scalarField angles
+    (
+        polyMeshTools::faceOrthogonality
+        (
+            mesh, mesh.faceAreas(), mesh.cellCentres()
+        )
+    );
+    for (scalar& angle : angles)
+    {
+        angle = radToDeg(::acos(max(-1.0, min(1.0, angle))));
+    }
+
+    return angles;
+}
+
+
+static faceQuality qualityOf
+(
+    const labelUList& faces,
+    const scalarField& allAngles,
+    const scalarField& allSkewness,
+    const vectorField& centres
+)
+{
+    const scalarField angles(allAngles, faces);
+    const scalarField skewness(allSkewness, faces);
+
+    faceQuality quality;
+    quality.nFaces = faces.size();
+    quality.nonOrthogonality = makePercentiles(angles);
+    quality.skewness = makePercentiles(skewness);
+
+    DynamicField<point> places;
+    forAll(faces, i)
+    {
+        if (angles[i] > goodAngle || skewness[i] > goodSkewness)
+        {
+            places.append(centres[faces[i]]);
+        }
+    }
+    quality.poorPlaces = places;
+
+    return quality;
+}
+
 
 static dictionary toDictionary(const faceQuality& quality)
 {
@@ -59,6 +115,58 @@ static void write
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::farFieldReport Foam::makeFarFieldReport(const polyMesh& mesh)
+{
+    const label nLayerCells = mesh.cellZones()[boundaryLayerName].size();
+    const vectorField& centres = mesh.faceCentres();
+    const scalarField& volumes = mesh.cellVolumes();
+    const scalarField angles(nonOrthogonality(mesh));
+    const scalarField skewness
+    (
+        polyMeshTools::faceSkewness
+        (
+            mesh, mesh.points(), centres, mesh.faceAreas(), mesh.cellCentres()
+        )
+    );
+
+    // By the number of cells in the far field
+    FixedList<DynamicList<label>, 3> faces;
+    DynamicField<scalar> volumeRatios;
+
+    for (label facei = 0; facei < mesh.nInternalFaces(); ++facei)
+    {
+        const label owner = mesh.faceOwner()[facei];
+        const label neighbour = mesh.faceNeighbour()[facei];
+        const label nFar = (owner >= nLayerCells) + (neighbour >= nLayerCells);
+
+        faces[nFar].append(facei);
+
+        if (nFar == 1)
+        {
+            volumeRatios.append(volumes[neighbour]/volumes[owner]);
+        }
+    }
+
+    farFieldReport report;
+    report.nCells = mesh.nCells() - nLayerCells;
+    report.layers = qualityOf(faces[0], angles, skewness, centres);
+    report.transition = qualityOf(faces[1], angles, skewness, centres);
+    report.farField = qualityOf(faces[2], angles, skewness, centres);
+    report.volumeRatio = makePercentiles(volumeRatios);
+
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (patch.size() && patch.faceCells()[0] >= nLayerCells)
+        {
+            report.patches.append(patch.name());
+            report.patchFaces.append(patch.size());
+        }
+    }
+
+    return report;
+}
+
 
 Foam::dictionary Foam::toDictionary(const farFieldReport& report)
 {

@@ -7,230 +7,117 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-
 #include "layerReport.H"
 #include "faceHeights.H"
 #include "prismPolyMesh.H"
 #include "bitSet.H"
 #include "DynamicField.H"
+#include "IOobject.H"
+#include "ListOps.H"
+#include "OFstream.H"
 
 #include <algorithm>
 #include <fstream>
-#include <sys/resource.h>
 #include <string>
+#include <sys/resource.h>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
-
-//- What is known of the faces of a patch, from which its report is made
-struct patchSample
+namespace
 {
-    label nFaces = 0;
-    scalar area = 0;
-    scalar fullLayersArea = 0;
-    scalar fullThicknessArea = 0;
 
-    layerRequest request;
-    label layersAsked = 0;
-    label layersReached = labelMax;
-    scalar worstJacobian = GREAT;
-    scalar sumJacobian = 0;
+//- What is reported of the wall's faces and points
+struct wallSample
+{
+    const wallSurface& wall;
+    const layerSpacing& spacing;
+    const faceHeights& heights;
+    const layerCertificate& certificate;
+    const UList<squeezeCause>& causes;
 
-    DynamicField<scalar> firstHeight;
-    DynamicField<scalar> totalThickness;
-    DynamicField<scalar> growth;
+    patchReport report(const word& name, const labelUList& faces) const;
 
-
-    //- Add a face. Its cells are positive up to layersHere, of nLayers
-    void add
-    (
-        const faceHeights& heights,
-        label facei,
-        label nLayers,
-        label layersHere,
-        scalar jacobian
-    );
-
-    void add(const patchSample& other);
-
-    //- The values are reordered
-    patchReport report(const word& name);
+    //- Complete what the points of the faces say
+    void addPoints(const labelUList& faces, patchReport& patch) const;
 };
 
 
-void patchSample::add
+void wallSample::addPoints
 (
-    const faceHeights& heights,
-    const label facei,
-    const label nLayers,
-    const label layersHere,
-    const scalar jacobian
-)
+    const labelUList& faces,
+    patchReport& patch
+) const
 {
-    const label n = nLayers - 1;
-    const scalar faceArea = heights.areas[facei];
-    const scalar thickness = heights.totalOverRequest[facei];
+    bitSet points;
 
-    firstHeight.append(heights.firstOverRequest[facei]);
-    totalThickness.append(thickness);
-    growth.append(SubList<scalar>(heights.growthOverRequest, n, facei*n));
+    for (const label facei : faces)
+    {
+        const face& f = wall.faces[facei];
+        points.set(f);
 
-    ++nFaces;
-    area += faceArea;
-    fullLayersArea += layersHere == nLayers ? faceArea : 0;
-    fullThicknessArea += thickness >= 0.99 ? faceArea : 0;
+        // Between patches, the thinner one's count
+        patch.layersAsked =
+            max(patch.layersAsked, min(labelList(spacing.layersAsked, f)));
+    }
 
-    layersReached = min(layersReached, layersHere);
-    worstJacobian = min(worstJacobian, jacobian);
-    sumJacobian += jacobian;
+    for (const label p : points)
+    {
+        patch.request.firstThickness.add(spacing.firstThickness[p]);
+        patch.request.ratio.add(spacing.ratio[p]);
+        patch.request.thickness.add(spacing.thickness[p]);
+        ++patch.points[int(causes[p])];
+    }
 }
 
 
-void patchSample::add(const patchSample& other)
-{
-    nFaces += other.nFaces;
-    area += other.area;
-    fullLayersArea += other.fullLayersArea;
-    fullThicknessArea += other.fullThicknessArea;
-
-    request.add(other.request);
-    layersAsked = max(layersAsked, other.layersAsked);
-    layersReached = min(layersReached, other.layersReached);
-    worstJacobian = min(worstJacobian, other.worstJacobian);
-    sumJacobian += other.sumJacobian;
-
-    firstHeight.append(other.firstHeight);
-    totalThickness.append(other.totalThickness);
-    growth.append(other.growth);
-}
-
-
-patchReport patchSample::report(const word& name)
+patchReport wallSample::report
+(
+    const word& name,
+    const labelUList& faces
+) const
 {
     patchReport patch;
     patch.name = name;
-    patch.nFaces = nFaces;
-    patch.area = area;
-    patch.request = request;
-    patch.layersAsked = layersAsked;
+    patch.nFaces = faces.size();
 
-    if (nFaces)
+    const label n = spacing.nLayers - 1;
+    scalar fullArea = 0;
+    DynamicField<scalar> growth;
+
+    for (const label facei : faces)
     {
-        patch.layersReached = layersReached;
-        patch.fullLayersArea = 100*fullLayersArea/max(area, VSMALL);
-        patch.fullThicknessArea = 100*fullThicknessArea/max(area, VSMALL);
-        patch.worstJacobian = worstJacobian;
-        patch.meanJacobian = sumJacobian/nFaces;
+        const scalar area = heights.areas[facei];
+        patch.area += area;
+        fullArea += heights.totalOverRequest[facei] >= 0.99 ? area : 0;
+        growth.append(SubList<scalar>(heights.growthOverRequest, n, facei*n));
     }
 
-    patch.firstHeight = makePercentiles(firstHeight);
-    patch.totalThickness = makePercentiles(totalThickness);
+    if (faces.size())
+    {
+        const scalarField jacobians(certificate.worstJacobian, faces);
+
+        // The certificate is valid
+        patch.layersReached = spacing.nLayers;
+        patch.fullLayersArea = 100;
+        patch.fullThicknessArea = 100*fullArea/max(patch.area, VSMALL);
+        patch.worstJacobian = min(jacobians);
+        patch.meanJacobian = average(jacobians);
+    }
+
+    patch.firstHeight =
+        makePercentiles(scalarField(heights.firstOverRequest, faces));
+    patch.totalThickness =
+        makePercentiles(scalarField(heights.totalOverRequest, faces));
     patch.growth = makePercentiles(growth);
+    addPoints(faces, patch);
 
     return patch;
 }
 
-
-//- Layers below the lowest cell that is not positive
-static labelList validLayers
-(
-    const prismLayers& layers,
-    const layerCertificate& certificate
-)
-{
-    labelList valid(layers.faces.size(), layers.nLayers);
-
-    return valid;
-}
-
-
-static List<patchSample> samplePatches
-(
-    const wallSurface& wall,
-    const layerSpacing& spacing,
-    const faceHeights& heights,
-    const prismLayers& layers,
-    const layerCertificate& certificate
-)
-{
-    List<patchSample> samples(wall.patchNames.size());
-
-    const labelList valid(validLayers(layers, certificate));
-
-    forAll(wall.faces, facei)
-    {
-        patchSample& sample = samples[wall.patchIDs[facei]];
-        const face& f = wall.faces[facei];
-
-        sample.add
-        (
-            heights,
-            facei,
-            layers.nLayers,
-            valid[facei],
-            certificate.worstJacobian[facei]
-        );
-
-        // Between patches, the thinner one's count
-        sample.layersAsked =
-            max(sample.layersAsked, min(labelList(spacing.layersAsked, f)));
-
-        for (const label p : f)
-        {
-            sample.request.add(spacing, p);
-        }
-    }
-
-    return samples;
-}
-
-//- Points of the faces of patches by their cause
-static void countCauses
-(
-    const wallSurface& wall,
-    const UList<squeezeCause>& causes,
-    List<patchReport>& patches
-)
-{
-    List<bitSet> points(patches.size());
-
-    forAll(wall.faces, facei)
-    {
-        points[wall.patchIDs[facei]].set(wall.faces[facei]);
-    }
-
-    forAll(patches, patchi)
-    {
-        patches[patchi].points = Zero;
-
-        for (const label p : points[patchi])
-        {
-            ++patches[patchi].points[int(causes[p])];
-        }
-    }
-}
-
+} // End anonymous namespace
 } // End namespace Foam
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::layerRequest::add(const layerSpacing& spacing, const label p)
-{
-    firstThickness.add(spacing.firstThickness[p]);
-    ratio.add(spacing.ratio[p]);
-    thickness.add(spacing.thickness[p]);
-}
-
-
-void Foam::layerRequest::add(const layerRequest& other)
-{
-    firstThickness.add(other.firstThickness);
-    ratio.add(other.ratio);
-    thickness.add(other.thickness);
-}
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
@@ -259,7 +146,7 @@ Foam::scalar Foam::peakMemory()
 }
 
 
-Foam::percentiles Foam::makePercentiles(scalarField& values)
+Foam::percentiles Foam::makePercentiles(scalarField values)
 {
     percentiles result;
 
@@ -304,12 +191,31 @@ Foam::layerReport Foam::makeLayerReport
     const UList<squeezeCause>& causes
 )
 {
+    const faceHeights heights(makeFaceHeights(wall, spacing, layers));
+    const wallSample sample{wall, spacing, heights, certificate, causes};
+
     layerReport report;
     report.nWallFaces = wall.faces.size();
     report.nWallPoints = wall.points.size();
     report.nCells = certificate.nCells;
-    report.nInvalidCells = certificate.nStacksNotPositive;
-    report.nIntersectingPairs = certificate.nIntersectingPairs;
+    report.firstHeightChange =
+        makePercentiles(changesOverEdges(addressing, heights.first));
+    report.wall = sample.report("allPatches", identity(report.nWallFaces));
+
+    const wordList names(prismPatchNames(wall.patchNames));
+    const labelListList patchFaces
+    (
+        invertOneToMany(names.size(), wall.patchIDs)
+    );
+    forAll(names, patchi)
+    {
+        report.patches.append(sample.report(names[patchi], patchFaces[patchi]));
+    }
+
+    for (const squeezeCause cause : causes)
+    {
+        ++report.columns[int(cause)];
+    }
 
     for (const label facei : certificate.outlyingCentres)
     {
@@ -322,42 +228,22 @@ Foam::layerReport Foam::makeLayerReport
         report.outlyingCentres.append(mean);
     }
 
-    const faceHeights heights(makeFaceHeights(wall, spacing, layers));
-    List<patchSample> samples
-    (
-        samplePatches(wall, spacing, heights, layers, certificate)
-    );
-    scalarField changes(changesOverEdges(addressing, heights.first));
-    report.firstHeightChange = makePercentiles(changes);
-
-    patchSample all;
-    for (const patchSample& sample : samples)
-    {
-        all.add(sample);
-    }
-    report.wall = all.report("allPatches");
-    report.wall.points = Zero;
-
-    const wordList names(prismPatchNames(wall.patchNames));
-    report.patches.setSize(names.size());
-    forAll(samples, patchi)
-    {
-        report.patches[patchi] = samples[patchi].report(names[patchi]);
-    }
-    countCauses(wall, causes, report.patches);
-
-    report.points = Zero;
-    report.columns = Zero;
-    for (const squeezeCause cause : causes)
-    {
-        ++report.columns[int(cause)];
-    }
-    for (label p = 0; p < report.nWallPoints; ++p)
-    {
-        ++report.wall.points[int(causes[p])];
-    }
-
     return report;
+}
+
+
+void Foam::writeReport(const fileName& file, const dictionary& report)
+{
+    OFstream os(file);
+    IOobject::writeBanner(os);
+    report.write(os, false);
+    IOobject::writeEndDivider(os);
+    os.flush();
+
+    if (!os.good())
+    {
+        FatalErrorInFunction << "Cannot write " << file << exit(FatalError);
+    }
 }
 
 

@@ -7,12 +7,12 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-
 #include "layerReport.H"
 #include "dictionary.H"
 #include "Switch.H"
 
 #include <iomanip>
+#include <numeric>
 #include <sstream>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -94,14 +94,13 @@ static dictionary pointsDictionary(const layerReport& report)
 
 static dictionary columnsDictionary(const layerReport& report)
 {
-    label nColumns = 0;
-    for (const label n : report.columns)
-    {
-        nColumns += n;
-    }
+    const auto& columns = report.columns;
 
     dictionary dict;
-    dict.add("total", nColumns);
+    dict.add
+    (
+        "total", std::accumulate(columns.begin(), columns.end(), label(0))
+    );
     dict.add("fullThickness", report.columns[0]);
     dict.add("squeezed", squeezedDictionary(report.columns));
     dict.add("multipleNormals", report.nFurtherColumns);
@@ -127,111 +126,93 @@ static dictionary stagesDictionary(const UList<stageCost>& stages)
 }
 
 
-//- With three decimals
-static std::string fixed(const scalar value)
+//- The 1, 50 and 99 % percentiles
+static std::ostream& operator<<(std::ostream& os, const percentiles& spread)
 {
-    std::ostringstream text;
-    text << std::fixed << std::setprecision(3) << value;
-
-    return text.str();
+    return os
+        << std::setprecision(3) << std::setw(8) << spread.p1
+        << std::setw(7) << spread.p50 << std::setw(7) << spread.p99;
 }
 
 
-//- Rows of a table: text on the left, numbers on the right
-class tableWriter
+static void addHeader(std::ostream& os, const int nameWidth)
 {
-    std::ostringstream text_;
-    const int nameWidth_;
-
-public:
-
-    explicit tableWriter(const int nameWidth)
-    :
-        nameWidth_(nameWidth)
-    {
-        text_ << std::fixed;
-    }
-
-    void startRow(const std::string& name)
-    {
-        text_ << std::left << std::setw(nameWidth_) << name << std::right;
-    }
-
-    void endRow()
-    {
-        text_ << '\n';
-    }
-
-    template<class Type>
-    void add(const int width, const Type& value, const int precision = 0)
-    {
-        text_
-            << std::setw(width) << std::setprecision(precision) << value;
-    }
-
-    void addSpread(const percentiles& spread)
-    {
-        add(8, spread.p1, 3);
-        add(7, spread.p50, 3);
-        add(7, spread.p99, 3);
-    }
-
-    std::string text() const
-    {
-        return text_.str();
-    }
-};
-
-
-static void addHeader(tableWriter& table)
-{
-    table.startRow("");
-    table.add(9, "");
-    table.add(9, "layers");
-    table.add(7, "full");
-    table.add(7, "thick");
-    table.add(22, "first height/asked");
-    table.add(22, "thickness/asked");
-    table.add(8, "growth");
-    table.add(8, "worst");
-    table.endRow();
-
-    table.startRow("patch");
-    table.add(9, "faces");
-    table.add(9, "of asked");
-    table.add(7, "area%");
-    table.add(7, "area%");
-
-    for (label i = 0; i < 2; ++i)
-    {
-        table.add(8, "p1");
-        table.add(7, "p50");
-        table.add(7, "p99");
-    }
-
-    table.add(8, "p99");
-    table.add(8, "Jacob.");
-    table.endRow();
+    os  << std::left << std::setw(nameWidth) << ""
+        << "            layers   full  thick"
+        << "    first height/asked       thickness/asked  growth   worst\n"
+        << std::setw(nameWidth) << "patch"
+        << "    faces of asked  area%  area%"
+        << "      p1    p50    p99      p1    p50    p99     p99  Jacob.\n";
 }
 
 
-static void addRow(tableWriter& table, const patchReport& patch)
+static void addRow
+(
+    std::ostream& os,
+    const int nameWidth,
+    const patchReport& patch
+)
 {
-    table.startRow(patch.name);
-    table.add(9, patch.nFaces);
-    table.add
+    const std::string layers
     (
-        9,
         std::to_string(patch.layersReached) + '/'
       + std::to_string(patch.layersAsked)
     );
-    table.add(7, patch.fullLayersArea, 2);
-    table.add(7, patch.fullThicknessArea, 2);
-    table.addSpread(patch.firstHeight);
-    table.addSpread(patch.totalThickness);
-    table.add(8, patch.growth.p99, 3);
-    table.add(8, patch.worstJacobian, 3);
-    table.endRow();
+
+    os  << std::left << std::setw(nameWidth) << patch.name << std::right
+        << std::setw(9) << patch.nFaces << std::setw(9) << layers
+        << std::setprecision(2) << std::setw(7) << patch.fullLayersArea
+        << std::setw(7) << patch.fullThicknessArea
+        << patch.firstHeight << patch.totalThickness
+        << std::setw(8) << patch.growth.p99
+        << std::setw(8) << patch.worstJacobian << '\n';
+}
+
+
+//- One row for each patch, and one for all of several
+static void addTable(std::ostream& os, const layerReport& report)
+{
+    size_t nameWidth = report.wall.name.size();
+    for (const patchReport& patch : report.patches)
+    {
+        nameWidth = std::max(nameWidth, patch.name.size());
+    }
+
+    addHeader(os, nameWidth);
+
+    for (const patchReport& patch : report.patches)
+    {
+        addRow(os, nameWidth, patch);
+    }
+
+    if (report.patches.size() > 1)
+    {
+        addRow(os, nameWidth, report.wall);
+    }
+}
+
+
+//- Numbers of columns by cause, and of points by kind
+static void addCounts(std::ostream& os, const layerReport& report)
+{
+    os  << "Columns of full thickness " << report.columns[0]
+        << ", squeezed by";
+
+    for (label cause = 1; cause < nSqueezeCauses; ++cause)
+    {
+        os  << (cause > 1 ? "," : "") << ' '
+            << name(squeezeCause(cause)) << ' ' << report.columns[cause];
+    }
+
+    os  << "\nPoints of the wall:";
+
+    for (label kind = 0; kind < nPointKinds; ++kind)
+    {
+        os  << (kind ? "," : "") << ' ' << name(pointKind(kind)) << ' '
+            << report.points[kind];
+    }
+
+    os  << "; further columns on them " << report.nFurtherColumns << '\n';
 }
 
 } // End namespace Foam
@@ -263,16 +244,13 @@ Foam::dictionary Foam::toDictionary(const layerReport& report)
     wall.add("emptyCones", report.points[int(pointKind::empty)]);
     wall.add("pointKinds", pointsDictionary(report));
 
+    // Layers without a valid certificate are not reported
     dictionary certificate;
     certificate.add("cells", report.nCells);
-    certificate.add("invalidCells", report.nInvalidCells);
-    certificate.add("intersectingPairs", report.nIntersectingPairs);
+    certificate.add("invalidCells", label(0));
+    certificate.add("intersectingPairs", label(0));
     certificate.add("outlyingCentres", report.outlyingCentres.size());
-    certificate.add
-    (
-        "valid",
-        Switch(!report.nInvalidCells && !report.nIntersectingPairs)
-    );
+    certificate.add("valid", Switch(true));
 
     dictionary patches;
     for (const patchReport& patch : report.patches)
@@ -296,67 +274,34 @@ Foam::dictionary Foam::toDictionary(const layerReport& report)
 
 void Foam::write(Ostream& os, const layerReport& report)
 {
+    std::ostringstream text;
+
     if (report.noField.size())
     {
-        os  << "Columns do not follow a field: " << report.noField.c_str()
-            << nl;
+        text<< "Columns do not follow a field: " << report.noField << '\n';
     }
 
-    size_t nameWidth = report.wall.name.size();
-    for (const patchReport& patch : report.patches)
-    {
-        nameWidth = std::max(nameWidth, patch.name.size());
-    }
+    text<< std::fixed;
+    addTable(text, report);
 
-    tableWriter table(nameWidth);
-    addHeader(table);
-
-    for (const patchReport& patch : report.patches)
-    {
-        addRow(table, patch);
-    }
-
-    if (report.patches.size() > 1)
-    {
-        addRow(table, report.wall);
-    }
-
-    os  << table.text().c_str() << nl
-        << "Cells " << report.nCells
-        << ", not positive " << report.nInvalidCells
-        << ", intersecting pairs " << report.nIntersectingPairs << nl
+    // Layers without a valid certificate are not reported
+    text<< std::setprecision(3)
+        << "\nCells " << report.nCells
+        << ", not positive 0, intersecting pairs 0\n"
         << "First height from face to face changes by a factor of at most "
-        << fixed(report.firstHeightChange.max).c_str() << ", on 99 % of edges "
-        << fixed(report.firstHeightChange.p99).c_str() << nl;
+        << report.firstHeightChange.max << ", on 99 % of edges "
+        << report.firstHeightChange.p99 << '\n';
 
+    text<< std::defaultfloat << std::setprecision(6);
     for (const point& x : report.outlyingCentres)
     {
-        std::ostringstream place;
-        place << '(' << x.x() << ' ' << x.y() << ' ' << x.z() << ')';
-
-        os  << "A cell's centre is outside of it, which checkMesh calls faces"
-            << " incorrectly oriented: on the wall at " << place.str().c_str()
-            << nl;
+        text<< "A cell's centre is outside of it, which checkMesh calls faces"
+            << " incorrectly oriented: on the wall at (" << x.x() << ' '
+            << x.y() << ' ' << x.z() << ")\n";
     }
 
-    os  << "Columns of full thickness " << report.columns[0]
-        << ", squeezed by";
-
-    for (label cause = 1; cause < nSqueezeCauses; ++cause)
-    {
-        os  << (cause > 1 ? "," : "") << ' '
-            << name(squeezeCause(cause)) << ' ' << report.columns[cause];
-    }
-
-    os  << nl << "Points of the wall:";
-
-    for (label kind = 0; kind < nPointKinds; ++kind)
-    {
-        os  << (kind ? "," : "") << ' ' << name(pointKind(kind)) << ' '
-            << report.points[kind];
-    }
-
-    os  << "; further columns on them " << report.nFurtherColumns << nl;
+    addCounts(text, report);
+    os  << text.str().c_str();
 }
 
 

@@ -10,7 +10,7 @@ License
 #include "levelSetReport.H"
 #include "criticalPoints.H"
 #include "levelSets.H"
-#include "DynamicField.H"
+#include "ListOps.H"
 
 #include <algorithm>
 
@@ -19,24 +19,21 @@ License
 namespace Foam
 {
 
-static percentiles spreadOf
+static List<percentiles> spreadsByKind
 (
     const scalarField& values,
-    const List<pointKind>& kinds,
-    const pointKind kind
+    const List<pointKind>& kinds
 )
 {
-    DynamicField<scalar> some;
+    List<percentiles> spreads(nPointKinds);
 
-    forAll(values, p)
+    forAll(spreads, kind)
     {
-        if (kinds[p] == kind)
-        {
-            some.append(values[p]);
-        }
+        const labelList points(findIndices(kinds, pointKind(kind)));
+        spreads[kind] = makePercentiles(scalarField(values, points));
     }
 
-    return makePercentiles(some);
+    return spreads;
 }
 
 } // End namespace Foam
@@ -101,18 +98,8 @@ Foam::levelSetReport Foam::makeLevelSetReport(const prismLayerMesh& mesh)
     report.nSaddles = above(critical.saddles);
     report.first = levelSets.firstThickness/uniform.firstThickness;
     report.last = levelSets.thickness/uniform.thickness;
-
-    for (label kind = 0; kind < nPointKinds; ++kind)
-    {
-        report.firstOfKind.append
-        (
-            spreadOf(report.first, mesh.pointKinds, pointKind(kind))
-        );
-        report.lastOfKind.append
-        (
-            spreadOf(report.last, mesh.pointKinds, pointKind(kind))
-        );
-    }
+    report.firstOfKind = spreadsByKind(report.first, mesh.pointKinds);
+    report.lastOfKind = spreadsByKind(report.last, mesh.pointKinds);
 
     return report;
 }

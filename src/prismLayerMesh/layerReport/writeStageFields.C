@@ -12,8 +12,6 @@ License
 #include "scaledJacobian.H"
 #include "harmonicField.H"
 #include "levelSetReport.H"
-#include "IOobject.H"
-#include "OFstream.H"
 #include "OSspecific.H"
 #include "unitConversion.H"
 #include "writeVtk.H"
@@ -23,15 +21,19 @@ License
 namespace Foam
 {
 
-//- A level between the envelope and what is near to it
+//- A level of the field that is near to the envelope
 static const scalar envelopeLevel = 0.02;
 
 
-static vtkCell cellType(const face& f)
+static void addFace(vtkGrid& grid, const face& f)
 {
-    return f.size() == 3 ? vtkCell::triangle
-         : f.size() == 4 ? vtkCell::quad
-         : vtkCell::polygon;
+    grid.addCell
+    (
+        f.size() == 3 ? vtkCell::triangle
+      : f.size() == 4 ? vtkCell::quad
+      : vtkCell::polygon,
+        f
+    );
 }
 
 
@@ -46,7 +48,7 @@ static vtkGrid envelopeGrid(const prismLayerMesh& mesh)
 
     for (const face& f : triangles)
     {
-        grid.addCell(vtkCell::triangle, f);
+        addFace(grid, f);
     }
 
     return grid;
@@ -121,7 +123,7 @@ static vtkGrid layerGrid(const prismLayerMesh& mesh)
             {
                 p = layers.index(p, i);
             }
-            grid.addCell(cellType(f), level);
+            addFace(grid, level);
             numbers.append(i);
         }
     }
@@ -153,19 +155,9 @@ static scalarField largestOfFaces
 }
 
 
-static vtkGrid wallGrid(const wallSurface& wall, const prismLayerMesh& mesh)
+static void addPointFields(const prismLayerMesh& mesh, vtkGrid& grid)
 {
-    const layerSpacing& request = mesh.request;
-    const prismLayers& layers = mesh.made.layers;
-
-    vtkGrid grid;
-    grid.points = wall.points;
-    for (const face& f : wall.faces)
-    {
-        grid.addCell(cellType(f), f);
-    }
-
-    const label nPoints = wall.points.size();
+    const label nPoints = grid.points.size();
     scalarField causes(nPoints), angles(nPoints);
 
     for (label p = 0; p < nPoints; ++p)
@@ -174,51 +166,59 @@ static vtkGrid wallGrid(const wallSurface& wall, const prismLayerMesh& mesh)
         angles[p] = radToDeg(::acos(min(mesh.visibility.cones[p].cosine, 1.0)));
     }
 
-    grid.pointFields.add("squeezeCause", causes);
-    grid.pointFields.add("visibilityAngle", angles);
-    grid.pointFields.add("firstHeightRequest", request.firstThickness);
-    grid.pointFields.add("thicknessRequest", request.thickness);
-    grid.pointFields.add
-    (
-        "clearance", scalarField(SubList<scalar>(mesh.clearance, nPoints))
-    );
+    vtkFields& fields = grid.pointFields;
+    fields.add("squeezeCause", causes);
+    fields.add("visibilityAngle", angles);
+    fields.add("firstHeightRequest", mesh.request.firstThickness);
+    fields.add("thicknessRequest", mesh.request.thickness);
+    fields.add("clearance", SubList<scalar>(mesh.clearance, nPoints));
+}
 
-    const faceHeights heights(makeFaceHeights(wall, request, layers));
-    grid.cellFields.add("firstHeight", heights.first);
-    grid.cellFields.add("firstHeightOverRequest", heights.firstOverRequest);
-    grid.cellFields.add("thicknessOverRequest", heights.totalOverRequest);
-    grid.cellFields.add
+
+static void addFaceFields
+(
+    const wallSurface& wall,
+    const prismLayerMesh& mesh,
+    vtkFields& fields
+)
+{
+    const label nFaces = wall.faces.size();
+    const faceHeights heights(makeFaceHeights(wall, mesh.request, mesh.made.layers));
+    const scalarField worst
+    (
+        SubList<scalar>(mesh.certificate.worstJacobian, nFaces)
+    );
+    scalarField best(attainableJacobians(mesh.front.surface, mesh.front.visibility));
+    best.setSize(nFaces);
+
+    fields.add("firstHeight", heights.first);
+    fields.add("firstHeightOverRequest", heights.firstOverRequest);
+    fields.add("thicknessOverRequest", heights.totalOverRequest);
+    fields.add
     (
         "firstHeightChange", largestOfFaces
         (
-            wall.faces.size(), mesh.addressing,
+            nFaces, mesh.addressing,
             changesOverEdges(mesh.addressing, heights.first)
         )
     );
-    grid.cellFields.add
-    (
-        "layers", scalarField(wall.faces.size(), layers.nLayers)
-    );
-    grid.cellFields.add
-    (
-        "worstJacobian",
-        scalarField
-        (
-            SubList<scalar>(mesh.certificate.worstJacobian, wall.faces.size())
-        )
-    );
+    fields.add("layers", scalarField(nFaces, mesh.made.layers.nLayers));
+    fields.add("worstJacobian", worst);
+    fields.add("worstRelativeJacobian", scalarField(worst/max(best, VSMALL)));
+}
 
-    const scalarField best
-    (
-        attainableJacobians(mesh.front.surface, mesh.front.visibility)
-    );
-    scalarField relative(wall.faces.size());
-    forAll(relative, facei)
+
+static vtkGrid wallGrid(const wallSurface& wall, const prismLayerMesh& mesh)
+{
+    vtkGrid grid;
+    grid.points = wall.points;
+    for (const face& f : wall.faces)
     {
-        relative[facei] =
-            mesh.certificate.worstJacobian[facei]/max(best[facei], VSMALL);
+        addFace(grid, f);
     }
-    grid.cellFields.add("worstRelativeJacobian", relative);
+
+    addPointFields(mesh, grid);
+    addFaceFields(wall, mesh, grid.cellFields);
 
     return grid;
 }
@@ -248,7 +248,7 @@ void Foam::writeStageFields
 
     vtkGrid onWall(wallGrid(wall, mesh));
 
-    // Not those of an earlier run
+    // An earlier run may have left one
     rm(folder/"levelSets");
 
     if (hasLevelSetReport(mesh))
@@ -257,10 +257,7 @@ void Foam::writeStageFields
         onWall.pointFields.add("firstLevelSet", levelSets.first);
         onWall.pointFields.add("lastLevelSet", levelSets.last);
 
-        OFstream os(folder/"levelSets");
-        IOobject::writeBanner(os);
-        toDictionary(levelSets).write(os, false);
-        IOobject::writeEndDivider(os);
+        writeReport(folder/"levelSets", toDictionary(levelSets));
     }
 
     writeVtk(folder/"wall.vtk", onWall);

@@ -7,139 +7,69 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-
 #include "writeVtk.H"
 #include "endian.H"
 #include "error.H"
+#include "tensor.H"
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
+#include <iterator>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
 
-//- Numbers as legacy VTK files have them: big-endian
-class bigEndianWriter
+//- Write values as Numbers, big-endian: what legacy VTK files have. OpenFOAM's
+//  own writer of such files makes doubles floats, too coarse for thin layers
+template<class Number, class Type>
+static void writeNumbers(std::ostream& os, const UList<Type>& values)
 {
-    std::ofstream& os_;
-    std::string buffer_;
+    std::string bytes;
+    bytes.reserve(values.size()*sizeof(Number));
 
-
-    template<class Bits>
-    void append(const Bits bits)
+    for (const Type& value : values)
     {
-        char bytes[sizeof(Bits)];
-        std::memcpy(bytes, &bits, sizeof(Bits));
-        buffer_.append(bytes, sizeof(Bits));
-
-        if (buffer_.size() > 1000000)
-        {
-            flush();
-        }
-    }
-
-    void flush()
-    {
-        os_.write(buffer_.data(), buffer_.size());
-        buffer_.clear();
-    }
-
-
-public:
-
-    explicit bigEndianWriter(std::ofstream& os)
-    :
-        os_(os)
-    {}
-
-
-    void add(const label value)
-    {
-        uint32_t bits = value;
+        const Number number = static_cast<Number>(value);
+        char digits[sizeof(Number)];
+        std::memcpy(digits, &number, sizeof(Number));
 
         #ifdef WM_LITTLE_ENDIAN
-        bits = endian::swap32(bits);
+        std::reverse(std::begin(digits), std::end(digits));
         #endif
 
-        append(bits);
+        bytes.append(digits, sizeof(Number));
     }
 
-
-    void add(const scalar value)
-    {
-        const double asDouble = value;
-        uint64_t bits;
-        std::memcpy(&bits, &asDouble, sizeof(bits));
-
-        #ifdef WM_LITTLE_ENDIAN
-        bits = endian::swap64(bits);
-        #endif
-
-        append(bits);
-    }
-
-
-    //- To be called after each array
-    void end()
-    {
-        flush();
-        os_ << '\n';
-    }
-};
-
-
-static void writePoints(std::ofstream& os, const pointField& points)
-{
-    os << "POINTS " << points.size() << " double\n";
-
-    bigEndianWriter writer(os);
-    for (const point& p : points)
-    {
-        writer.add(p.x());
-        writer.add(p.y());
-        writer.add(p.z());
-    }
-    writer.end();
+    os.write(bytes.data(), bytes.size());
+    os << '\n';
 }
 
 
-static void writeCells(std::ofstream& os, const vtkGrid& grid)
+//- The components of vectors or tensors, one after the other
+template<class Type>
+static scalarField componentsOf(const UList<Type>& field)
 {
-    const label nCells = grid.cellTypes.size();
+    const direction n = pTraits<Type>::nComponents;
+    scalarField values(n*field.size());
 
-    os << "CELLS " << nCells << ' ' << nCells + grid.cellPoints.size() << '\n';
-
-    bigEndianWriter cells(os);
-    for (label celli = 0; celli < nCells; ++celli)
+    forAll(field, i)
     {
-        const label start = grid.cellStarts[celli];
-        const label end = grid.cellStarts[celli + 1];
-
-        cells.add(end - start);
-
-        for (label i = start; i < end; ++i)
+        for (direction d = 0; d < n; ++d)
         {
-            cells.add(grid.cellPoints[i]);
+            values[n*i + d] = field[i][d];
         }
     }
-    cells.end();
 
-    os << "CELL_TYPES " << nCells << '\n';
-
-    bigEndianWriter types(os);
-    for (const vtkCell type : grid.cellTypes)
-    {
-        types.add(label(type));
-    }
-    types.end();
+    return values;
 }
 
 
 static void writeFields
 (
-    std::ofstream& os,
+    std::ostream& os,
     const char* where,
     const label size,
     const UList<vtkFields::namedValues>& fields
@@ -157,13 +87,7 @@ static void writeFields
     {
         os  << field.name.c_str() << ' ' << field.nComponents << ' '
             << size << " double\n";
-
-        bigEndianWriter writer(os);
-        for (const scalar value : field.values)
-        {
-            writer.add(value);
-        }
-        writer.end();
+        writeNumbers<double>(os, field.values);
     }
 }
 
@@ -194,46 +118,20 @@ static void checkSizes
 
 void Foam::vtkFields::add(const word& name, const UList<scalar>& field)
 {
-    fields_.append(namedValues{name, 1, scalarField(field)});
+    fields.append(namedValues{name, 1, scalarField(field)});
 }
 
 
 void Foam::vtkFields::add(const word& name, const UList<vector>& field)
 {
-    scalarField values(3*field.size());
-
-    forAll(field, i)
-    {
-        for (direction d = 0; d < 3; ++d)
-        {
-            values[3*i + d] = field[i][d];
-        }
-    }
-
-    fields_.append(namedValues{name, 3, std::move(values)});
+    fields.append(namedValues{name, 3, componentsOf(field)});
 }
 
 
 void Foam::vtkFields::add(const word& name, const UList<symmTensor>& field)
 {
-    static const direction components[9] =
-    {
-        symmTensor::XX, symmTensor::XY, symmTensor::XZ,
-        symmTensor::XY, symmTensor::YY, symmTensor::YZ,
-        symmTensor::XZ, symmTensor::YZ, symmTensor::ZZ
-    };
-
-    scalarField values(9*field.size());
-
-    forAll(field, i)
-    {
-        for (direction d = 0; d < 9; ++d)
-        {
-            values[9*i + d] = field[i][components[d]];
-        }
-    }
-
-    fields_.append(namedValues{name, 9, std::move(values)});
+    const List<tensor> full(field.begin(), field.end());
+    fields.append(namedValues{name, 9, componentsOf(full)});
 }
 
 
@@ -243,23 +141,27 @@ void Foam::writeVtk(const fileName& file, const vtkGrid& grid)
 {
     const label nCells = grid.cellTypes.size();
 
-    checkSizes(file, grid.points.size(), grid.pointFields.fields());
-    checkSizes(file, nCells, grid.cellFields.fields());
+    checkSizes(file, grid.points.size(), grid.pointFields.fields);
+    checkSizes(file, nCells, grid.cellFields.fields);
 
     std::ofstream os(file, std::ios::binary);
 
     os  << "# vtk DataFile Version 2.0\n"
         << "harmonicPrismMesh\n"
         << "BINARY\n"
-        << "DATASET UNSTRUCTURED_GRID\n";
+        << "DATASET UNSTRUCTURED_GRID\n"
+        << "POINTS " << grid.points.size() << " double\n";
 
-    writePoints(os, grid.points);
-    writeCells(os, grid);
+    writeNumbers<double>(os, componentsOf(grid.points));
+    os << "CELLS " << nCells << ' ' << grid.cells.size() << '\n';
+    writeNumbers<int32_t>(os, grid.cells);
+    os << "CELL_TYPES " << nCells << '\n';
+    writeNumbers<int32_t>(os, grid.cellTypes);
     writeFields
     (
-        os, "POINT_DATA", grid.points.size(), grid.pointFields.fields()
+        os, "POINT_DATA", grid.points.size(), grid.pointFields.fields
     );
-    writeFields(os, "CELL_DATA", nCells, grid.cellFields.fields());
+    writeFields(os, "CELL_DATA", nCells, grid.cellFields.fields);
 
     os.close();
 
