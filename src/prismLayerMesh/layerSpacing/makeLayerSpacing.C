@@ -27,18 +27,21 @@ static const scalar automaticShare = 0.95;
 
 static bool hasRelativeSizes(const layerControls& controls)
 {
-    bool relative = controls.heights.relativeSizes;
-
-    for (const patchLayers& entry : controls.patches)
+    const auto isRelative = [](const auto& entry)
     {
-        relative = relative || entry.heights.relativeSizes;
-    }
-    for (const layerRegion& region : controls.regions)
-    {
-        relative = relative || region.heights.relativeSizes;
-    }
+        return entry.heights.relativeSizes;
+    };
 
-    return relative;
+    return
+        isRelative(controls)
+     || std::any_of
+        (
+            controls.patches.begin(), controls.patches.end(), isRelative
+        )
+     || std::any_of
+        (
+            controls.regions.begin(), controls.regions.end(), isRelative
+        );
 }
 
 
@@ -94,7 +97,9 @@ static label automaticNumber
     }
 
     // Rounded up, so that ratios are lowered rather than raised
-    return min(label(::ceil(numbers[i].first - 1e-6)), label(1000));
+    const label n = ::ceil(numbers[i].first - 1e-6);
+
+    return min(n, heightSeries::maxLayers);
 }
 
 
@@ -150,7 +155,6 @@ static string range(const UList<Type>& values)
 
     return os.str();
 }
-
 
 
 //- Empty where the height is not from y+

@@ -114,12 +114,57 @@ static scalarField readList(const fileName& file)
 }
 
 
+namespace
+{
+
+//- As long as it lives, the reader of VTK files does not print its steps
+class quietVtkReading
+{
+    const int debug_ = vtkUnstructuredReader::debug;
+
+public:
+
+    quietVtkReading()
+    {
+        vtkUnstructuredReader::debug = 0;
+    }
+
+    ~quietVtkReading()
+    {
+        vtkUnstructuredReader::debug = debug_;
+    }
+};
+
+} // End anonymous namespace
+
+
 static void checkFile(const fileName& file)
 {
     if (!isFile(file))
     {
         FatalErrorInFunction
             << "Cannot read the values " << file << ": there is no such file"
+            << exit(FatalError);
+    }
+}
+
+
+//- The reader's message does not say what to do
+static void checkAsciiVtk(const fileName& file)
+{
+    checkFile(file);
+
+    IFstream is(file);
+    string line;
+    is.getLine(line);
+    is.getLine(line);
+    is.getLine(line);
+
+    if (line != "ASCII")
+    {
+        FatalErrorInFunction
+            << "Cannot read the values " << file << ": it is not a legacy"
+            << " VTK file in ascii; ParaView saves a surface as one"
             << exit(FatalError);
     }
 }
@@ -136,27 +181,9 @@ Foam::surfaceValues Foam::readVtkValues
     const Time& time
 )
 {
-    checkFile(file);
+    checkAsciiVtk(file);
 
-    {
-        // The reader's message does not say what to do
-        IFstream is(file);
-        string line;
-        is.getLine(line);
-        is.getLine(line);
-        is.getLine(line);
-
-        if (line != "ASCII")
-        {
-            FatalErrorInFunction
-                << "Cannot read the values " << file << ": it is not a legacy"
-                << " VTK file in ascii; ParaView saves a surface as one"
-                << exit(FatalError);
-        }
-    }
-
-    // It tells all of its steps otherwise
-    vtkUnstructuredReader::debug = 0;
+    const quietVtkReading guard;
     IFstream is(file);
     const vtkUnstructuredReader reader(time, is);
 

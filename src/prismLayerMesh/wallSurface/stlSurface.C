@@ -19,17 +19,22 @@ License
 namespace Foam
 {
 
+namespace
+{
+
 //- What a file looks like from afar
 struct fileProbe
 {
-    //- Of the content, [bytes]
+    //- Size of the content [bytes]
     std::streamsize size = 0;
 
-    //- Up to the first that is not a 7-bit character
+    //- Number of characters before the first that is not a 7-bit character
     std::streamsize asciiSize = 0;
 
     char header[84];
 };
+
+} // End anonymous namespace
 
 
 static fileProbe probe(const fileName& file)

@@ -13,6 +13,7 @@ License
 #include "MeshedSurfaces.H"
 #include "OSspecific.H"
 #include "stlSurface.H"
+#include "throwingErrors.H"
 
 #include <cstring>
 #include <cfenv>
@@ -33,12 +34,14 @@ namespace Foam
 }
 
 
-//- As long as it lives fatal errors are exceptions, also where memory does not
-//  suffice, and readers do not talk
+namespace
+{
+
+//- As long as it lives, fatal errors and a lack of memory throw exceptions,
+//  and readers print nothing
 class quietReading
 {
-    const bool error_ = FatalError.throwExceptions(true);
-    const bool ioError_ = FatalIOError.throwExceptions(true);
+    const throwingErrors throwing_ = throwingErrors(true);
     const int level_ = messageStream::level;
     const std::new_handler newHandler_ = std::set_new_handler(nullptr);
     std::fenv_t environment_;
@@ -58,13 +61,13 @@ public:
         std::fesetenv(&environment_);
         std::set_new_handler(newHandler_);
         messageStream::level = level_;
-        FatalError.throwExceptions(error_);
-        FatalIOError.throwExceptions(ioError_);
     }
 };
 
+} // End anonymous namespace
 
-//- Run a reader; its errors do not always name the file
+
+//- Run a reader, whose errors do not always name the file
 template<class Reader>
 static void readGuarded(const fileName& file, const Reader& read)
 {
