@@ -15,7 +15,6 @@ License
 #include "boundBox.H"
 #include "ListOps.H"
 
-#include <algorithm>
 #include <cmath>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -57,17 +56,7 @@ static labelList findRepresentatives
     const scalarField place(points & direction);
     const scalar reach = 1.01*mag(direction)*tolerance;
 
-    labelList order(identity(points.size()));
-    std::sort
-    (
-        order.begin(),
-        order.end(),
-        [&](const label a, const label b)
-        {
-            return place[a] < place[b] || (place[a] == place[b] && a < b);
-        }
-    );
-
+    const labelList order(sortedOrder(place));
     labelList representatives(points.size(), -1);
 
     forAll(order, i)
