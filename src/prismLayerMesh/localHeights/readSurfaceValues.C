@@ -15,38 +15,37 @@ License
 #include "labelIOField.H"
 #include "vtkUnstructuredReader.H"
 
+#include <algorithm>
 #include <map>
-#include <tuple>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
 
-//- The smallest value of the faces around each point, or at the same place
+//- The smallest value of the faces around each point and around other points at
+//  the same place
 static scalarField smallestOfFaces
 (
     const wallSurface& surface,
     const scalarField& ofFaces
 )
 {
-    typedef std::tuple<scalar, scalar, scalar> place;
-    std::map<place, scalar> smallest;
-
-    const auto placeOf = [&](const label p)
+    const auto before = [](const point& a, const point& b)
     {
-        const point& x = surface.points[p];
-
-        return place(x.x(), x.y(), x.z());
+        return std::lexicographical_compare
+        (
+            a.begin(), a.end(), b.begin(), b.end()
+        );
     };
+    std::map<point, scalar, decltype(before)> smallest(before);
 
     forAll(surface.faces, facei)
     {
-        for (const label p : surface.faces[facei])
+        for (const point& x : surface.faces[facei].points(surface.points))
         {
-            const auto found =
-                smallest.emplace(placeOf(p), ofFaces[facei]).first;
-            found->second = min(found->second, ofFaces[facei]);
+            scalar& value = smallest.emplace(x, ofFaces[facei]).first->second;
+            value = min(value, ofFaces[facei]);
         }
     }
 
@@ -56,7 +55,7 @@ static scalarField smallestOfFaces
     {
         for (const label p : f)
         {
-            ofPoints[p] = smallest[placeOf(p)];
+            ofPoints[p] = smallest.at(surface.points[p]);
         }
     }
 

@@ -147,23 +147,15 @@ static void mergePoints
 )
 {
     const scalar diagonal = boundBox(wall.points, false).mag();
-    const labelList representatives
-    (
-        findRepresentatives(wall.points, mergeTolerance*diagonal)
-    );
+    const auto within = [&](const scalar tolerance)
+    {
+        return findRepresentatives(wall.points, tolerance*diagonal);
+    };
+    const labelList representatives(within(mergeTolerance));
+    const label nNear = nRepresented(within(wallReading::nearTolerance));
 
     reading.mergedPoints = nRepresented(representatives);
-    reading.nearPoints = max
-    (
-        nRepresented
-        (
-            findRepresentatives
-            (
-                wall.points, wallReading::nearTolerance*diagonal
-            )
-        ) - reading.mergedPoints,
-        label(0)
-    );
+    reading.nearPoints = max(nNear - reading.mergedPoints, label(0));
 
     for (face& f : wall.faces)
     {
