@@ -126,7 +126,7 @@ TEST_F(readLocalHeightsFiles, surfaceElsewhereIsRefused)
 
     // The diagonal is sqrt(3)
     EXPECT_EQ(message(0.017), "");
-    expectWords(message(0.018), {"values is 0.018 m away", "another body"});
+    expectWords(message(0.018), {"values", "is 0.018 m away", "another body"});
 }
 
 
