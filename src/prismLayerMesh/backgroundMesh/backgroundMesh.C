@@ -19,21 +19,6 @@ License
 namespace Foam
 {
 
-//- Volume that the wall bounds, negative where its normals point inwards
-static scalar enclosedVolume(const wallSurface& wall)
-{
-    scalar volume = 0;
-
-    for (const face& f : wall.faces)
-    {
-        volume += (f.centre(wall.points) - wall.points[0])
-            & f.areaNormal(wall.points);
-    }
-
-    return volume/3;
-}
-
-
 //- Points inside the bodies, one behind the largest face of each component
 static pointField bodySeeds(const wallSurface& wall, const wallSearch& search)
 {

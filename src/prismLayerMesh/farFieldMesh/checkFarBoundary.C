@@ -8,7 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "checkFarBoundary.H"
-#include "frontTriangle.H"
+#include "labelledTriangle.H"
 #include "mathematicalConstants.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -61,12 +61,12 @@ void Foam::checkFarBoundary
     DynamicList<labelPair> pairs;
     addIntersections
     (
-        frontTriangles
+        labelledTriangles
         (
             mesh.boundaryTriangles, points,
             identity(mesh.boundaryTriangles.size(), n)
         ),
-        frontTriangles(mesh.outerTriangles, points, identity(n)),
+        labelledTriangles(mesh.outerTriangles, points, identity(n)),
         pairs
     );
 

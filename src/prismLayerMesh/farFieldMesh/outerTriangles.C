@@ -8,7 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "outerTriangles.H"
-#include "frontTriangle.H"
+#include "labelledTriangle.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -96,7 +96,7 @@ Foam::faceList Foam::outerTriangles
         DynamicList<labelPair> pairs;
         addIntersections
         (
-            frontTriangles(triangles, cut.points, triangleFace), {}, pairs
+            labelledTriangles(triangles, cut.points, triangleFace), {}, pairs
         );
 
         if (pairs.empty())

@@ -9,6 +9,58 @@ License
 
 #include "layerSpacing.H"
 #include "limitGradient.H"
+#include "HashSet.H"
+#include "OStringStream.H"
+
+#include <algorithm>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- "1e-05", or "1e-05 to 3e-05"
+template<class Type>
+static string range(const UList<Type>& values)
+{
+    const Type low = *std::min_element(values.begin(), values.end());
+    const Type high = *std::max_element(values.begin(), values.end());
+
+    OStringStream os;
+    os.precision(4);
+    os  << low;
+
+    if (high - low > 1e-9*high)
+    {
+        os  << " to " << high;
+    }
+
+    return os.str();
+}
+
+
+//- Empty where the height is not from y+
+static std::string yPlusLine
+(
+    const std::string& name,
+    const heightEntries& given
+)
+{
+    if (!(given.yPlus > 0))
+    {
+        return std::string();
+    }
+
+    OStringStream os;
+    os  << name.c_str() << ": y+ " << given.yPlus
+        << " of a turbulent flat plate at Re " << given.Re
+        << " is the first height " << given.firstLayerThickness << " m" << nl;
+
+    return os.str();
+}
+
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -81,6 +133,50 @@ Foam::scalarField Foam::requestedHeights(const layerSpacing& spacing)
     }
 
     return heights;
+}
+
+
+Foam::string Foam::describe
+(
+    const layerSpacing& asked,
+    const wallSurface& wall,
+    const layerControls& controls
+)
+{
+    List<labelHashSet> points(wall.patchNames.size());
+
+    forAll(wall.faces, facei)
+    {
+        points[wall.patchIDs[facei]].insert(wall.faces[facei]);
+    }
+
+    std::string text(yPlusLine("layers", controls.heights));
+    for (const patchLayers& entry : controls.patches)
+    {
+        text += yPlusLine(entry.patches, entry.heights);
+    }
+    for (const layerRegion& region : controls.regions)
+    {
+        text += yPlusLine(region.name, region.heights);
+    }
+
+    forAll(points, patchi)
+    {
+        if (points[patchi].empty())
+        {
+            continue;
+        }
+
+        const layerSpacing here(asked.at(points[patchi].sortedToc()));
+
+        text += wall.patchNames[patchi]
+          + ": layers " + range(here.layersAsked)
+          + ", first height " + range(here.firstThickness)
+          + " m, ratio " + range(here.ratio)
+          + ", thickness " + range(here.thickness) + " m\n";
+    }
+
+    return text;
 }
 
 

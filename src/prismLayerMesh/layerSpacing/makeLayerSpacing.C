@@ -10,8 +10,6 @@ License
 #include "layerSpacing.H"
 #include "limitGradient.H"
 #include "pointHeights.H"
-#include "HashSet.H"
-#include "OStringStream.H"
 
 #include <algorithm>
 
@@ -27,18 +25,21 @@ static const scalar automaticShare = 0.95;
 
 static bool hasRelativeSizes(const layerControls& controls)
 {
-    bool relative = controls.heights.relativeSizes;
-
-    for (const patchLayers& entry : controls.patches)
+    const auto isRelative = [](const auto& entry)
     {
-        relative = relative || entry.heights.relativeSizes;
-    }
-    for (const layerRegion& region : controls.regions)
-    {
-        relative = relative || region.heights.relativeSizes;
-    }
+        return entry.heights.relativeSizes;
+    };
 
-    return relative;
+    return
+        isRelative(controls)
+     || std::any_of
+        (
+            controls.patches.begin(), controls.patches.end(), isRelative
+        )
+     || std::any_of
+        (
+            controls.regions.begin(), controls.regions.end(), isRelative
+        );
 }
 
 
@@ -94,7 +95,9 @@ static label automaticNumber
     }
 
     // Rounded up, so that ratios are lowered rather than raised
-    return min(label(::ceil(numbers[i].first - 1e-6)), label(1000));
+    const label n = ::ceil(numbers[i].first - 1e-6);
+
+    return min(n, heightSeries::maxLayers);
 }
 
 
@@ -129,48 +132,6 @@ static scalar ratioOfMore(const label n, const heightSeries& fewer)
     return thickness > n*h1
       ? fittedRatio(n, h1, thickness)
       : min(fewer.expansionRatio, scalar(1));
-}
-
-
-//- "1e-05", or "1e-05 to 3e-05"
-template<class Type>
-static string range(const UList<Type>& values)
-{
-    const Type low = *std::min_element(values.begin(), values.end());
-    const Type high = *std::max_element(values.begin(), values.end());
-
-    OStringStream os;
-    os.precision(4);
-    os  << low;
-
-    if (high - low > 1e-9*high)
-    {
-        os  << " to " << high;
-    }
-
-    return os.str();
-}
-
-
-
-//- Empty where the height is not from y+
-static std::string yPlusLine
-(
-    const std::string& name,
-    const heightEntries& given
-)
-{
-    if (!(given.yPlus > 0))
-    {
-        return std::string();
-    }
-
-    OStringStream os;
-    os  << name.c_str() << ": y+ " << given.yPlus
-        << " of a turbulent flat plate at Re " << given.Re
-        << " is the first height " << given.firstLayerThickness << " m" << nl;
-
-    return os.str();
 }
 
 } // End namespace Foam
@@ -248,50 +209,6 @@ Foam::layerSpacing Foam::makeLayerSpacing
     }
 
     return spacing;
-}
-
-
-Foam::string Foam::describe
-(
-    const layerSpacing& asked,
-    const wallSurface& wall,
-    const layerControls& controls
-)
-{
-    List<labelHashSet> points(wall.patchNames.size());
-
-    forAll(wall.faces, facei)
-    {
-        points[wall.patchIDs[facei]].insert(wall.faces[facei]);
-    }
-
-    std::string text(yPlusLine("layers", controls.heights));
-    for (const patchLayers& entry : controls.patches)
-    {
-        text += yPlusLine(entry.patches, entry.heights);
-    }
-    for (const layerRegion& region : controls.regions)
-    {
-        text += yPlusLine(region.name, region.heights);
-    }
-
-    forAll(points, patchi)
-    {
-        if (points[patchi].empty())
-        {
-            continue;
-        }
-
-        const layerSpacing here(asked.at(points[patchi].sortedToc()));
-
-        text += wall.patchNames[patchi]
-          + ": layers " + range(here.layersAsked)
-          + ", first height " + range(here.firstThickness)
-          + " m, ratio " + range(here.ratio)
-          + ", thickness " + range(here.thickness) + " m\n";
-    }
-
-    return text;
 }
 
 

@@ -18,8 +18,8 @@ License
 namespace Foam
 {
 
-//- Of a surface with values from the wall, over the diagonal of its bounding
-//  box
+//- Largest distance of a point of the wall from the surface with values, over
+//  the diagonal of the wall's bounding box
 static const scalar maxDistance = 0.01;
 
 

@@ -15,38 +15,37 @@ License
 #include "labelIOField.H"
 #include "vtkUnstructuredReader.H"
 
+#include <algorithm>
 #include <map>
-#include <tuple>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
 
-//- The smallest value of the faces around each point, or at the same place
+//- The smallest value of the faces around each point and around other points at
+//  the same place
 static scalarField smallestOfFaces
 (
     const wallSurface& surface,
     const scalarField& ofFaces
 )
 {
-    typedef std::tuple<scalar, scalar, scalar> place;
-    std::map<place, scalar> smallest;
-
-    const auto placeOf = [&](const label p)
+    const auto before = [](const point& a, const point& b)
     {
-        const point& x = surface.points[p];
-
-        return place(x.x(), x.y(), x.z());
+        return std::lexicographical_compare
+        (
+            a.begin(), a.end(), b.begin(), b.end()
+        );
     };
+    std::map<point, scalar, decltype(before)> smallest(before);
 
     forAll(surface.faces, facei)
     {
-        for (const label p : surface.faces[facei])
+        for (const point& x : surface.faces[facei].points(surface.points))
         {
-            const auto found =
-                smallest.emplace(placeOf(p), ofFaces[facei]).first;
-            found->second = min(found->second, ofFaces[facei]);
+            scalar& value = smallest.emplace(x, ofFaces[facei]).first->second;
+            value = min(value, ofFaces[facei]);
         }
     }
 
@@ -56,7 +55,7 @@ static scalarField smallestOfFaces
     {
         for (const label p : f)
         {
-            ofPoints[p] = smallest[placeOf(p)];
+            ofPoints[p] = smallest.at(surface.points[p]);
         }
     }
 
@@ -114,12 +113,57 @@ static scalarField readList(const fileName& file)
 }
 
 
+namespace
+{
+
+//- As long as it lives, the reader of VTK files does not print its steps
+class quietVtkReading
+{
+    const int debug_ = vtkUnstructuredReader::debug;
+
+public:
+
+    quietVtkReading()
+    {
+        vtkUnstructuredReader::debug = 0;
+    }
+
+    ~quietVtkReading()
+    {
+        vtkUnstructuredReader::debug = debug_;
+    }
+};
+
+} // End anonymous namespace
+
+
 static void checkFile(const fileName& file)
 {
     if (!isFile(file))
     {
         FatalErrorInFunction
             << "Cannot read the values " << file << ": there is no such file"
+            << exit(FatalError);
+    }
+}
+
+
+//- The reader's message does not say what to do
+static void checkAsciiVtk(const fileName& file)
+{
+    checkFile(file);
+
+    IFstream is(file);
+    string line;
+    is.getLine(line);
+    is.getLine(line);
+    is.getLine(line);
+
+    if (line != "ASCII")
+    {
+        FatalErrorInFunction
+            << "Cannot read the values " << file << ": it is not a legacy"
+            << " VTK file in ascii; ParaView saves a surface as one"
             << exit(FatalError);
     }
 }
@@ -136,27 +180,9 @@ Foam::surfaceValues Foam::readVtkValues
     const Time& time
 )
 {
-    checkFile(file);
+    checkAsciiVtk(file);
 
-    {
-        // The reader's message does not say what to do
-        IFstream is(file);
-        string line;
-        is.getLine(line);
-        is.getLine(line);
-        is.getLine(line);
-
-        if (line != "ASCII")
-        {
-            FatalErrorInFunction
-                << "Cannot read the values " << file << ": it is not a legacy"
-                << " VTK file in ascii; ParaView saves a surface as one"
-                << exit(FatalError);
-        }
-    }
-
-    // It tells all of its steps otherwise
-    vtkUnstructuredReader::debug = 0;
+    const quietVtkReading guard;
     IFstream is(file);
     const vtkUnstructuredReader reader(time, is);
 

@@ -18,11 +18,11 @@ namespace Foam
 static barycentric2D coordinates
 (
     const pointField& points,
-    const face& triangle,
+    const labelledTri& triangle,
     const point& x
 )
 {
-    // triangle takes small ones for degenerate: as if it were of length 1
+    // Scaled to a length of 1, because triangle takes small ones for degenerate
     const point& origin = points[triangle[0]];
     const vector a(points[triangle[1]] - origin);
     const vector b(points[triangle[2]] - origin);
@@ -44,17 +44,7 @@ Foam::scalar Foam::interpolate
     scalarField& values
 )
 {
-    labelList triangleFace;
-    const faceList triangles(wallTriangles(source.surface, triangleFace));
-
-    List<labelledTri> labelled(triangles.size());
-    forAll(triangles, i)
-    {
-        const face& f = triangles[i];
-        labelled[i] = labelledTri(f[0], f[1], f[2], 0);
-    }
-
-    const triSurface surface(labelled, source.surface.points);
+    const triSurface surface(toTriSurface(source.surface));
     const triSurfaceSearch search(surface);
 
     List<pointIndexHit> hits;
@@ -65,7 +55,7 @@ Foam::scalar Foam::interpolate
 
     forAll(points, p)
     {
-        const face& f = triangles[hits[p].index()];
+        const labelledTri& f = surface[hits[p].index()];
         const barycentric2D weights
         (
             coordinates(source.surface.points, f, hits[p].hitPoint())

@@ -8,7 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "meshCertificate.H"
-#include "frontTriangle.H"
+#include "labelledTriangle.H"
 #include "wallStacks.H"
 
 #include <cmath>
@@ -29,7 +29,7 @@ static void addTriangles
     const polyhedralMesh& mesh,
     const label facei,
     const bool isOuter,
-    std::vector<frontTriangle>& triangles,
+    std::vector<labelledTriangle>& triangles,
     DynamicList<labelPair>& intersections
 )
 {
@@ -37,8 +37,8 @@ static void addTriangles
 
     for (label k = 1; k + 1 < f.size(); ++k)
     {
-        frontTriangle t;
-        t.frontFace = facei;
+        labelledTriangle t;
+        t.facei = facei;
 
         const label labels[3] = {f[0], f[k], f[k + 1]};
         bool finite = true;
@@ -90,7 +90,7 @@ Foam::List<Foam::labelPair> Foam::findIntersections
 )
 {
     DynamicList<labelPair> pairs;
-    std::vector<frontTriangle> triangles;
+    std::vector<labelledTriangle> triangles;
 
     for (const label facei : wallFaces)
     {
@@ -101,7 +101,7 @@ Foam::List<Foam::labelPair> Foam::findIntersections
         addTriangles(mesh, facei, true, triangles, pairs);
     }
 
-    addIntersections(triangles, std::vector<frontTriangle>(), pairs);
+    addIntersections(triangles, std::vector<labelledTriangle>(), pairs);
 
     return List<labelPair>(std::move(pairs));
 }

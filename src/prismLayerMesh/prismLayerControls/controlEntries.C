@@ -17,7 +17,7 @@ License
 namespace Foam
 {
 
-//- Number of letters to insert, delete or replace to make b of a
+//- Number of letters to insert, delete or replace to turn a into b
 static label editDistance(const std::string& a, const std::string& b)
 {
     labelList row(identity(b.size() + 1));
@@ -42,7 +42,7 @@ static label editDistance(const std::string& a, const std::string& b)
 }
 
 
-//- "; did you mean x?" where one of the valid words is near
+//- "; did you mean x?" if one of the valid words is near
 static string suggestion(const std::string& given, const wordList& valid)
 {
     label nearest = 1 + label(given.size())/3;
@@ -61,6 +61,7 @@ static string suggestion(const std::string& given, const wordList& valid)
 
     return text;
 }
+
 
 //- "a, b, c"
 static string joined(const wordList& words)
@@ -96,6 +97,16 @@ Foam::OSstream& Foam::entryError(const dictionary& dict, const word& key)
     (
         FUNCTION_NAME, __FILE__, __LINE__, dict.name(), line
     );
+}
+
+
+void Foam::missingEntry(const dictionary& dict, const word& key)
+{
+    entryError(dict, key)
+        << "The entry " << key << " of " << dict.dictName() << " is missing"
+        << exit(FatalIOError);
+
+    std::abort();
 }
 
 
@@ -161,8 +172,8 @@ bool Foam::readBounded
 (
     const dictionary& dict,
     const word& key,
-    const Type& min,
-    const Type& max,
+    const typename std::common_type<Type>::type& min,
+    const typename std::common_type<Type>::type& max,
     Type& value
 )
 {
@@ -185,6 +196,25 @@ bool Foam::readBounded
     value = read;
 
     return true;
+}
+
+
+Foam::scalar Foam::readMandatory
+(
+    const dictionary& dict,
+    const word& key,
+    const scalar min,
+    const scalar max
+)
+{
+    scalar value = 0;
+
+    if (!readBounded(dict, key, min, max, value))
+    {
+        missingEntry(dict, key);
+    }
+
+    return value;
 }
 
 

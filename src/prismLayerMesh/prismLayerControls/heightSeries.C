@@ -145,6 +145,30 @@ static void checkDetermined
     }
 }
 
+
+static void checkDetermined
+(
+    const heightEntries& given,
+    const heightSeries& heights
+)
+{
+    const scalar h1 = heights.firstLayerThickness;
+    const scalar alpha = heights.expansionRatio;
+    const scalar low = heightSeries::minThickness;
+    const scalar high = heightSeries::maxThickness;
+
+    checkDetermined
+    (
+        given, "expansionRatio", alpha,
+        heightSeries::minRatio, heightSeries::maxRatio
+    );
+    checkDetermined(given, "firstLayerThickness", h1, low, high);
+    checkDetermined
+    (
+        given, "thickness", totalThickness(heights.n, h1, alpha), low, high
+    );
+}
+
 } // End namespace Foam
 
 
@@ -225,21 +249,7 @@ Foam::heightSeries Foam::changedHeights
         solve(entries, heights);
     }
 
-    const scalar h1 = heights.firstLayerThickness;
-    const scalar alpha = heights.expansionRatio;
-    const scalar low = heightSeries::minThickness;
-    const scalar high = heightSeries::maxThickness;
-
-    checkDetermined
-    (
-        given, "expansionRatio", alpha,
-        heightSeries::minRatio, heightSeries::maxRatio
-    );
-    checkDetermined(given, "firstLayerThickness", h1, low, high);
-    checkDetermined
-    (
-        given, "thickness", totalThickness(heights.n, h1, alpha), low, high
-    );
+    checkDetermined(given, heights);
 
     return heights;
 }

@@ -15,14 +15,14 @@ License
 namespace Foam
 {
 
-//- All of the kinds of boundary; each has some
+//- Keys of all kinds of boundary
 static const wordList boundaryKeys
 ({
     "type", "patches", "min", "max", "origin", "radius", "file", "scale"
 });
 
 
-//- Keys of the other kinds mean nothing
+//- Refuses the keys of the other kinds of boundary
 static void checkKind(const dictionary& dict, const wordList& own)
 {
     for (const entry& e : dict)
@@ -63,18 +63,7 @@ static void readSphere(const dictionary& dict, farBoundaryControls& boundary)
 
     dict.readEntry("origin", boundary.origin);
 
-    if
-    (
-       !readBounded
-        (
-            dict, "radius", scalar(1e-9), scalar(1e9), boundary.radius
-        )
-    )
-    {
-        entryError(dict, "radius")
-            << "The entry radius of " << dict.dictName() << " is missing"
-            << exit(FatalIOError);
-    }
+    boundary.radius = readMandatory(dict, "radius", 1e-9, 1e9);
 }
 
 
@@ -83,7 +72,7 @@ static void readSurface(const dictionary& dict, farBoundaryControls& boundary)
     checkKind(dict, {"patches", "file", "scale"});
 
     dict.readEntry("file", boundary.file);
-    readBounded(dict, "scale", scalar(1e-9), scalar(1e9), boundary.scale);
+    readBounded(dict, "scale", 1e-9, 1e9, boundary.scale);
 }
 
 
@@ -116,9 +105,7 @@ static farBoundaryControls readBoundary(const dictionary& dict)
 
     if (!readChoice(dict, "type", {"box", "sphere", "surface"}, boundary.type))
     {
-        entryError(dict, "type")
-            << "The entry type of " << dict.dictName() << " is missing"
-            << exit(FatalIOError);
+        missingEntry(dict, "type");
     }
 
     if (boundary.type == "box")
@@ -134,43 +121,22 @@ static farBoundaryControls readBoundary(const dictionary& dict)
         readSurface(dict, boundary);
     }
 
-    DynamicList<farPatch> patches;
-    forEntries
-    (
-        dict, "patches",
-        [&](const keyType& key, const dictionary& entries)
-        {
-            patches.append(readPatch(key, entries));
-        }
-    );
-    boundary.patches.transfer(patches);
+    boundary.patches = readEntries<farPatch>(dict, "patches", readPatch);
 
     return boundary;
 }
 
 
-static sizeRegion readSizeRegion(const dictionary& dict)
+static sizeRegion readSizeRegion(const keyType&, const dictionary& dict)
 {
     wordList keys(geometryRegionKeys);
     keys.append("cellSize");
     checkKeys(dict, keys);
 
-    sizeRegion region{readGeometryRegion(dict), 0};
-
-    if
-    (
-       !readBounded
-        (
-            dict, "cellSize", scalar(1e-9), scalar(1e9), region.cellSize
-        )
-    )
+    return sizeRegion
     {
-        entryError(dict, "cellSize")
-            << "The entry cellSize of " << dict.dictName() << " is missing"
-            << exit(FatalIOError);
-    }
-
-    return region;
+        readGeometryRegion(dict), readMandatory(dict, "cellSize", 1e-9, 1e9)
+    };
 }
 
 } // End namespace Foam
@@ -196,29 +162,10 @@ Foam::farFieldControls Foam::readFarFieldControls
     farFieldControls controls;
     readChoice(dict, "type", {"none", "tet"}, controls.type);
 
-    readBounded
-    (
-        dict, "growthRate", scalar(1.01), scalar(2), controls.growthRate
-    );
-    readBounded
-    (
-        dict, "maxCellSize", scalar(1e-9), scalar(1e9), controls.maxCellSize
-    );
-    readBounded
-    (
-        dict, "maxCells", label(1), label(200000000), controls.maxCells
-    );
-
-    DynamicList<sizeRegion> regions;
-    forEntries
-    (
-        dict, "regions",
-        [&](const keyType&, const dictionary& entries)
-        {
-            regions.append(readSizeRegion(entries));
-        }
-    );
-    controls.regions.transfer(regions);
+    readBounded(dict, "growthRate", 1.01, 2, controls.growthRate);
+    readBounded(dict, "maxCellSize", 1e-9, 1e9, controls.maxCellSize);
+    readBounded(dict, "maxCells", 1, 200000000, controls.maxCells);
+    controls.regions = readEntries<sizeRegion>(dict, "regions", readSizeRegion);
 
     const bool hasBoundary = dict.found("boundary", keyType::LITERAL);
 

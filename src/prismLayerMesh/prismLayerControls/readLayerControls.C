@@ -9,8 +9,6 @@ License
 
 #include "readLayerControls.H"
 #include "readRegions.H"
-#include "controlEntries.H"
-#include "DynamicList.H"
 #include "readLayerHeights.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -18,11 +16,11 @@ License
 namespace Foam
 {
 
-//- Numbers of layers that the general entries leave to patches and regions
+//- Number of layers of a patch or region; 0 if it is the general number
 static label readNumber(const dictionary& dict, const layerControls& general)
 {
     label n = 0;
-    readBounded(dict, "nSurfaceLayers", label(1), label(1000), n);
+    readBounded(dict, "nSurfaceLayers", 1, heightSeries::maxLayers, n);
 
     if (n && general.automatic())
     {
@@ -49,7 +47,7 @@ static void checkAutomatic(const dictionary& dict, const heightEntries& given)
 }
 
 
-//- Entries for a part of the wall, tried on the general ones
+//- Entries for a part of the wall, checked together with the general entries
 static heightEntries readPart
 (
     const dictionary& dict,
@@ -67,7 +65,7 @@ static heightEntries readPart
         checkAutomatic(dict, given);
     }
 
-    // In other units they are tried on each point
+    // In other units they are checked at each point later
     if (given.relativeSizes == general.heights.relativeSizes)
     {
         atEntriesOf(dict, [&]()
@@ -119,21 +117,19 @@ static heightField readHeightField(const dictionary& dict)
 
 static void readFields(const dictionary& dict, layerControls& controls)
 {
-    checkKeys
-    (
-        optionalDict(dict, "fields"), {"firstLayerThickness", "thickness"}
-    );
+    const dictionary& fields = optionalDict(dict, "fields");
+    checkKeys(fields, {"firstLayerThickness", "thickness"});
 
-    forEntries
-    (
-        dict, "fields",
-        [&](const keyType& key, const dictionary& values)
-        {
-            heightField& field = key == "thickness"
-              ? controls.thicknessField : controls.firstLayerField;
-            field = readHeightField(values);
-        }
-    );
+    if (fields.found("firstLayerThickness", keyType::LITERAL))
+    {
+        controls.firstLayerField =
+            readHeightField(optionalDict(fields, "firstLayerThickness"));
+    }
+    if (fields.found("thickness", keyType::LITERAL))
+    {
+        controls.thicknessField =
+            readHeightField(optionalDict(fields, "thickness"));
+    }
 
     if (controls.automatic() && controls.thicknessField.isGiven())
     {
@@ -151,9 +147,7 @@ static void readGeneralNumber(const dictionary& dict, layerControls& controls)
 
     if (!dict.found("nSurfaceLayers", keyType::LITERAL))
     {
-        entryError(dict, "nSurfaceLayers")
-            << "The entry nSurfaceLayers of " << dict.dictName()
-            << " is missing" << exit(FatalIOError);
+        missingEntry(dict, "nSurfaceLayers");
     }
 
     const ITstream& is = dict.lookup("nSurfaceLayers", keyType::LITERAL);
@@ -165,13 +159,11 @@ static void readGeneralNumber(const dictionary& dict, layerControls& controls)
     }
     else
     {
-        readBounded(dict, "nSurfaceLayers", label(1), label(1000), n);
+        readBounded(dict, "nSurfaceLayers", 1, heightSeries::maxLayers, n);
     }
 
-    const bool hasAspect = readBounded
-    (
-        dict, "finalAspect", scalar(0.01), scalar(100), controls.finalAspect
-    );
+    const bool hasAspect =
+        readBounded(dict, "finalAspect", 0.01, 100, controls.finalAspect);
 
     if (hasAspect && !controls.automatic())
     {
@@ -250,43 +242,31 @@ Foam::layerControls Foam::readLayerControls(const dictionary& dict)
     );
     controls.onLevelSets = distances == "levelSets";
 
+    readBounded(dict, "transitionRatio", 1.01, 100, controls.transitionRatio);
+    readBounded(dict, "maxStretch", 1, 10, controls.maxStretch);
     readBounded
     (
-        dict, "transitionRatio",
-        scalar(1.01), scalar(100), controls.transitionRatio
-    );
-    readBounded
-    (
-        dict, "maxStretch", scalar(1), scalar(10), controls.maxStretch
-    );
-    readBounded
-    (
-        dict, "multipleNormalsAngle", scalar(0), scalar(90),
-        controls.multipleNormalsAngle
+        dict, "multipleNormalsAngle", 0, 90, controls.multipleNormalsAngle
     );
 
-    DynamicList<patchLayers> patches;
-    forEntries
+    controls.patches = readEntries<patchLayers>
     (
         dict, "patches",
         [&](const keyType& key, const dictionary& entries)
         {
             checkKeys(entries, layerHeightKeys);
-            patches.append(patchLayers{key, readPart(entries, controls)});
+
+            return patchLayers{key, readPart(entries, controls)};
         }
     );
-    controls.patches.transfer(patches);
-
-    DynamicList<layerRegion> regions;
-    forEntries
+    controls.regions = readEntries<layerRegion>
     (
         dict, "regions",
         [&](const keyType&, const dictionary& entries)
         {
-            regions.append(readRegion(entries, controls));
+            return readRegion(entries, controls);
         }
     );
-    controls.regions.transfer(regions);
 
     return controls;
 }

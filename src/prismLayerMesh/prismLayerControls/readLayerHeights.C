@@ -30,27 +30,6 @@ const Foam::wordList Foam::layerHeightKeys
 namespace Foam
 {
 
-static scalar readMandatory
-(
-    const dictionary& dict,
-    const word& key,
-    const scalar min,
-    const scalar max
-)
-{
-    scalar value = 0;
-
-    if (!readBounded(dict, key, min, max, value))
-    {
-        entryError(dict, key)
-            << "The entry " << key << " of " << dict.dictName()
-            << " is missing" << exit(FatalIOError);
-    }
-
-    return value;
-}
-
-
 static void readYPlus(const dictionary& dict, heightEntries& given)
 {
     checkKeys(dict, {"target", "U", "nu", "L"});

@@ -8,12 +8,20 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "readRegions.H"
+#include "Enum.H"
 
 // * * * * * * * * * * * * * * * * Static Data * * * * * * * * * * * * * * * //
 
 const Foam::wordList Foam::geometryRegionKeys
 ({
     "geometry", "mode", "distance"
+});
+
+static const Foam::Enum<Foam::geometryRegion::modes> modeNames
+({
+    {Foam::geometryRegion::modes::inside, "inside"},
+    {Foam::geometryRegion::modes::outside, "outside"},
+    {Foam::geometryRegion::modes::distance, "distance"}
 });
 
 
@@ -25,12 +33,9 @@ Foam::geometryRegion Foam::readGeometryRegion(const dictionary& dict)
     region.name = dict.dictName();
     region.geometry = mandatoryDict(dict, "geometry");
 
-    word mode("inside");
-    readChoice(dict, "mode", {"inside", "outside", "distance"}, mode);
-    region.mode =
-        mode == "inside" ? geometryRegion::modes::inside
-      : mode == "outside" ? geometryRegion::modes::outside
-      : geometryRegion::modes::distance;
+    word mode(modeNames[region.mode]);
+    readChoice(dict, "mode", modeNames.names(), mode);
+    region.mode = modeNames[mode];
 
     const bool hasDistance =
         readBounded(dict, "distance", SMALL, GREAT, region.distance);
@@ -44,29 +49,6 @@ Foam::geometryRegion Foam::readGeometryRegion(const dictionary& dict)
     }
 
     return region;
-}
-
-
-void Foam::forEntries
-(
-    const dictionary& dict,
-    const word& key,
-    const std::function<void(const keyType&, const dictionary&)>& read
-)
-{
-    const dictionary& entries = optionalDict(dict, key);
-
-    for (const entry& e : entries)
-    {
-        if (!e.isDict())
-        {
-            entryError(entries, e.keyword())
-                << "The entry " << e.keyword() << " of " << key
-                << " must be a dictionary" << exit(FatalIOError);
-        }
-
-        read(e.keyword(), e.dict());
-    }
 }
 
 

@@ -36,12 +36,8 @@ static wallSurfaceControls readSurface(const dictionary& dict)
     readChoice(dict, "fluid", {"outside", "inside"}, fluid);
     controls.fluidOutside = (fluid == "outside");
 
-    readBounded(dict, "scale", scalar(1e-9), scalar(1e9), controls.scale);
-    readBounded
-    (
-        dict, "mergeTolerance",
-        scalar(0), scalar(1e-3), controls.mergeTolerance
-    );
+    readBounded(dict, "scale", 1e-9, 1e9, controls.scale);
+    readBounded(dict, "mergeTolerance", 0, 1e-3, controls.mergeTolerance);
 
     return controls;
 }
@@ -52,14 +48,10 @@ static envelopeControls readEnvelope(const dictionary& dict)
     checkKeys(dict, {"scale"});
 
     envelopeControls controls;
-    readBounded(dict, "scale", scalar(1), scalar(10), controls.scale);
+    readBounded(dict, "scale", 1, 10, controls.scale);
 
     return controls;
 }
-
-
-//- Least number of sheets by default where layers end on level sets
-static const label levelSetSheets = 2;
 
 
 static backgroundMeshControls readBackgroundMesh
@@ -71,13 +63,12 @@ static backgroundMeshControls readBackgroundMesh
     checkKeys(dict, {"radiusEdgeRatio", "minSheets"});
 
     backgroundMeshControls controls;
-    controls.minSheets = onLevelSets ? levelSetSheets : 0;
-    readBounded(dict, "minSheets", label(0), label(10), controls.minSheets);
-    readBounded
-    (
-        dict, "radiusEdgeRatio",
-        scalar(1), scalar(10), controls.radiusEdgeRatio
-    );
+    if (onLevelSets)
+    {
+        controls.minSheets = backgroundMeshControls::levelSetSheets;
+    }
+    readBounded(dict, "minSheets", 0, 10, controls.minSheets);
+    readBounded(dict, "radiusEdgeRatio", 1, 10, controls.radiusEdgeRatio);
 
     return controls;
 }

@@ -8,7 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "engulfedBodies.H"
-#include "frontTriangle.H"
+#include "labelledTriangle.H"
 #include "prismQuality.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -23,7 +23,7 @@ static bool addTriangles
     const prismLayers& layers,
     const label facei,
     const label level,
-    std::vector<frontTriangle>& triangles
+    std::vector<labelledTriangle>& triangles
 )
 {
     bool degenerate = false;
@@ -31,8 +31,8 @@ static bool addTriangles
 
     for (label k = 1; k + 1 < f.size(); ++k)
     {
-        frontTriangle t;
-        t.frontFace = facei + (level ? layers.faces.size() : 0);
+        labelledTriangle t;
+        t.facei = facei + (level ? layers.faces.size() : 0);
 
         const label columns[3] = {f[0], f[k], f[k + 1]};
 
@@ -89,11 +89,11 @@ Foam::List<Foam::labelPair> Foam::findIntersections
     UIndirectList<bool>(candidates, outerFaces) = true;
 
     // Each pair has one of the first
-    std::vector<frontTriangle> first, second;
+    std::vector<labelledTriangle> first, second;
 
     forAll(layers.faces, facei)
     {
-        std::vector<frontTriangle>& outer = candidates[facei] ? first : second;
+        auto& outer = candidates[facei] ? first : second;
 
         if
         (

@@ -15,7 +15,6 @@ License
 #include "boundBox.H"
 #include "ListOps.H"
 
-#include <algorithm>
 #include <cmath>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -43,8 +42,8 @@ static void checkFinite(const fileName& file, const pointField& points)
 }
 
 
-//- For each point the one that stands for it, itself or one within the
-//  tolerance
+//- For each point its representative: a point within the tolerance, or the
+//  point itself. The representative of points at one place is the first.
 static labelList findRepresentatives
 (
     const pointField& points,
@@ -57,17 +56,7 @@ static labelList findRepresentatives
     const scalarField place(points & direction);
     const scalar reach = 1.01*mag(direction)*tolerance;
 
-    labelList order(identity(points.size()));
-    std::sort
-    (
-        order.begin(),
-        order.end(),
-        [&](const label a, const label b)
-        {
-            return place[a] < place[b] || (place[a] == place[b] && a < b);
-        }
-    );
-
+    const labelList order(sortedOrder(place));
     labelList representatives(points.size(), -1);
 
     forAll(order, i)
@@ -119,30 +108,25 @@ static bool hasRepeatedPoint(const face& f)
 }
 
 
-//- Leave out faces whose corners have become one, with their sides: the faces
-//  beside them then are neighbours
+//- Remove faces with neighbouring corners that have become one point. Returns
+//  the number of faces removed.
 static label removeCollapsedFaces(wallSurface& wall)
 {
-    label n = 0;
+    bitSet kept(wall.faces.size());
 
     forAll(wall.faces, i)
     {
-        if (!hasRepeatedPoint(wall.faces[i]))
-        {
-            wall.faces[n] = wall.faces[i];
-            wall.patchIDs[n++] = wall.patchIDs[i];
-        }
+        kept.set(i, !hasRepeatedPoint(wall.faces[i]));
     }
 
-    const label nCollapsed = wall.faces.size() - n;
-    wall.faces.setSize(n);
-    wall.patchIDs.setSize(n);
+    inplaceSubset(kept, wall.faces);
+    inplaceSubset(kept, wall.patchIDs);
 
-    return nCollapsed;
+    return kept.size() - wall.faces.size();
 }
 
 
-//- Points that have another one as representative
+//- Number of points that have another one as representative
 static label nRepresented(const labelUList& representatives)
 {
     label n = 0;
@@ -163,48 +147,22 @@ static void mergePoints
 )
 {
     const scalar diagonal = boundBox(wall.points, false).mag();
-    const labelList representatives
-    (
-        findRepresentatives(wall.points, mergeTolerance*diagonal)
-    );
+    const auto within = [&](const scalar tolerance)
+    {
+        return findRepresentatives(wall.points, tolerance*diagonal);
+    };
+    const labelList representatives(within(mergeTolerance));
+    const label nNear = nRepresented(within(wallReading::nearTolerance));
 
     reading.mergedPoints = nRepresented(representatives);
-    reading.nearPoints = max
-    (
-        nRepresented
-        (
-            findRepresentatives
-            (
-                wall.points, wallReading::nearTolerance*diagonal
-            )
-        ) - reading.mergedPoints,
-        label(0)
-    );
+    reading.nearPoints = max(nNear - reading.mergedPoints, label(0));
 
     for (face& f : wall.faces)
     {
-        for (label& p : f)
-        {
-            p = representatives[p];
-        }
+        inplaceRenumber(representatives, f);
     }
 
     reading.collapsedFaces = removeCollapsedFaces(wall);
-}
-
-
-//- Number those that are used, in their order
-static labelList compactNumbers(const bitSet& used, label& nUsed)
-{
-    labelList numbers(used.size(), -1);
-    nUsed = 0;
-
-    for (const label i : used)
-    {
-        numbers[i] = nUsed++;
-    }
-
-    return numbers;
 }
 
 
@@ -213,43 +171,25 @@ static void removeUnusedPoints(wallSurface& wall)
     bitSet used(wall.points.size());
     for (const face& f : wall.faces)
     {
-        for (const label p : f)
-        {
-            used.set(p);
-        }
+        used.set(f);
     }
 
-    label nUsed = 0;
-    const labelList numbers(compactNumbers(used, nUsed));
-
-    forAll(numbers, p)
-    {
-        if (numbers[p] >= 0)
-        {
-            wall.points[numbers[p]] = wall.points[p];
-        }
-    }
-    wall.points.setSize(nUsed);
+    const labelList numbers(invert(used));
+    inplaceSubset(used, wall.points);
 
     for (face& f : wall.faces)
     {
-        for (label& p : f)
-        {
-            p = numbers[p];
-        }
+        inplaceRenumber(numbers, f);
     }
 }
 
 
-//- Patches without faces go, those of the same name become one, and the only
-//  one that the file has not named is named after the file
+//- Remove patches without faces and merge those of the same name. If there is
+//  but one patch and the file has not named it, it is named after the file.
 static void cleanPatches(wallSurface& wall, const fileName& file)
 {
     bitSet used(wall.patchNames.size());
-    for (const label patchi : wall.patchIDs)
-    {
-        used.set(patchi);
-    }
+    used.set(wall.patchIDs);
 
     DynamicList<word> names;
     labelList numbers(used.size(), -1);
@@ -266,10 +206,7 @@ static void cleanPatches(wallSurface& wall, const fileName& file)
         }
     }
 
-    for (label& patchi : wall.patchIDs)
-    {
-        patchi = numbers[patchi];
-    }
+    inplaceRenumber(numbers, wall.patchIDs);
 
     const wordList unnamed({"", "zone0", "solid", "solid0", "patch0"});
 

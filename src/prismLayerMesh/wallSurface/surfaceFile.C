@@ -9,12 +9,11 @@ License
 
 #include "surfaceFile.H"
 #include "IFstream.H"
-#include "isolatedProcess.H"
 #include "MeshedSurfaces.H"
 #include "OSspecific.H"
-#include "stlSurface.H"
+#include "surfaceFormats.H"
+#include "throwingErrors.H"
 
-#include <cstring>
 #include <cfenv>
 #include <new>
 
@@ -33,12 +32,14 @@ namespace Foam
 }
 
 
-//- As long as it lives fatal errors are exceptions, also where memory does not
-//  suffice, and readers do not talk
+namespace
+{
+
+//- As long as it lives, fatal errors and a lack of memory throw exceptions,
+//  and readers print nothing
 class quietReading
 {
-    const bool error_ = FatalError.throwExceptions(true);
-    const bool ioError_ = FatalIOError.throwExceptions(true);
+    const throwingErrors throwing_ = throwingErrors(true);
     const int level_ = messageStream::level;
     const std::new_handler newHandler_ = std::set_new_handler(nullptr);
     std::fenv_t environment_;
@@ -58,13 +59,13 @@ public:
         std::fesetenv(&environment_);
         std::set_new_handler(newHandler_);
         messageStream::level = level_;
-        FatalError.throwExceptions(error_);
-        FatalIOError.throwExceptions(ioError_);
     }
 };
 
+} // End anonymous namespace
 
-//- Run a reader; its errors do not always name the file
+
+//- Run a reader, whose errors do not always name the file
 template<class Reader>
 static void readGuarded(const fileName& file, const Reader& read)
 {
@@ -111,130 +112,6 @@ static fileName uncompressedName(const fileName& file)
     }
 
     return plain;
-}
-
-
-//- OpenFOAM's reader takes three coordinates without looking
-static void checkObjPoints(const fileName& file)
-{
-    IFstream is(file);
-    std::istream& stream = is.stdStream();
-    std::string line;
-
-    for (label lineNumber = 1; std::getline(stream, line); ++lineNumber)
-    {
-        const auto start = line.find_first_not_of(" \t\r");
-
-        if
-        (
-            start == std::string::npos
-         || line[start] != 'v'
-         || !std::isspace(line[min(start + 1, line.size() - 1)])
-        )
-        {
-            continue;
-        }
-
-        const char* c = line.c_str() + start + 1;
-        label n = 0;
-
-        while (n < 3 && *(c += std::strspn(c, " \t\r")))
-        {
-            c += std::strcspn(c, " \t\r");
-            ++n;
-        }
-
-        if (n < 3)
-        {
-            FatalErrorInFunction
-                << "the point on line " << lineNumber
-                << " does not have three coordinates" << exit(FatalError);
-        }
-    }
-}
-
-
-//- The readers of formats that are not checked here are tried out first in a
-//  process of their own, because some crash on inconsistent sizes
-static void tryReader(const fileName& file, const word& extension)
-{
-    const auto read = [&](std::FILE*)
-    {
-        try
-        {
-            meshedSurface::New(file, extension);
-        }
-        catch (const std::exception&)
-        {}
-    };
-
-    const auto nothing = [](std::FILE*) { return true; };
-
-    if (isolatedProcess(read, nothing, 600) != processEnd::complete)
-    {
-        FatalErrorInFunction
-            << "the reader crashes; is it broken?" << exit(FatalError);
-    }
-}
-
-
-static void setPatches(const surfZoneList& zones, wallSurface& wall)
-{
-    const label nFaces = wall.faces.size();
-    wall.patchIDs.setSize(nFaces);
-    wall.patchIDs = 0;
-    wall.patchNames = wordList(1, word("zone0"));
-
-    // Some readers leave the sizes of zones at zero: then there are none
-    label nInZones = 0;
-    for (const surfZone& zone : zones)
-    {
-        nInZones += zone.size();
-    }
-
-    if (nInZones != nFaces)
-    {
-        return;
-    }
-
-    wall.patchNames.setSize(zones.size());
-
-    forAll(zones, i)
-    {
-        wall.patchNames[i] = zones[i].name();
-
-        for (label j = 0; j < zones[i].size(); ++j)
-        {
-            wall.patchIDs[zones[i].start() + j] = i;
-        }
-    }
-}
-
-
-static void readMeshed
-(
-    const fileName& file,
-    const word& extension,
-    wallSurface& wall
-)
-{
-    if (extension == "obj")
-    {
-        checkObjPoints(file);
-    }
-    else if (extension != "off")
-    {
-        tryReader(file, extension);
-    }
-
-    const autoPtr<meshedSurface> surface
-    (
-        meshedSurface::New(file, extension)
-    );
-
-    wall.points = surface().points();
-    wall.faces = surface().surfFaces();
-    setPatches(surface().surfZones(), wall);
 }
 
 
@@ -307,7 +184,7 @@ Foam::wallSurface Foam::readSurfaceFile
             }
             else
             {
-                readMeshed(plain, extension, wall);
+                readMeshedSurface(plain, extension, wall);
             }
         }
     );

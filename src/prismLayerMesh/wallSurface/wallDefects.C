@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "wallDefects.H"
+#include "orientation.H"
 #include "wallPredicates.H"
 #include "wallTopologyDefects.H"
 #include "StringStream.H"

@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "wallSides.H"
+#include "CompactListList.H"
 #include "disjointSets.H"
 
 #include <algorithm>
@@ -50,45 +51,43 @@ Foam::wallSides Foam::makeWallSides
 )
 {
     // A counting sort on low leaves runs of a few sides to be sorted by high
-    labelList starts(nPoints + 1, Zero);
-    visitSides(faces, [&](const wallSide& s) { ++starts[s.low + 1]; });
+    labelList nSides(nPoints, Zero);
+    visitSides(faces, [&](const wallSide& s) { ++nSides[s.low]; });
 
-    for (label i = 0; i < nPoints; ++i)
-    {
-        starts[i + 1] += starts[i];
-    }
-
-    wallSides result;
-    List<wallSide>& sides = result.sides;
-    sides.setSize(starts[nPoints]);
-
-    labelList next(starts);
+    CompactListList<wallSide> byLow(nSides);
+    List<wallSide>& sides = byLow.m();
+    labelList next(SubList<label>(byLow.offsets(), nPoints));
     visitSides(faces, [&](const wallSide& s) { sides[next[s.low]++] = s; });
 
     DynamicList<label> edgeStarts(sides.size()/2 + 1);
 
     for (label p = 0; p < nPoints; ++p)
     {
+        UList<wallSide> run(byLow[p]);
+
         std::stable_sort
         (
-            sides.begin() + starts[p],
-            sides.begin() + starts[p + 1],
+            run.begin(),
+            run.end(),
             [](const wallSide& s, const wallSide& t)
             {
                 return s.high < t.high;
             }
         );
 
-        for (label i = starts[p]; i < starts[p + 1]; ++i)
+        forAll(run, i)
         {
-            if (i == starts[p] || sides[i].high != sides[i - 1].high)
+            if (i == 0 || run[i].high != run[i - 1].high)
             {
-                edgeStarts.append(i);
+                edgeStarts.append(byLow.index(p, i));
             }
         }
     }
 
     edgeStarts.append(sides.size());
+
+    wallSides result;
+    result.sides.transfer(sides);
     result.edgeStarts.transfer(edgeStarts);
 
     return result;

@@ -8,13 +8,18 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "wallSurface.H"
+#include "CompactListList.H"
 #include "disjointSets.H"
+#include "triSurface.H"
 
 #include <algorithm>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
+{
+
+namespace
 {
 
 //- A corner of a face at a point: the points after and before it
@@ -25,37 +30,27 @@ struct wallCorner
     label facei;
 };
 
-
-//- Corners by point: those of p are corners[starts[p]..starts[p+1]-1]
-struct wallCorners
-{
-    labelList starts;
-    List<wallCorner> corners;
-};
+} // End anonymous namespace
 
 
+typedef CompactListList<wallCorner> wallCorners;
+
+
+//- The corners at each point
 static wallCorners makeCorners(const wallSurface& wall)
 {
-    wallCorners result;
-    labelList& starts = result.starts;
-    starts.setSize(wall.points.size() + 1);
-    starts = Zero;
+    labelList nCorners(wall.points.size(), Zero);
 
     for (const face& f : wall.faces)
     {
         for (const label p : f)
         {
-            ++starts[p + 1];
+            ++nCorners[p];
         }
     }
 
-    forAll(wall.points, p)
-    {
-        starts[p + 1] += starts[p];
-    }
-
-    result.corners.setSize(starts.last());
-    labelList next(starts);
+    wallCorners corners(nCorners);
+    labelList next(SubList<label>(corners.offsets(), nCorners.size()));
 
     forAll(wall.faces, facei)
     {
@@ -63,25 +58,25 @@ static wallCorners makeCorners(const wallSurface& wall)
 
         forAll(f, i)
         {
-            result.corners[next[f[i]]++] =
+            corners.m()[next[f[i]]++] =
                 {f[f.fcIndex(i)], f[f.rcIndex(i)], facei};
         }
     }
 
-    return result;
+    return corners;
 }
 
 
-//- Each corner after the one that ends on the edge where it begins
-static void sortByRotation(wallCorners& c, const label p)
+//- Sort corners so that each begins at the edge on which the one before ends
+static void sortByRotation(UList<wallCorner>& corners)
 {
-    for (label i = c.starts[p] + 1; i < c.starts[p + 1]; ++i)
+    for (label i = 1; i < corners.size(); ++i)
     {
-        for (label j = i; j < c.starts[p + 1]; ++j)
+        for (label j = i; j < corners.size(); ++j)
         {
-            if (c.corners[j].next == c.corners[i - 1].previous)
+            if (corners[j].next == corners[i - 1].previous)
             {
-                std::swap(c.corners[i], c.corners[j]);
+                std::swap(corners[i], corners[j]);
                 break;
             }
         }
@@ -89,14 +84,14 @@ static void sortByRotation(wallCorners& c, const label p)
 }
 
 
-//- The face that runs from a to b; -1 where there is none
-static label faceAlong(const wallCorners& c, const label a, const label b)
+//- The face that runs from a to b; -1 if there is none
+static label faceAlong(const wallCorners& corners, const label a, const label b)
 {
-    for (label i = c.starts[a]; i < c.starts[a + 1]; ++i)
+    for (const wallCorner& corner : corners[a])
     {
-        if (c.corners[i].next == b)
+        if (corner.next == b)
         {
-            return c.corners[i].facei;
+            return corner.facei;
         }
     }
 
@@ -104,22 +99,22 @@ static label faceAlong(const wallCorners& c, const label a, const label b)
 }
 
 
-static void setEdges(const wallCorners& c, wallAddressing& addressing)
+static void setEdges(const wallCorners& corners, wallAddressing& addressing)
 {
-    DynamicList<edge> edges(c.corners.size()/2);
-    DynamicList<labelPair> edgeFaces(c.corners.size()/2);
+    DynamicList<edge> edges(corners.m().size()/2);
+    DynamicList<labelPair> edgeFaces(corners.m().size()/2);
 
-    for (label a = 0; a < c.starts.size() - 1; ++a)
+    forAll(corners, a)
     {
-        for (label i = c.starts[a]; i < c.starts[a + 1]; ++i)
+        for (const wallCorner& corner : corners[a])
         {
-            const label b = c.corners[i].next;
-            const label other = faceAlong(c, b, a);
+            const label b = corner.next;
+            const label other = faceAlong(corners, b, a);
 
             if (a < b || other < 0)
             {
                 edges.append(edge(a, b));
-                edgeFaces.append(labelPair(c.corners[i].facei, other));
+                edgeFaces.append(labelPair(corner.facei, other));
             }
         }
     }
@@ -152,30 +147,28 @@ Foam::vectorField Foam::wallSurface::faceNormals() const
 
 Foam::wallAddressing Foam::makeWallAddressing(const wallSurface& wall)
 {
-    const label nPoints = wall.points.size();
-    wallCorners c(makeCorners(wall));
+    wallCorners corners(makeCorners(wall));
 
     wallAddressing addressing;
-    setEdges(c, addressing);
+    setEdges(corners, addressing);
 
-    addressing.pointFaces.setSize(nPoints);
-    addressing.pointPoints.setSize(nPoints);
+    addressing.pointFaces.setSize(corners.size());
+    addressing.pointPoints.setSize(corners.size());
 
-    for (label p = 0; p < nPoints; ++p)
+    forAll(corners, p)
     {
-        sortByRotation(c, p);
+        UList<wallCorner> around(corners[p]);
+        sortByRotation(around);
 
-        const label start = c.starts[p];
-        const label n = c.starts[p + 1] - start;
         labelList& faces = addressing.pointFaces[p];
         labelList& points = addressing.pointPoints[p];
-        faces.setSize(n);
-        points.setSize(n);
+        faces.setSize(around.size());
+        points.setSize(around.size());
 
-        for (label i = 0; i < n; ++i)
+        forAll(around, i)
         {
-            faces[i] = c.corners[start + i].facei;
-            points[i] = c.corners[start + i].next;
+            faces[i] = around[i].facei;
+            points[i] = around[i].next;
         }
     }
 
@@ -202,6 +195,20 @@ Foam::scalarField Foam::meanEdges
     }
 
     return means;
+}
+
+
+Foam::scalar Foam::enclosedVolume(const wallSurface& wall)
+{
+    scalar volume = 0;
+
+    for (const face& f : wall.faces)
+    {
+        volume += (f.centre(wall.points) - wall.points[0])
+            & f.areaNormal(wall.points);
+    }
+
+    return volume/3;
 }
 
 
@@ -267,6 +274,22 @@ Foam::faceList Foam::wallTriangles
     }
 
     return triangles;
+}
+
+
+Foam::triSurface Foam::toTriSurface(const wallSurface& wall)
+{
+    labelList triangleFace;
+    const faceList triangles(wallTriangles(wall, triangleFace));
+
+    List<labelledTri> tris(triangles.size());
+    forAll(tris, i)
+    {
+        const face& f = triangles[i];
+        tris[i] = labelledTri(f[0], f[1], f[2], 0);
+    }
+
+    return triSurface(tris, wall.points);
 }
 
 

@@ -57,20 +57,23 @@ TEST(testSurfaces, areClosed)
 
 TEST(testSurfaces, encloseTheirVolume)
 {
-    EXPECT_NEAR(enclosedVolume(quadCube(3, 2)), 8, 1e-12);
-    EXPECT_NEAR(enclosedVolume(cube(3, 2)), 8, 1e-12);
-    EXPECT_NEAR(enclosedVolume(lBlock(5)), 3, 1e-12);
+    EXPECT_NEAR(testSurfaces::enclosedVolume(quadCube(3, 2)), 8, 1e-12);
+    EXPECT_NEAR(testSurfaces::enclosedVolume(cube(3, 2)), 8, 1e-12);
+    EXPECT_NEAR(testSurfaces::enclosedVolume(lBlock(5)), 3, 1e-12);
     EXPECT_NEAR
     (
-        enclosedVolume(wedgeBlock(5, 60)),
+        testSurfaces::enclosedVolume(wedgeBlock(5, 60)),
         4 - Foam::sqrt(1.0/3),
         1e-12
     );
-    EXPECT_NEAR(enclosedVolume(slitBlock(5, 0.1)), 3.9, 1e-12);
+    EXPECT_NEAR(testSurfaces::enclosedVolume(slitBlock(5, 0.1)), 3.9, 1e-12);
 
     // Inscribed: the error of chords is O(1/n^2)
-    EXPECT_NEAR(enclosedVolume(sphere(20, 1)), 4*pi/3, 0.02);
-    EXPECT_NEAR(enclosedVolume(torus(60, 40, 2, 0.5)), pi*pi, 0.1);
+    EXPECT_NEAR(testSurfaces::enclosedVolume(sphere(20, 1)), 4*pi/3, 0.02);
+    EXPECT_NEAR
+    (
+        testSurfaces::enclosedVolume(torus(60, 40, 2, 0.5)), pi*pi, 0.1
+    );
 }
 
 
@@ -123,7 +126,7 @@ TEST(testSurfaces, screwsOfCubes)
     for (const saddle& s : all)
     {
         EXPECT_TRUE(isClosed(s.wall)) << s.name;
-        EXPECT_NEAR(enclosedVolume(s.wall), 4, 1e-14) << s.name;
+        EXPECT_NEAR(testSurfaces::enclosedVolume(s.wall), 4, 1e-14) << s.name;
         EXPECT_EQ(eulerCharacteristic(s.wall), 2) << s.name;
     }
 }
@@ -134,7 +137,7 @@ TEST(testSurfaces, bladeOnAnEdge)
     const wallSurface wall(bladeOnEdge(0.25));
 
     EXPECT_TRUE(isClosed(wall));
-    EXPECT_NEAR(enclosedVolume(wall), 2.5, 1e-14);
+    EXPECT_NEAR(testSurfaces::enclosedVolume(wall), 2.5, 1e-14);
     EXPECT_EQ(eulerCharacteristic(wall), 2);
 }
 

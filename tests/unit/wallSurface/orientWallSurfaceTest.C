@@ -31,7 +31,7 @@ TEST(orientWallSurface, inwardNormalsAreTurnedForFluidOutside)
     wallSurface wall(reversed(lBlock(4)));
 
     EXPECT_EQ(orientWallSurface(wall, true), wall.faces.size());
-    EXPECT_NEAR(enclosedVolume(wall), 3, 1e-12);
+    EXPECT_NEAR(testSurfaces::enclosedVolume(wall), 3, 1e-12);
 }
 
 
@@ -40,7 +40,7 @@ TEST(orientWallSurface, normalsPointIntoTheFluidInside)
     wallSurface wall(quadSphere(4));
 
     EXPECT_EQ(orientWallSurface(wall, false), wall.faces.size());
-    EXPECT_LT(enclosedVolume(wall), 0);
+    EXPECT_LT(testSurfaces::enclosedVolume(wall), 0);
     EXPECT_EQ(orientWallSurface(wall, false), 0);
 }
 
@@ -62,7 +62,7 @@ TEST(orientWallSurface, componentInsideOutIsTurned)
     );
 
     EXPECT_EQ(orientWallSurface(wall, true), one.faces.size());
-    EXPECT_NEAR(enclosedVolume(wall), 2, 1e-12);
+    EXPECT_NEAR(testSurfaces::enclosedVolume(wall), 2, 1e-12);
 }
 
 
@@ -75,8 +75,9 @@ TEST(orientWallSurface, cavityIsTurnedAgainstItsShell)
     EXPECT_EQ(orientWallSurface(wall, true), cavity.faces.size());
     EXPECT_NEAR
     (
-        enclosedVolume(wall),
-        enclosedVolume(sphere(6)) - enclosedVolume(cavity) + 1e-3,
+        testSurfaces::enclosedVolume(wall),
+        testSurfaces::enclosedVolume(sphere(6))
+      - testSurfaces::enclosedVolume(cavity) + 1e-3,
         1e-12
     );
 }

@@ -165,7 +165,11 @@ TEST_F(readWallSurfaceFiles, compressedFilesAreRead)
 TEST_F(readWallSurfaceFiles, surfaceIsScaled)
 {
     controls_.scale = 0.001;
-    EXPECT_NEAR(enclosedVolume(read(file("body.obj", cube(2)))), 1e-9, 1e-20);
+    EXPECT_NEAR
+    (
+        testSurfaces::enclosedVolume(read(file("body.obj", cube(2)))),
+        1e-9, 1e-20
+    );
 }
 
 

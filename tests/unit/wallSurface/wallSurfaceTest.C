@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "testSurfaces.H"
+#include "triSurface.H"
 #include "wallSurface.H"
 
 #include <gtest/gtest.h>
@@ -117,6 +118,37 @@ TEST(wallSurface, fansHoldEveryCornerOnce)
     }
 
     EXPECT_EQ(nCorners, 3*wall.faces.size());
+}
+
+
+TEST(wallSurface, enclosesItsVolume)
+{
+    const vector far(100, -200, 300);
+
+    for (const wallSurface& wall : {lBlock(3), quadCube(3, 2), sphere(6)})
+    {
+        const scalar volume = testSurfaces::enclosedVolume(wall);
+
+        EXPECT_NEAR(Foam::enclosedVolume(wall), volume, 1e-12);
+        EXPECT_NEAR(Foam::enclosedVolume(reversed(wall)), -volume, 1e-12);
+        EXPECT_NEAR
+        (
+            Foam::enclosedVolume(translated(wall, far)), volume, 1e-9
+        );
+    }
+}
+
+
+TEST(wallSurface, triSurfaceHasItsTriangles)
+{
+    const wallSurface wall(quadCube(2));
+    const triSurface surface(toTriSurface(wall));
+
+    EXPECT_EQ(surface.size(), 2*wall.faces.size());
+    EXPECT_EQ(surface.points(), wall.points);
+    EXPECT_EQ(surface[1][0], wall.faces[0][0]);
+    EXPECT_EQ(surface[1][1], wall.faces[0][2]);
+    EXPECT_EQ(surface[1][2], wall.faces[0][3]);
 }
 
 

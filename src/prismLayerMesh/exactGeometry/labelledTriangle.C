@@ -10,8 +10,7 @@ License
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/intersections.h>
 
-#include "frontTriangle.H"
-#include "orientation.H"
+#include "labelledTriangle.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -30,36 +29,42 @@ static inline Point3 toPoint3(const point& p)
 }
 
 
-static inline Point3 corner(const frontTriangle& t, const int k)
+static inline Point3 corner(const labelledTriangle& t, const int k)
 {
     return toPoint3(t.points[k%3]);
 }
 
 
-static inline Triangle3 triangle3(const frontTriangle& t)
+static inline Triangle3 triangle3(const labelledTriangle& t)
 {
     return Triangle3(corner(t, 0), corner(t, 1), corner(t, 2));
 }
 
 
 //- The edge opposite to corner k
-static inline Segment3 edgeOpposite(const frontTriangle& t, const int k)
+static inline Segment3 edgeOpposite(const labelledTriangle& t, const int k)
 {
     return Segment3(corner(t, k + 1), corner(t, k + 2));
 }
 
 
 //- On which side of the triangle's plane p is
-static inline int side(const frontTriangle& t, const point& p)
+static inline int side(const labelledTriangle& t, const point& p)
 {
     return orientation(t.points[0], t.points[1], t.points[2], p);
 }
 
 
-// Projections are sums of three products of differences of coordinates: off
-// by less than 8*2^-53 of the sum of magnitudes. Coordinates are not so small
-// that products underflow, or the comparisons are false.
-static const scalar projectionError = 1e-15;
+// The filters below spare most pairs the exact predicates, which on flat walls
+// would have to compute exactly nearly everywhere. A filter decides only if the
+// sign is certain, by this bound in units u = 2^-53 of one rounding.
+// Differences of coordinates are off by u of their size. A projection m & d, a
+// sum of three products with such differences, is off by less than 6u of the
+// sum of the magnitudes. The components of a cross product of differences are
+// off by less than 4u of the sums of magnitudes, the vector a ^ b by less than
+// 6u |a||b|, and (a ^ b) & (a ^ c) by less than 16u |a|^2 |b||c|. The bound is
+// 32u. Products do not underflow; if they overflow, the comparisons are false.
+static const scalar roundingError = 32*1.2e-16;
 
 
 static inline scalar magnitude(const vector& m, const vector& u)
@@ -68,14 +73,13 @@ static inline scalar magnitude(const vector& m, const vector& u)
 }
 
 
-//- Whether a plane of normal m through a corner of both, or between two without
-//  a common corner, separates a (below) from b, certainly. Else the exact
-//  predicates decide; on flat walls they would have to compute exactly nearly
-//  everywhere, which is slow.
+//- Whether a plane of normal m certainly separates a (below) from b. If the
+//  corners skipA and skipB are one point, the plane runs through that point,
+//  the origin; both are -1 if there is no such point.
 static bool apart
 (
-    const frontTriangle& a,
-    const frontTriangle& b,
+    const labelledTriangle& a,
+    const labelledTriangle& b,
     const vector& m,
     const point& origin,
     const int skipA,
@@ -92,12 +96,12 @@ static bool apart
 
         if (k != skipA)
         {
-            highA = max(highA, (m & u) + projectionError*magnitude(m, u));
+            highA = max(highA, (m & u) + roundingError*magnitude(m, u));
         }
 
         if (k != skipB)
         {
-            lowB = min(lowB, (m & v) - projectionError*magnitude(m, v));
+            lowB = min(lowB, (m & v) - roundingError*magnitude(m, v));
         }
     }
 
@@ -105,13 +109,13 @@ static bool apart
 }
 
 
-//- Triangles with a common edge, opposite to corners ka and kb, intersect when
+//- Triangles with a common edge, opposite to corners ka and kb, intersect if
 //  one is folded onto the other
 static bool intersectAtEdge
 (
-    const frontTriangle& a,
+    const labelledTriangle& a,
     const int ka,
-    const frontTriangle& b,
+    const labelledTriangle& b,
     const int kb
 )
 {
@@ -125,7 +129,7 @@ static bool intersectAtEdge
     if
     (
         ((edge ^ u) & (edge ^ v))
-      < -64*projectionError*magSqr(edge)*mag(u)*mag(v)
+      < -roundingError*magSqr(edge)*mag(u)*mag(v)
     )
     {
         return false;
@@ -140,13 +144,12 @@ static bool intersectAtEdge
 }
 
 
-//- Whether the edge of a opposite to its corner ka, the common one, meets the
-//  plane of b
+//- Whether the edge of a opposite to the common corner ka meets the plane of b
 static bool reachesPlane
 (
-    const frontTriangle& a,
+    const labelledTriangle& a,
     const int ka,
-    const frontTriangle& b
+    const labelledTriangle& b
 )
 {
     const int start = side(b, a.points[(ka + 1)%3]);
@@ -155,13 +158,13 @@ static bool reachesPlane
 }
 
 
-//- Triangles with one common point, corners ka and kb, intersect when the
+//- Triangles with one common point, corners ka and kb, intersect if the
 //  opposite edge of one meets the other
 static bool intersectAtPoint
 (
-    const frontTriangle& a,
+    const labelledTriangle& a,
     const int ka,
-    const frontTriangle& b,
+    const labelledTriangle& b,
     const int kb
 )
 {
@@ -190,7 +193,11 @@ static bool intersectAtPoint
 }
 
 
-static bool intersectElsewhere(const frontTriangle& a, const frontTriangle& b)
+static bool intersectElsewhere
+(
+    const labelledTriangle& a,
+    const labelledTriangle& b
+)
 {
     vector m(Zero);
     for (int k = 0; k < 3; ++k)
@@ -223,27 +230,24 @@ int Foam::orientation
 }
 
 
-bool Foam::frontTriangle::degenerate() const
+bool Foam::isCollinear(const point& a, const point& b, const point& c)
 {
-    return CGAL::collinear
-    (
-        corner(*this, 0), corner(*this, 1), corner(*this, 2)
-    );
+    return CGAL::collinear(toPoint3(a), toPoint3(b), toPoint3(c));
 }
 
 
-std::vector<Foam::frontTriangle> Foam::frontTriangles
+std::vector<Foam::labelledTriangle> Foam::labelledTriangles
 (
     const UList<face>& triangles,
     const pointField& points,
-    const labelUList& ofFace
+    const labelUList& faceLabels
 )
 {
-    std::vector<frontTriangle> list(triangles.size());
+    std::vector<labelledTriangle> list(triangles.size());
 
     forAll(triangles, i)
     {
-        list[i].frontFace = ofFace[i];
+        list[i].facei = faceLabels[i];
 
         for (label k = 0; k < 3; ++k)
         {
@@ -256,10 +260,10 @@ std::vector<Foam::frontTriangle> Foam::frontTriangles
 }
 
 
-bool Foam::intersect(const frontTriangle& a, const frontTriangle& b)
+bool Foam::intersect(const labelledTriangle& a, const labelledTriangle& b)
 {
-    // Common points, the last such corners, and the sums of such corners: of
-    // two of the corners 0, 1, 2 the sum tells the third
+    // The number of common points, their last corners, and the sums of their
+    // corners: the sum of two of the corners 0, 1, 2 tells the third
     int nCommon = 0, ka = 0, kb = 0, sumA = 0, sumB = 0;
 
     for (int i = 0; i < 3; ++i)

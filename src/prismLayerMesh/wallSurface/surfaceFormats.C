@@ -7,8 +7,10 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "stlSurface.H"
+#include "surfaceFormats.H"
 #include "IFstream.H"
+#include "isolatedProcess.H"
+#include "MeshedSurfaces.H"
 #include "STLReader.H"
 
 #include <algorithm>
@@ -19,17 +21,22 @@ License
 namespace Foam
 {
 
+namespace
+{
+
 //- What a file looks like from afar
 struct fileProbe
 {
-    //- Of the content, [bytes]
+    //- Size of the content [bytes]
     std::streamsize size = 0;
 
-    //- Up to the first that is not a 7-bit character
+    //- Number of characters before the first that is not a 7-bit character
     std::streamsize asciiSize = 0;
 
     char header[84];
 };
+
+} // End anonymous namespace
 
 
 static fileProbe probe(const fileName& file)
@@ -112,6 +119,103 @@ static fileFormats::STLCore::STLFormat findFormat(const fileName& file)
     return fileFormats::STLCore::UNKNOWN;
 }
 
+
+//- OpenFOAM's reader takes three coordinates without looking
+static void checkObjPoints(const fileName& file)
+{
+    IFstream is(file);
+    std::istream& stream = is.stdStream();
+    std::string line;
+
+    for (label lineNumber = 1; std::getline(stream, line); ++lineNumber)
+    {
+        const auto start = line.find_first_not_of(" \t\r");
+
+        if
+        (
+            start == std::string::npos
+         || line[start] != 'v'
+         || !std::isspace(line[min(start + 1, line.size() - 1)])
+        )
+        {
+            continue;
+        }
+
+        const char* c = line.c_str() + start + 1;
+        label n = 0;
+
+        while (n < 3 && *(c += std::strspn(c, " \t\r")))
+        {
+            c += std::strcspn(c, " \t\r");
+            ++n;
+        }
+
+        if (n < 3)
+        {
+            FatalErrorInFunction
+                << "the point on line " << lineNumber
+                << " does not have three coordinates" << exit(FatalError);
+        }
+    }
+}
+
+
+//- The readers of formats that are not checked here are tried out first in a
+//  process of their own, because some crash on inconsistent sizes
+static void tryReader(const fileName& file, const word& extension)
+{
+    const auto read = [&](std::FILE*)
+    {
+        try
+        {
+            meshedSurface::New(file, extension);
+        }
+        catch (const std::exception&)
+        {}
+    };
+
+    const auto nothing = [](std::FILE*) { return true; };
+
+    if (isolatedProcess(read, nothing, 600) != processEnd::complete)
+    {
+        FatalErrorInFunction
+            << "the reader crashes; is it broken?" << exit(FatalError);
+    }
+}
+
+
+static void setPatches(const surfZoneList& zones, wallSurface& wall)
+{
+    const label nFaces = wall.faces.size();
+    wall.patchIDs.setSize(nFaces);
+    wall.patchIDs = 0;
+    wall.patchNames = wordList(1, word("zone0"));
+
+    // Some readers leave the sizes of zones at zero: then there are none
+    label nInZones = 0;
+    for (const surfZone& zone : zones)
+    {
+        nInZones += zone.size();
+    }
+
+    if (nInZones != nFaces)
+    {
+        return;
+    }
+
+    wall.patchNames.setSize(zones.size());
+
+    forAll(zones, i)
+    {
+        wall.patchNames[i] = zones[i].name();
+
+        for (label j = 0; j < zones[i].size(); ++j)
+        {
+            wall.patchIDs[zones[i].start() + j] = i;
+        }
+    }
+}
+
 } // End namespace Foam
 
 
@@ -150,6 +254,33 @@ void Foam::readStlSurface(const fileName& file, wallSurface& wall)
     {
         wall.patchNames.append("zone" + Foam::name(i));
     }
+}
+
+
+void Foam::readMeshedSurface
+(
+    const fileName& file,
+    const word& extension,
+    wallSurface& wall
+)
+{
+    if (extension == "obj")
+    {
+        checkObjPoints(file);
+    }
+    else if (extension != "off")
+    {
+        tryReader(file, extension);
+    }
+
+    const autoPtr<meshedSurface> surface
+    (
+        meshedSurface::New(file, extension)
+    );
+
+    wall.points = surface().points();
+    wall.faces = surface().surfFaces();
+    setPatches(surface().surfZones(), wall);
 }
 
 

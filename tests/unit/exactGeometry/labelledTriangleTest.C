@@ -1,0 +1,220 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+\*---------------------------------------------------------------------------*/
+
+#include "labelledTriangle.H"
+#include "testSurfaces.H"
+
+#include <gtest/gtest.h>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+using namespace Foam;
+
+static labelledTriangle triangleOn
+(
+    const pointField& points,
+    const label a,
+    const label b,
+    const label c,
+    const label facei = 0
+)
+{
+    return labelledTriangle
+    {
+        {a, b, c}, {points[a], points[b], points[c]}, facei
+    };
+}
+
+
+//- Whether they intersect, which must not depend on order and rotation
+static bool intersectAnyway
+(
+    const labelledTriangle& a,
+    const labelledTriangle& b
+)
+{
+    const bool result = intersect(a, b);
+
+    for (int turn = 0; turn < 3; ++turn)
+    {
+        labelledTriangle turned(a);
+
+        for (int k = 0; k < 3; ++k)
+        {
+            turned.labels[k] = a.labels[(k + turn) % 3];
+            turned.points[k] = a.points[(k + turn) % 3];
+        }
+
+        EXPECT_EQ(intersect(turned, b), result);
+        EXPECT_EQ(intersect(b, turned), result);
+    }
+
+    return result;
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(orientation, isTheSignOfTheVolume)
+{
+    const point o(0.1, 0.2, 0.3), x(1.1, 0.2, 0.3), y(0.1, 1.2, 0.3);
+    const point above(0.4, 0.4, ::nextafter(0.3, 1));
+
+    EXPECT_EQ(orientation(o, x, y, above), 1);
+    EXPECT_EQ(orientation(o, y, x, above), -1);
+    EXPECT_EQ(orientation(o, x, y, point(7.7, -5.5, 0.3)), 0);
+}
+
+
+TEST(isCollinear, seesOneUnitInTheLastPlace)
+{
+    const point a(0.1, 0.1, 0.1), b(0.3, 0.3, 0.3), c(0.7, 0.7, 0.7);
+
+    EXPECT_TRUE(isCollinear(a, b, c));
+    EXPECT_TRUE(isCollinear(a, a, c));
+    EXPECT_FALSE(isCollinear(a, b, point(0.7, ::nextafter(0.7, 1), 0.7)));
+}
+
+
+TEST(labelledTriangle, neighboursIntersectIfFolded)
+{
+    pointField points
+    ({
+        point(0, 0, 0), point(1, 0, 0), point(0.4, 0.5, 0), point(0.6, 0.3, 0)
+    });
+    const auto folded = [&]()
+    {
+        return intersectAnyway
+        (
+            triangleOn(points, 0, 1, 2), triangleOn(points, 1, 0, 3)
+        );
+    };
+
+    EXPECT_TRUE(folded());
+
+    points[3].z() = 1e-300;
+    EXPECT_FALSE(folded());
+
+    points[3] = point(0.6, -0.3, 0);
+    EXPECT_FALSE(folded());
+}
+
+
+TEST(labelledTriangle, trianglesWithACommonPointIntersectBeyondIt)
+{
+    pointField points
+    ({
+        point(0, 0, 0), point(1, 0.5, 0), point(1, -0.5, 0),
+        point(1, 0, -1), point(1, 0, 1)
+    });
+    const auto cut = [&]()
+    {
+        return intersectAnyway
+        (
+            triangleOn(points, 0, 1, 2), triangleOn(points, 0, 3, 4)
+        );
+    };
+
+    EXPECT_TRUE(cut());
+
+    // On the other side, and above the plane
+    points[3].x() = points[4].x() = -1;
+    EXPECT_FALSE(cut());
+
+    points[3] = point(1, 0, 1e-300);
+    points[4] = point(1, 0, 1);
+    EXPECT_FALSE(cut());
+}
+
+
+TEST(labelledTriangle, othersIntersectIfTheyTouch)
+{
+    pointField points
+    ({
+        point(0, 0, 0), point(1, 0, 0), point(0, 1, 0),
+        point(0.2, 0.2, 0), point(0.2, 0.2, 1), point(0.5, 0.2, 1)
+    });
+    const auto touch = [&]()
+    {
+        return intersectAnyway
+        (
+            triangleOn(points, 0, 1, 2), triangleOn(points, 3, 4, 5)
+        );
+    };
+
+    EXPECT_TRUE(touch());
+
+    points[3].z() = 1e-300;
+    EXPECT_FALSE(touch());
+}
+
+
+TEST(labelledTriangle, trianglesOnTheSamePointsIntersect)
+{
+    const pointField points({point(0, 0, 0), point(1, 0, 0), point(0, 1, 0)});
+
+    EXPECT_TRUE
+    (
+        intersectAnyway
+        (
+            triangleOn(points, 0, 1, 2), triangleOn(points, 1, 0, 2)
+        )
+    );
+}
+
+
+TEST(addIntersections, findsThePairsOfEachTwoTriangles)
+{
+    const wallSurface wall
+    (
+        testSurfaces::merge
+        (
+            testSurfaces::sphere(3),
+            testSurfaces::translated(testSurfaces::sphere(3), vector(1, 0, 0))
+        )
+    );
+    const auto triangles = labelledTriangles
+    (
+        wall.faces, wall.points, identity(wall.faces.size())
+    );
+    const size_t half = triangles.size()/2;
+    const std::vector<labelledTriangle> first
+    (
+        triangles.begin(), triangles.begin() + half
+    );
+    const std::vector<labelledTriangle> second
+    (
+        triangles.begin() + half, triangles.end()
+    );
+
+    DynamicList<labelPair> expected, all, between;
+
+    for (size_t i = 0; i < triangles.size(); ++i)
+    {
+        for (size_t j = i + 1; j < triangles.size(); ++j)
+        {
+            if (intersect(triangles[i], triangles[j]))
+            {
+                expected.append(labelPair(i, j));
+            }
+        }
+    }
+
+    // A pair that is there before is there once
+    all.append(expected[0]);
+    addIntersections(triangles, {}, all);
+    addIntersections(first, second, between);
+
+    EXPECT_GT(expected.size(), 10);
+    EXPECT_EQ(all, expected);
+    EXPECT_EQ(between, expected);
+}
+
+
+// ************************************************************************* //
