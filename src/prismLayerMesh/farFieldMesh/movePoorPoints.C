@@ -78,7 +78,7 @@ pointMover::pointMover(const pointField& layerCentres, farFieldMesh& mesh)
 :
     mesh_(mesh),
     layerCentres_(layerCentres),
-    outer_(mesh.outerTriangles),
+    outer_(makeTriangleIndex(mesh.outerTriangles)),
     starts_(mesh.points.size() + 1, Zero),
     pointTets_(4*mesh.tets.size())
 {
@@ -117,7 +117,7 @@ scalar pointMover::cosine(const label t, const label i) const
     }
     else
     {
-        const label triangle = outer_.find(f[0], f[1], f[2]);
+        const label triangle = outer_.lookup(f, -1);
 
         if (triangle < 0)
         {

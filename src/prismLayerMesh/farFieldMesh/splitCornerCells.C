@@ -35,7 +35,7 @@ static simplex cornerSplit
     {
         const triFace f(tet.face(i));
 
-        if (triangles.find(f[0], f[1], f[2]) >= 0)
+        if (triangles.lookup(f, -1) >= 0)
         {
             opposite.append(tet[i]);
         }
@@ -69,7 +69,7 @@ static simplex cornerSplit
 
 void Foam::splitCornerCells(farFieldMesh& mesh)
 {
-    const triangleIndex triangles(mesh.boundaryTriangles);
+    const triangleIndex triangles(makeTriangleIndex(mesh.boundaryTriangles));
     boolList onBoundary(mesh.points.size(), false);
     edgeHashSet edges(4*mesh.boundaryTriangles.size());
 

@@ -94,8 +94,8 @@ struct boundaryTets
 
 static boundaryTets findBoundaryTets(const farFieldMesh& far)
 {
-    const triangleIndex onLayers(far.outerTriangles);
-    const triangleIndex onFar(far.boundaryTriangles);
+    const triangleIndex onLayers(makeTriangleIndex(far.outerTriangles));
+    const triangleIndex onFar(makeTriangleIndex(far.boundaryTriangles));
 
     boundaryTets tets;
     tets.onLayers = labelList(far.outerTriangles.size(), -1);
@@ -108,7 +108,7 @@ static boundaryTets findBoundaryTets(const farFieldMesh& far)
             if (far.neighbours[t][i] < 0)
             {
                 const triFace f(far.tets[t].face(i));
-                const label triangle = onLayers.find(f[0], f[1], f[2]);
+                const label triangle = onLayers.lookup(f, -1);
 
                 if (triangle >= 0)
                 {
@@ -116,7 +116,7 @@ static boundaryTets findBoundaryTets(const farFieldMesh& far)
                 }
                 else
                 {
-                    tets.onFar[onFar.find(f[0], f[1], f[2])] = t;
+                    tets.onFar[onFar.lookup(f, -1)] = t;
                 }
             }
         }
