@@ -9,20 +9,17 @@ License
 
 #include "meshCell.H"
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * * Static Data * * * * * * * * * * * * * * * //
 
-Foam::word Foam::meshCellShapeName(const meshCellShape shape)
-{
-    switch (shape)
-    {
-        case meshCellShape::prism: return "prism";
-        case meshCellShape::lyingPrism: return "lyingPrism";
-        case meshCellShape::hexahedron: return "hexahedron";
-        case meshCellShape::wedge: return "wedge";
-        case meshCellShape::tetrahedron: return "tetrahedron";
-        default: return "other";
-    }
-}
+const Foam::Enum<Foam::meshCellShape> Foam::meshCellShapeName
+({
+    {meshCellShape::prism, "prism"},
+    {meshCellShape::lyingPrism, "lyingPrism"},
+    {meshCellShape::hexahedron, "hexahedron"},
+    {meshCellShape::wedge, "wedge"},
+    {meshCellShape::tetrahedron, "tetrahedron"},
+    {meshCellShape::other, "other"}
+});
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
