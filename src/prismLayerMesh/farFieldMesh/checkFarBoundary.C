@@ -7,7 +7,7 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "checkFarBoundary.H"
+#include "farBoundary.H"
 #include "frontTriangle.H"
 #include "wallSearch.H"
 

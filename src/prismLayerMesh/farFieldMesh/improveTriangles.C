@@ -7,7 +7,7 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "improveTriangles.H"
+#include "refineSurface.H"
 #include "farFieldMeshControls.H"
 #include "DynamicList.H"
 #include "EdgeMap.H"

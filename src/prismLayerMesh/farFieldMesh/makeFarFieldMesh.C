@@ -9,7 +9,6 @@ License
 
 #include "makeFarFieldMesh.H"
 #include "backgroundMesh.H"
-#include "checkFarBoundary.H"
 #include "farFieldMeshControls.H"
 #include "improveTets.H"
 #include "limitGradient.H"

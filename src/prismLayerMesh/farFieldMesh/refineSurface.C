@@ -9,7 +9,6 @@ License
 
 #include "refineSurface.H"
 #include "farFieldMeshControls.H"
-#include "improveTriangles.H"
 #include "DynamicList.H"
 #include "EdgeMap.H"
 

@@ -9,7 +9,7 @@ License
 
 
 #include "prismPolyMesh.H"
-#include "CompactListList.H"
+#include "labelPairHashes.H"
 #include "ListOps.H"
 
 #include <algorithm>
@@ -18,27 +18,6 @@ License
 
 namespace Foam
 {
-
-namespace
-{
-
-//- What is beyond the edges of the front faces
-struct frontNeighbours
-{
-    //- The face beyond each edge of each face, or -1
-    CompactListList<label> beyond;
-
-    //- Number of edges of one face only
-    label nOpen;
-
-    label operator()(const label facei, const label k) const
-    {
-        return beyond(facei, k);
-    }
-};
-
-} // End anonymous namespace
-
 
 static void badEdge
 (
@@ -55,63 +34,44 @@ static void badEdge
 }
 
 
-//- Edges meet in short lists, one for the smaller column of each
-static frontNeighbours makeFrontNeighbours(const prismLayers& layers)
+//- The front face of each edge in the direction of the face. The front face
+//  beyond an edge has the reverse edge.
+static labelPairLookup facesOfEdges(const prismLayers& layers)
 {
-    const faceList& faces = layers.faces;
-    labelList sizes(faces.size());
-    forAll(faces, facei)
-    {
-        sizes[facei] = faces[facei].size();
-    }
+    labelPairLookup faceOf(4*layers.faces.size());
 
-    frontNeighbours front{CompactListList<label>(sizes, -1), sum(sizes)};
-    labelList& beyond = front.beyond.m();
-    labelList lists(layers.nColumns(), -1);
-    labelList next(beyond.size());
-    labelList faceOf(beyond.size());
-    edgeList edges(beyond.size());
-
-    label edgei = 0;
-    forAll(faces, facei)
+    forAll(layers.faces, facei)
     {
-        for (const edge& e : faces[facei].edges())
+        for (const edge& e : layers.faces[facei].edges())
         {
-            edges[edgei] = e;
-            faceOf[edgei] = facei;
-
-            label& list = lists[min(e.first(), e.second())];
-            label other = list;
-            while (other >= 0 && edge::compare(edges[other], e) == 0)
+            if (!faceOf.insert(e, facei))
             {
-                other = next[other];
+                badEdge
+                (
+                    layers, facei, e,
+                    faceOf.found(e.reverseEdge())
+                  ? "has more than two faces" : "has two faces that are flipped"
+                );
             }
-
-            if (other < 0)
-            {
-                next[edgei] = list;
-                list = edgei;
-            }
-            else if (beyond[other] >= 0)
-            {
-                badEdge(layers, facei, e, "has more than two faces");
-            }
-            else if (edges[other].first() == e.first())
-            {
-                badEdge(layers, facei, e, "has two faces that are flipped");
-            }
-            else
-            {
-                beyond[other] = facei;
-                beyond[edgei] = faceOf[other];
-                front.nOpen -= 2;
-            }
-
-            ++edgei;
         }
     }
 
-    return front;
+    return faceOf;
+}
+
+
+//- The front face beyond edge k of a front face, or -1
+static label faceBeyond
+(
+    const prismLayers& layers,
+    const labelPairLookup& faceOf,
+    const label facei,
+    const label k
+)
+{
+    const edge e(layers.faces[facei].faceEdge(k));
+
+    return faceOf.lookup(e.reverseEdge(), -1);
 }
 
 
@@ -170,7 +130,7 @@ static face sideFace
 static void addInternalFaces
 (
     const prismLayers& layers,
-    const frontNeighbours& front,
+    const labelPairLookup& faceOf,
     polyMeshTopology& mesh
 )
 {
@@ -183,9 +143,11 @@ static void addInternalFaces
 
         forAll(layers.faces[facei], k)
         {
-            if (front(facei, k) > facei)
+            const label beyond = faceBeyond(layers, faceOf, facei, k);
+
+            if (beyond > facei)
             {
-                sides.append(labelPair(front(facei, k), k));
+                sides.append(labelPair(beyond, k));
             }
         }
 
@@ -253,7 +215,7 @@ static void addOuterFaces(const prismLayers& layers, polyMeshTopology& mesh)
 static void addOpenSides
 (
     const prismLayers& layers,
-    const frontNeighbours& front,
+    const labelPairLookup& faceOf,
     polyMeshTopology& mesh
 )
 {
@@ -263,7 +225,9 @@ static void addOpenSides
     {
         forAll(layers.faces[facei], k)
         {
-            for (label i = 1; front(facei, k) < 0 && i <= layers.nLayers; ++i)
+            const bool open = faceBeyond(layers, faceOf, facei, k) < 0;
+
+            for (label i = 1; open && i <= layers.nLayers; ++i)
             {
                 mesh.append
                 (
@@ -323,24 +287,26 @@ void Foam::polyMeshTopology::startPatch()
 
 Foam::polyMeshTopology Foam::makePrismTopology(const prismLayers& layers)
 {
-    const frontNeighbours front(makeFrontNeighbours(layers));
+    const labelPairLookup faceOf(facesOfEdges(layers));
+    label nOpen = 0;
+    forAllConstIters(faceOf, iter)
+    {
+        nOpen += !faceOf.found(edge(iter.key()).reverseEdge());
+    }
+
     const label n = layers.nLayers;
     const label nFront = layers.faces.size();
-    const label nEdges = (front.beyond.m().size() - front.nOpen)/2;
-    const label nInternal = nFront*(n - 1) + nEdges*n;
+    const label nInternal = nFront*(n - 1) + (faceOf.size() - nOpen)/2*n;
 
     polyMeshTopology mesh;
-    mesh.reserve
-    (
-        nInternal + nFront + layers.nWallFaces() + front.nOpen*n, nInternal
-    );
-    addInternalFaces(layers, front, mesh);
+    mesh.reserve(nInternal + nFront + layers.nWallFaces() + nOpen*n, nInternal);
+    addInternalFaces(layers, faceOf, mesh);
     addWallFaces(layers, mesh);
     addOuterFaces(layers, mesh);
 
-    if (front.nOpen)
+    if (nOpen)
     {
-        addOpenSides(layers, front, mesh);
+        addOpenSides(layers, faceOf, mesh);
     }
 
     return mesh;
