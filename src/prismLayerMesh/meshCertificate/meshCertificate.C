@@ -23,9 +23,9 @@ static bool isFinite(const point& p)
 }
 
 
-//- The fans that faces are cut into, without the triangles that have no area or
-//  are not finite. Faces are paired with themselves that have a triangle that is
-//  not finite or, with addFlat, one without area.
+//- Cuts faces into fans, and leaves out the triangles that have no area or are
+//  not finite. A face with a triangle that is not finite or, with addFlat, has
+//  no area is paired with itself.
 static std::vector<frontTriangle> fansOf
 (
     const polyhedralMesh& mesh,
@@ -70,10 +70,10 @@ static std::vector<frontTriangle> fansOf
 }
 
 
-//- Layers on each face of the wall, by cells that are positive. From a face a
-//  stack goes on to the opposite face of the cell, the only one without a common
-//  point, and from there to the next cell; up to the boundary, or to a cell that
-//  has no face opposite to the one below.
+//- Number of the layers of positive cells on each face of the wall. A stack goes
+//  on from a face to the opposite face of the cell, the only one without a
+//  common point, and from there to the next cell. It ends at the boundary, or
+//  at a cell that has no face opposite to the one below.
 static labelList countLayers
 (
     const polyhedralMesh& mesh,

@@ -46,8 +46,7 @@ static face farFace(const labelList& labels, const labelUList& f)
 }
 
 
-//- The tetrahedra on the outer triangles, then those on the triangles of the far
-//  boundary
+//- The tetrahedra on the outer triangles, then those on the far boundary's
 static labelList boundaryTets(const farFieldMesh& far)
 {
     faceList triangles(far.outerTriangles);
