@@ -70,7 +70,7 @@ static std::vector<frontTriangle> fansOf
 }
 
 
-//- Number of the layers of positive cells on each face of the wall. A stack goes
+//- Number of layers of positive cells on each face of the wall. A stack goes
 //  on from a face to the opposite face of the cell, the only one without a
 //  common point, and from there to the next cell. It ends at the boundary, or
 //  at a cell that has no face opposite to the one below.
