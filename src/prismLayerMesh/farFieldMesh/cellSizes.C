@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "cellSizes.H"
+#include "farFieldMeshControls.H"
 #include "indexedOctree.H"
 #include "treeBoundBox.H"
 #include "treeDataPoint.H"
@@ -16,10 +17,6 @@ License
 
 namespace Foam
 {
-
-//- Width of a cube over the size in its centre, at most
-static const scalar maxWidth = 1;
-
 
 //- Centre of one of the eight parts of a cube, octant as of treeBoundBox
 static point partCentre
@@ -57,17 +54,21 @@ Foam::cellSizes::cellSizes
     points_(points),
     sizes_(sizes),
     slope_(ratio - 1),
-    width_(1.001*cmptMax(box.span())),
+    width_(farFieldTuned.cubeWidth*cmptMax(box.span())),
     cubes_(1, cube{-1, -1, GREAT})
 {
     corner_ = box.midpoint() - point::uniform(0.5*width_);
 
     boundBox around(points_, false);
     around.add(box);
-    around.inflate(0.01);
+    around.inflate(farFieldTuned.treeMargin);
     const indexedOctree<treeDataPoint> tree
     (
-        treeDataPoint(points_), treeBoundBox(around), 8, 10, 3
+        treeDataPoint(points_),
+        treeBoundBox(around),
+        farFieldTuned.treeLevels,
+        farFieldTuned.treeLeafSize,
+        farFieldTuned.treeDuplicity
     );
 
     // One generation of cubes after the other
@@ -89,7 +90,10 @@ Foam::cellSizes::cellSizes
 
             complete_ = complete_ && end + parts.size() <= maxCubes;
 
-            if (complete_ && width > maxWidth*sizeAt(c, centre))
+            if
+            (
+                complete_ && width > farFieldTuned.maxWidth*sizeAt(c, centre)
+            )
             {
                 c.children = end + parts.size();
 
@@ -109,29 +113,29 @@ Foam::cellSizes::cellSizes
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-template<class Visit>
-void Foam::cellSizes::forLeaves
+void Foam::cellSizes::addCubes
 (
     const label cubei,
     const point& centre,
     const scalar width,
-    const Visit& visit
+    const std::function<bool(const point&)>& inside,
+    scalar& n
 ) const
 {
     const cube& c = cubes_[cubei];
 
     if (c.children < 0)
     {
-        visit(centre, width, sizeAt(c, centre));
+        n += inside(centre) ? pow3(width/sizeAt(c, centre)) : 0;
         return;
     }
 
     for (label octant = 0; octant < 8; ++octant)
     {
-        forLeaves
+        addCubes
         (
             c.children + octant, partCentre(centre, width, octant), width/2,
-            visit
+            inside, n
         );
     }
 }
@@ -163,15 +167,7 @@ Foam::scalar Foam::cellSizes::nCubes
 ) const
 {
     scalar n = 0;
-
-    forLeaves
-    (
-        0, corner_ + point::uniform(0.5*width_), width_,
-        [&](const point& centre, const scalar width, const scalar size)
-        {
-            n += inside(centre) ? pow3(width/size) : 0;
-        }
-    );
+    addCubes(0, corner_ + point::uniform(0.5*width_), width_, inside, n);
 
     return n;
 }

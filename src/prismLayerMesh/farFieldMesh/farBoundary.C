@@ -8,10 +8,12 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "farBoundary.H"
+#include "farFieldMeshControls.H"
 #include "readWallSurface.H"
 #include "wallDefects.H"
 #include "error.H"
 #include "labelVector.H"
+#include "ListOps.H"
 #include "Map.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -19,89 +21,113 @@ License
 namespace Foam
 {
 
-//- On an edge of a box, at most
-static const label maxSquares = 100;
+namespace
+{
+
+//- Squares on the sides of a box
+struct boxSquares
+{
+    const boundBox& box;
+
+    //- Squares along each edge
+    labelVector n;
+
+    DynamicList<point> points;
+    DynamicList<face> faces;
+
+    //- The labels of points, by their counts of squares
+    Map<label> labels;
+
+    //- The point at the given counts of squares
+    label pointLabel(const labelVector& at);
+
+    void addSide(label side);
+};
 
 
-//- Sides of squares, as nearly as these fit, of two triangles each; normals
+label boxSquares::pointLabel(const labelVector& at)
+{
+    const label m = farFieldTuned.maxSquares + 1;
+    const label key = at.x() + m*(at.y() + m*at.z());
+
+    if (labels.insert(key, points.size()))
+    {
+        point x(box.max());
+        for (direction d = 0; d < 3; ++d)
+        {
+            if (at[d] < n[d])
+            {
+                x[d] = box.min()[d] + box.span()[d]*at[d]/n[d];
+            }
+        }
+        points.append(x);
+    }
+
+    return labels[key];
+}
+
+
+void boxSquares::addSide(const label side)
+{
+    const direction d = side/2;
+    const direction e = (d + 1) % 3;
+    const direction f = (d + 2) % 3;
+    labelVector at(Zero);
+    at[d] = side % 2 ? n[d] : 0;
+
+    const auto corner = [&](const label i, const label j)
+    {
+        at[e] = i;
+        at[f] = j;
+        return pointLabel(at);
+    };
+
+    for (label i = 0; i < n[e]; ++i)
+    {
+        for (label j = 0; j < n[f]; ++j)
+        {
+            face square
+            ({
+                corner(i, j), corner(i + 1, j), corner(i + 1, j + 1),
+                corner(i, j + 1)
+            });
+
+            if (side % 2)
+            {
+                square.flip();
+            }
+
+            faces.append(face({square[0], square[1], square[2]}));
+            faces.append(face({square[0], square[2], square[3]}));
+        }
+    }
+}
+
+} // End anonymous namespace
+
+
+//- Squares, as nearly as they fit the sides, of two triangles each; normals
 //  inwards
 static wallSurface boxSurface(const boundBox& box)
 {
     const vector span(box.span());
-    labelVector n;
+    boxSquares squares{box, labelVector(), {}, {}, {}};
     for (direction d = 0; d < 3; ++d)
     {
-        n[d] = min(label(span[d]/cmptMin(span) + 0.5), maxSquares);
+        const label n = span[d]/cmptMin(span) + 0.5;
+        squares.n[d] = min(n, farFieldTuned.maxSquares);
     }
 
     wallSurface surface;
     surface.patchNames =
         wordList({"xMin", "xMax", "yMin", "yMax", "zMin", "zMax"});
-
-    DynamicList<point> points;
-    DynamicList<face> faces;
-    DynamicList<label> patchIDs;
-    Map<label> labels;
-
-    // The point at these counts of squares
-    const auto pointLabel = [&](const labelVector& at)
-    {
-        const label key =
-            at.x() + (maxSquares + 1)*(at.y() + (maxSquares + 1)*at.z());
-
-        if (labels.insert(key, points.size()))
-        {
-            point x;
-            for (direction d = 0; d < 3; ++d)
-            {
-                x[d] = at[d] == n[d]
-                  ? box.max()[d] : box.min()[d] + span[d]*at[d]/n[d];
-            }
-            points.append(x);
-        }
-
-        return labels[key];
-    };
-
     for (label side = 0; side < 6; ++side)
     {
-        const direction d = side/2;
-        const direction e = (d + 1) % 3;
-        const direction f = (d + 2) % 3;
-        labelVector at(Zero);
-        at[d] = side % 2 ? n[d] : 0;
-
-        for (label i = 0; i < n[e]; ++i)
-        {
-            for (label j = 0; j < n[f]; ++j)
-            {
-                const auto corner = [&](const label k, const label l)
-                {
-                    at[e] = i + k;
-                    at[f] = j + l;
-                    return pointLabel(at);
-                };
-                face square
-                ({
-                    corner(0, 0), corner(1, 0), corner(1, 1), corner(0, 1)
-                });
-
-                if (side % 2)
-                {
-                    square.flip();
-                }
-
-                faces.append(face({square[0], square[1], square[2]}));
-                faces.append(face({square[0], square[2], square[3]}));
-                patchIDs.append(side);
-                patchIDs.append(side);
-            }
-        }
+        squares.addSide(side);
+        surface.patchIDs.setSize(squares.faces.size(), side);
     }
-
-    surface.points.transfer(points);
-    surface.faces.transfer(faces);
-    surface.patchIDs.transfer(patchIDs);
+    surface.points.transfer(squares.points);
+    surface.faces.transfer(squares.faces);
 
     return surface;
 }
@@ -172,28 +198,21 @@ static wallSurface readSurface
 }
 
 
-//- Names and types of the patches in place of the sides
-static void setPatches(const List<farPatch>& patches, farBoundary& boundary)
+//- Gives the faces their patches, which replace the sides, in the order of the
+//  patches that are wanted and then of the sides that none of these has
+static void setPatches(const List<farPatch>& wanted, farBoundary& boundary)
 {
     const wordList sides(boundary.surface.patchNames);
     labelList patchOf(sides.size(), -1);
     DynamicList<word> names;
     DynamicList<word> types;
 
-    for (const farPatch& patch : patches)
+    for (const farPatch& patch : wanted)
     {
-        bool used = false;
+        const labelList matching(patch.sides.matching(sides));
+        UIndirectList<label>(patchOf, matching) = names.size();
 
-        forAll(sides, side)
-        {
-            if (patch.sides.match(sides[side]))
-            {
-                patchOf[side] = names.size();
-                used = true;
-            }
-        }
-
-        if (!used)
+        if (matching.empty())
         {
             FatalErrorInFunction
                 << "The patch " << patch.name << " of the far boundary has no"
@@ -205,29 +224,22 @@ static void setPatches(const List<farPatch>& patches, farBoundary& boundary)
         types.append(patch.type);
     }
 
-    forAll(sides, side)
+    for (const label side : findIndices(patchOf, -1))
     {
-        if (patchOf[side] < 0)
+        if (names.found(sides[side]))
         {
-            if (names.found(sides[side]))
-            {
-                FatalErrorInFunction
-                    << "The side " << sides[side] << " of the far boundary"
-                    << " has the name of a patch that it is not part of"
-                    << exit(FatalError);
-            }
-
-            patchOf[side] = names.size();
-            names.append(sides[side]);
-            types.append("patch");
+            FatalErrorInFunction
+                << "The side " << sides[side] << " of the far boundary"
+                << " has the name of a patch that it is not part of"
+                << exit(FatalError);
         }
+
+        patchOf[side] = names.size();
+        names.append(sides[side]);
+        types.append("patch");
     }
 
-    for (label& patchi : boundary.surface.patchIDs)
-    {
-        patchi = patchOf[patchi];
-    }
-
+    inplaceRenumber(patchOf, boundary.surface.patchIDs);
     boundary.surface.patchNames.transfer(names);
     boundary.patchTypes.transfer(types);
 }

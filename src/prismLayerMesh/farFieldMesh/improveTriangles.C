@@ -7,7 +7,8 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "improveTriangles.H"
+#include "refineSurface.H"
+#include "farFieldMeshControls.H"
 #include "DynamicList.H"
 #include "EdgeMap.H"
 #include "ListOps.H"
@@ -19,28 +20,14 @@ License
 namespace Foam
 {
 
-//- Triangles in a plane: sine of the angle between them, at most
-static const scalar flat = 1e-9;
-
-//- Angles opposite to an edge that is flipped: more than 180 degrees together
-//  [rad]
-static const scalar flipGain = 1e-6;
-
-//- Flips of all triangles, more than it ever takes
-static const label maxSweeps = 100;
-
-//- Of all points, with flips after each
-static const label nSmoothings = 10;
-
-
 static scalar angleAt(const point& x, const point& a, const point& b)
 {
     return ::atan2(mag((a - x) ^ (b - x)), (a - x) & (b - x));
 }
 
 
-//- Whether triangles (c d b), (d c a) are better than (a b c), (b a d): in
-//  the same place, and Delaunay
+//- Whether the triangles (c d b), (d c a) are in the same place as (a b c),
+//  (b a d), and Delaunay
 static bool isBetterFlipped
 (
     const pointField& points,
@@ -58,11 +45,11 @@ static bool isBetterFlipped
 
     return
         (n1 & n2) > 0
-     && (!inPlane || mag(n1 ^ n2) < flat)
+     && (!inPlane || mag(n1 ^ n2) < farFieldTuned.flat)
      && (m1 & n1) > 0 && (m1 & n2) > 0 && (m2 & n1) > 0 && (m2 & n2) > 0
      && angleAt(points[c], points[a], points[b])
       + angleAt(points[d], points[a], points[b])
-      > constant::mathematical::pi + flipGain;
+      > constant::mathematical::pi + farFieldTuned.flipGain;
 }
 
 
@@ -77,7 +64,7 @@ static bool flipOnce(wallSurface& surface, const bool inPlane)
         for (label k = 0; k < 3; ++k)
         {
             const face& f = surface.faces[facei];
-            const edge e(f[(k + 1) % 3], f[(k + 2) % 3]);
+            const edge e(f.faceEdge((k + 1) % 3));
 
             if (!sides.insert(e, labelPair(3*facei + k, -1)))
             {
@@ -145,7 +132,11 @@ static boolList findFree(const wallSurface& surface, const bool inPlane)
             isFree[p] =
                 isFree[p]
              && surface.patchIDs[facei] == surface.patchIDs[first[p]]
-             && (!inPlane || mag(normals[facei] ^ normals[first[p]]) < flat);
+             && (
+                    !inPlane
+                 || mag(normals[facei] ^ normals[first[p]])
+                  < farFieldTuned.flat
+                );
         }
     }
 
@@ -163,12 +154,9 @@ static bool isTurned
 {
     for (const label facei : faces)
     {
-        const vector area
-        (
-            surface.faces[facei].areaNormal(surface.points)
-        );
+        const face& f = surface.faces[facei];
 
-        if ((area & normals[facei]) <= 0)
+        if ((f.areaNormal(surface.points) & normals[facei]) <= 0)
         {
             return true;
         }
@@ -178,8 +166,8 @@ static bool isTurned
 }
 
 
-//- Moves free points to the mean of their neighbours, where no triangle is
-//  turned over by that
+//- Moves each free point to the mean of its neighbours, unless that would turn
+//  a triangle over
 static void smoothOnce
 (
     wallSurface& surface,
@@ -231,7 +219,12 @@ static void smoothOnce
 
 void Foam::flipEdges(wallSurface& surface, const bool inPlane)
 {
-    for (label i = 0; i < maxSweeps && flipOnce(surface, inPlane); ++i)
+    for
+    (
+        label i = 0;
+        i < farFieldTuned.maxSweeps && flipOnce(surface, inPlane);
+        ++i
+    )
     {}
 }
 
@@ -242,7 +235,7 @@ void Foam::smoothPoints
     const std::function<point(const point&)>& project
 )
 {
-    for (label i = 0; i < nSmoothings; ++i)
+    for (label i = 0; i < farFieldTuned.nSmoothings; ++i)
     {
         smoothOnce(surface, project);
         flipEdges(surface, !project);

@@ -9,7 +9,7 @@ License
 
 #include "makeFarFieldMesh.H"
 #include "backgroundMesh.H"
-#include "checkFarBoundary.H"
+#include "farFieldMeshControls.H"
 #include "improveTets.H"
 #include "limitGradient.H"
 #include "outerTriangles.H"
@@ -25,56 +25,41 @@ License
 namespace Foam
 {
 
-//- Tetrahedra of a far field over the integral of 1/size^3, measured
-static const scalar tetsPerCube = 10;
-
-//- Cubes of sizes that there may be for each tetrahedron: several times as many
-//  as there are, within the body too
-static const label cubesPerTet = 4;
-
-//- Non-orthogonality [deg] beyond which points are moved, below the 70 that
-//  checkMesh warns of
-static const scalar poorAngle = 60;
-
-
-//- The outer surface of the layers, its polygons cut into triangles, of which
-//  faces has the front face of each
+//- The triangles of the outer surface of the layers, and their front faces
 static wallSurface outerSurface(const prismLayers& layers, labelList& faces)
 {
     wallSurface outer;
     outer.points = layers.outerPoints();
     outer.faces = layers.faces;
     outer.faces = outerTriangles(outer, faces);
-    outer.patchIDs = labelList(faces.size(), Zero);
-    outer.patchNames = wordList({"layerOuter"});
 
     return outer;
 }
 
 
-//- Both surfaces, the points of the first before those of the second
+//- The points and triangles of both, those of the first before the others
 static wallSurface joined(const wallSurface& a, const wallSurface& b)
 {
-    wallSurface both(a);
+    wallSurface both;
+    both.points = a.points;
     both.points.append(b.points);
-    both.patchIDs.append(b.patchIDs);
+    both.faces = a.faces;
+    both.faces.append(b.faces);
 
-    for (const face& f : b.faces)
+    for (label i = a.faces.size(); i < both.faces.size(); ++i)
     {
-        face g(f);
-        for (label& p : g)
+        for (label& p : both.faces[i])
         {
             p += a.points.size();
         }
-        both.faces.append(g);
     }
 
     return both;
 }
 
 
-//- Points inside the layers, one for each body: of its largest outer face the
-//  centre of a tetrahedron that is part of the last cell
+//- A point inside the layers of each body: the centre of a tetrahedron in the
+//  last cell on its largest outer face
 static pointField layerSeeds
 (
     const prismLayers& layers,
@@ -100,7 +85,7 @@ static pointField layerSeeds
 }
 
 
-//- Centres of the last cells, for each triangle on them
+//- The centre of the last cell below each outer triangle
 static pointField layerCentres
 (
     const prismLayers& layers,
@@ -125,10 +110,12 @@ static pointField layerCentres
 }
 
 
-//- Points that are in no tetrahedron, of those that TetGen added, left out
+//- Leaves out the points that TetGen added and that are in no tetrahedron
 static void compact(farFieldMesh& mesh)
 {
-    boolList used(mesh.points.size(), false);
+    boolList used(mesh.nBoundaryPoints, true);
+    used.setSize(mesh.points.size(), false);
+
     for (const tetCell& tet : mesh.tets)
     {
         for (const label p : tet)
@@ -137,30 +124,18 @@ static void compact(farFieldMesh& mesh)
         }
     }
 
-    labelList newLabels(mesh.points.size());
-    label n = 0;
-    forAll(used, p)
-    {
-        newLabels[p] = n;
-
-        if (used[p] || p < mesh.nBoundaryPoints)
-        {
-            mesh.points[n++] = mesh.points[p];
-        }
-    }
-    mesh.points.setSize(n);
+    const labelList kept(findIndices(used, true));
+    const labelList newLabels(invert(used.size(), kept));
+    mesh.points = pointField(mesh.points, kept);
 
     for (tetCell& tet : mesh.tets)
     {
-        for (label& p : tet)
-        {
-            p = newLabels[p];
-        }
+        inplaceRenumber(newLabels, tet);
     }
 }
 
 
-//- By how many cells it would have; 0 where that is not known
+//- The number of cells that it needs is 0 if it is not known
 static void refuse(const label nCells, const label maxCells)
 {
     FatalErrorInFunction
@@ -172,7 +147,7 @@ static void refuse(const label nCells, const label maxCells)
 }
 
 
-//- Refused where they take many more cubes than there may be cells
+//- The sizes from those at the points, refused if they are not complete
 static cellSizes makeSizes
 (
     const pointField& points,
@@ -185,7 +160,7 @@ static cellSizes makeSizes
     const cellSizes made
     (
         points, sizes, controls.growthRate, box, bounds,
-        cubesPerTet*controls.maxCells
+        farFieldTuned.cubesPerTet*controls.maxCells
     );
 
     if (!made.complete())
@@ -194,6 +169,58 @@ static cellSizes makeSizes
     }
 
     return made;
+}
+
+
+//- The tetrahedra between the surfaces, in front of them, refused if there are
+//  or would be too many
+static tetMesh fill
+(
+    const wallSurface& both,
+    const pointField& holes,
+    const cellSizes& sizes,
+    const label maxCells
+)
+{
+    const wallSearch search(both);
+    const scalar nCells = farFieldTuned.tetsPerCube*sizes.nCubes
+    (
+        [&](const point& x) { return search.inFront(x); }
+    );
+
+    if (nCells > maxCells)
+    {
+        refuse(nCells, maxCells);
+    }
+
+    const tetDomain domain{both.points, both.faces, holes};
+    tetMesh filled(tetrahedralize(domain, std::cref(sizes), maxCells));
+
+    if (filled.tets.size() > maxCells)
+    {
+        refuse(filled.tets.size(), maxCells);
+    }
+
+    return filled;
+}
+
+
+//- Makes the tetrahedra better; they remain positive
+static void improve(const prismLayers& layers, farFieldMesh& mesh)
+{
+    splitCornerCells(mesh);
+    mesh.neighbours = tetNeighbours(mesh.tets);
+    movePoorPoints
+    (
+        layerCentres(layers, mesh), degToRad(farFieldTuned.poorAngle), mesh
+    );
+
+    if (!allPositive(mesh.points, mesh.tets))
+    {
+        FatalErrorInFunction
+            << "The tetrahedra of the far field could not be certified"
+            << exit(FatalError);
+    }
 }
 
 } // End namespace Foam
@@ -212,10 +239,6 @@ Foam::farFieldMesh Foam::makeFarFieldMesh
 {
     farFieldMesh mesh;
     const wallSurface outer(outerSurface(layers, mesh.outerFaces));
-    mesh.outerTriangles = outer.faces;
-    mesh.patchNames = boundary.surface.patchNames;
-    mesh.patchTypes = boundary.patchTypes;
-
     boundBox box(outer.points, false);
     box.add(boundary.surface.points);
 
@@ -231,62 +254,36 @@ Foam::farFieldMesh Foam::makeFarFieldMesh
     refineSurface(far, std::cref(fromLayers), boundary.project);
     sizes.append(meanEdges(far, makeWallAddressing(far)));
 
-    const wallSurface both(joined(outer, far));
-    mesh.patchIDs = far.patchIDs;
-    mesh.boundaryTriangles = SubList<face>
-    (
-        both.faces, far.faces.size(), mesh.outerTriangles.size()
-    );
-
     if (far.faces.size())
     {
-        checkFarBoundary(outer, both.points, mesh);
+        checkFarBoundary(outer, far);
     }
 
-    const cellSizes wanted
-    (
-        makeSizes(both.points, sizes, box, controls, bounds)
-    );
-    const wallSearch search(both);
-    const scalar nCells = tetsPerCube*wanted.nCubes
-    (
-        [&](const point& x) { return search.inFront(x); }
-    );
-
-    if (nCells > controls.maxCells)
-    {
-        refuse(nCells, controls.maxCells);
-    }
-
-    tetDomain domain;
-    domain.points = both.points;
-    domain.facets = both.faces;
-    domain.holes = layerSeeds(layers, outer);
-
+    const wallSurface both(joined(outer, far));
     tetMesh filled
     (
-        tetrahedralize(domain, std::cref(wanted), controls.maxCells)
+        fill
+        (
+            both,
+            layerSeeds(layers, outer),
+            makeSizes(both.points, sizes, box, controls, bounds),
+            controls.maxCells
+        )
     );
-
-    if (filled.tets.size() > controls.maxCells)
-    {
-        refuse(filled.tets.size(), controls.maxCells);
-    }
 
     mesh.points.transfer(filled.points);
     mesh.tets.transfer(filled.tets);
     mesh.nBoundaryPoints = both.points.size();
+    mesh.outerTriangles = outer.faces;
+    mesh.boundaryTriangles = faceList
+    (
+        SubList<face>(both.faces, far.faces.size(), outer.faces.size())
+    );
+    mesh.patchIDs = far.patchIDs;
+    mesh.patchNames = far.patchNames;
+    mesh.patchTypes = boundary.patchTypes;
     compact(mesh);
-    splitCornerCells(mesh);
-    mesh.neighbours = tetNeighbours(mesh.tets);
-    movePoorPoints(layerCentres(layers, mesh), degToRad(poorAngle), mesh);
-
-    if (!allPositive(mesh.points, mesh.tets))
-    {
-        FatalErrorInFunction
-            << "The tetrahedra of the far field could not be certified"
-            << exit(FatalError);
-    }
+    improve(layers, mesh);
 
     return mesh;
 }

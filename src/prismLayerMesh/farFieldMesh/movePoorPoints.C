@@ -8,9 +8,10 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "improveTets.H"
+#include "farFieldMeshControls.H"
 #include "orientation.H"
 #include "HashSet.H"
-#include "prismQuality.H"
+#include "ListOps.H"
 #include "triangleIndex.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -18,115 +19,78 @@ License
 namespace Foam
 {
 
-//- Passes over all poor faces, at most
-static const label maxPasses = 5;
-
-//- Moves of a point in a pass, at most
-static const label maxMoves = 20;
-
-//- Lengths of the moves that are tried over the mean length of its edges
-static const FixedList<scalar, 4> moves({0.3, 0.1, 0.03, 0.01});
-
+namespace
+{
 
 class pointMover
 {
     farFieldMesh& mesh_;
     const pointField& layerCentres_;
     const triangleIndex outer_;
-
-    //- Tetrahedra of each point: from starts_[p] on
-    labelList starts_;
-    labelList pointTets_;
+    const labelListList pointTets_;
 
     point centre(const label t) const
     {
-        const tetCell& tet = mesh_.tets[t];
-
-        return 0.25
-           *(
-                mesh_.points[tet[0]] + mesh_.points[tet[1]]
-              + mesh_.points[tet[2]] + mesh_.points[tet[3]]
-            );
+        return mesh_.tets[t].tet(mesh_.points).centre();
     }
 
-    //- Cosine of the angle at a face; 1 on the far boundary
+    //- Cosine of the non-orthogonality of a face; 1 on the far boundary
     scalar cosine(label t, label i) const;
 
     //- 12 (3 V)^(2/3) over the sum of the squares of the lengths of the edges:
-    //  1 of a regular tetrahedron, -1 of one that is not positive
+    //  1 of a regular tetrahedron; -1 of one that is not positive
     scalar shape(label t) const;
 
     //- The least cosine or shape around a point
     scalar worstAround(label p) const;
 
-    //- Mean length of its edges
+    //- Mean length of the edges of a point
     scalar sizeAt(label p) const;
+
+    //- Moves a point along an axis or diagonal to the best place at the given
+    //  distance, if that is better than worst, which becomes the value there.
+    //  Returns whether the point was moved.
+    bool step(label p, scalar distance, scalar& worst);
 
 public:
 
-    pointMover(const pointField& layerCentres, farFieldMesh& mesh);
+    pointMover(const pointField& layerCentres, farFieldMesh& mesh)
+    :
+        mesh_(mesh),
+        layerCentres_(layerCentres),
+        outer_(makeTriangleIndex(mesh.outerTriangles)),
+        pointTets_
+        (
+            invertManyToMany<tetCell, labelList>
+            (
+                mesh.points.size(), mesh.tets
+            )
+        )
+    {}
 
-    //- Points that may move of the cells at faces with a smaller cosine
+    //- Points inside, of the cells at faces with a smaller cosine
     labelList pointsAt(scalar poor) const;
 
-    //- Returns whether it moved
+    //- Moves a point while it becomes better. Returns whether it was moved.
     bool move(label p);
 };
-
-
-pointMover::pointMover(const pointField& layerCentres, farFieldMesh& mesh)
-:
-    mesh_(mesh),
-    layerCentres_(layerCentres),
-    outer_(mesh.outerTriangles),
-    starts_(mesh.points.size() + 1, Zero),
-    pointTets_(4*mesh.tets.size())
-{
-    for (const tetCell& tet : mesh.tets)
-    {
-        for (const label p : tet)
-        {
-            ++starts_[p + 1];
-        }
-    }
-
-    forAll(mesh.points, p)
-    {
-        starts_[p + 1] += starts_[p];
-    }
-
-    labelList next(starts_);
-    forAll(mesh.tets, t)
-    {
-        for (const label p : mesh.tets[t])
-        {
-            pointTets_[next[p]++] = t;
-        }
-    }
-}
 
 
 scalar pointMover::cosine(const label t, const label i) const
 {
     const triFace f(mesh_.tets[t].face(i));
-    point beyond;
+    const label neighbour = mesh_.neighbours[t][i];
+    const label triangle = neighbour < 0 ? outer_.lookup(f, -1) : -1;
 
-    if (mesh_.neighbours[t][i] >= 0)
+    if (neighbour < 0 && triangle < 0)
     {
-        beyond = centre(mesh_.neighbours[t][i]);
-    }
-    else
-    {
-        const label triangle = outer_.find(f[0], f[1], f[2]);
-
-        if (triangle < 0)
-        {
-            return 1;
-        }
-
-        beyond = layerCentres_[triangle];
+        return 1;
     }
 
+    const point beyond
+    (
+        neighbour < 0 ? layerCentres_[triangle] : centre(neighbour)
+    );
     const vector area(f.areaNormal(mesh_.points));
     const vector delta(beyond - centre(t));
 
@@ -159,10 +123,8 @@ scalar pointMover::worstAround(const label p) const
 {
     scalar worst = 1;
 
-    for (label k = starts_[p]; k < starts_[p + 1]; ++k)
+    for (const label t : pointTets_[p])
     {
-        const label t = pointTets_[k];
-
         worst = min(worst, shape(t));
 
         for (label i = 0; i < 4; ++i)
@@ -178,24 +140,22 @@ scalar pointMover::worstAround(const label p) const
 scalar pointMover::sizeAt(const label p) const
 {
     scalar sum = 0;
-    label n = 0;
 
-    for (label k = starts_[p]; k < starts_[p + 1]; ++k)
+    for (const label t : pointTets_[p])
     {
-        for (const label q : mesh_.tets[pointTets_[k]])
+        for (const label q : mesh_.tets[t])
         {
             sum += mag(mesh_.points[q] - mesh_.points[p]);
-            n += q != p;
         }
     }
 
-    return sum/max(n, 1);
+    return sum/max(3*pointTets_[p].size(), 1);
 }
 
 
 labelList pointMover::pointsAt(const scalar poor) const
 {
-    labelHashSet points;
+    labelHashSet cells;
 
     forAll(mesh_.tets, t)
     {
@@ -205,29 +165,54 @@ labelList pointMover::pointsAt(const scalar poor) const
 
             if ((beyond > t || beyond < 0) && cosine(t, i) < poor)
             {
-                points.insert(mesh_.tets[t].begin(), mesh_.tets[t].end());
-
-                if (beyond >= 0)
-                {
-                    points.insert
-                    (
-                        mesh_.tets[beyond].begin(), mesh_.tets[beyond].end()
-                    );
-                }
+                cells.insert({t, max(beyond, t)});
             }
         }
     }
 
-    DynamicList<label> mayMove;
-    for (const label p : points.sortedToc())
+    labelHashSet points;
+    for (const label t : cells)
     {
-        if (p >= mesh_.nBoundaryPoints)
+        for (const label p : mesh_.tets[t])
         {
-            mayMove.append(p);
+            if (p >= mesh_.nBoundaryPoints)
+            {
+                points.insert(p);
+            }
         }
     }
 
-    return labelList(std::move(mayMove));
+    return points.sortedToc();
+}
+
+
+bool pointMover::step(const label p, const scalar distance, scalar& worst)
+{
+    const point from(mesh_.points[p]);
+    point to(from);
+    bool moved = false;
+
+    for (label k = 0; k < 27; ++k)
+    {
+        const vector direction(k % 3 - 1, k/3 % 3 - 1, k/9 - 1);
+
+        if (k != 13)
+        {
+            mesh_.points[p] = from + distance*normalised(direction);
+            const scalar there = worstAround(p);
+
+            if (there > worst + SMALL)
+            {
+                worst = there;
+                to = mesh_.points[p];
+                moved = true;
+            }
+        }
+    }
+
+    mesh_.points[p] = to;
+
+    return moved;
 }
 
 
@@ -237,40 +222,21 @@ bool pointMover::move(const label p)
     scalar worst = worstAround(p);
     label nMoves = 0;
 
-    for (const scalar length : moves)
+    for (const scalar length : farFieldTuned.moves)
     {
-        for (bool better = true; better && nMoves < maxMoves;)
+        while
+        (
+            nMoves < farFieldTuned.maxMoves && step(p, length*size, worst)
+        )
         {
-            const point from(mesh_.points[p]);
-            point to(from);
-            better = false;
-
-            // Along axes and diagonals
-            for (label k = 0; k < 27; ++k)
-            {
-                const vector direction(k % 3 - 1, k/3 % 3 - 1, k/9 - 1);
-
-                if (k != 13)
-                {
-                    mesh_.points[p] = from + length*size*normalised(direction);
-                    const scalar there = worstAround(p);
-
-                    if (there > worst + SMALL)
-                    {
-                        worst = there;
-                        to = mesh_.points[p];
-                        better = true;
-                    }
-                }
-            }
-
-            mesh_.points[p] = to;
-            nMoves += better;
+            ++nMoves;
         }
     }
 
     return nMoves;
 }
+
+} // End anonymous namespace
 
 } // End namespace Foam
 
@@ -287,7 +253,7 @@ void Foam::movePoorPoints
     pointMover mover(layerCentres, mesh);
     bool moved = true;
 
-    for (label pass = 0; moved && pass < maxPasses; ++pass)
+    for (label pass = 0; moved && pass < farFieldTuned.maxPasses; ++pass)
     {
         moved = false;
 

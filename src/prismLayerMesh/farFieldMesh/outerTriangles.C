@@ -9,13 +9,15 @@ License
 
 #include "outerTriangles.H"
 #include "labelledTriangle.H"
+#include "ListOps.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
 
-//- Six times the volume between the fan from corner k of a face and any other
+//- Six times the volume between the fan from corner k of a face and its fan
+//  from corner 0
 static scalar volumeBelow
 (
     const pointField& points,
@@ -39,7 +41,7 @@ static scalar volumeBelow
 }
 
 
-//- The corner from which its fan has most below
+//- The corner whose fan is the highest
 static label highestFan(const pointField& points, const face& f)
 {
     label highest = 0;
@@ -55,17 +57,6 @@ static label highestFan(const pointField& points, const face& f)
     return highest;
 }
 
-
-static face rotated(const face& f, const label k)
-{
-    face g(f.size());
-    forAll(g, i)
-    {
-        g[i] = f[(k + i) % f.size()];
-    }
-
-    return g;
-}
 
 } // End namespace Foam
 
@@ -85,7 +76,7 @@ Foam::faceList Foam::outerTriangles
     {
         const label k = highestFan(outer.points, outer.faces[facei]);
         changed[facei] = k > 0;
-        cut.faces[facei] = rotated(outer.faces[facei], k);
+        cut.faces[facei] = rotateList(outer.faces[facei], -k);
     }
 
     faceList triangles(wallTriangles(cut, triangleFace));

@@ -8,7 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "refineSurface.H"
-#include "improveTriangles.H"
+#include "farFieldMeshControls.H"
 #include "DynamicList.H"
 #include "EdgeMap.H"
 
@@ -17,38 +17,24 @@ License
 namespace Foam
 {
 
-//- Lengths of edges over the size, at most: halves are 2/3 of it, so that they
-//  are around it
-static const scalar maxLength = 4.0/3;
-
-
-//- The corner opposite to the longest edge; of equal ones always the same edge,
-//  from whichever side
-static label longestEdge(const pointField& points, const face& f)
+//- The longest edge; of equally long ones the same from both sides
+static edge longestEdge(const pointField& points, const face& f)
 {
-    label longest = 0;
+    edge longest;
+    edge ends;
     scalar most = -1;
-    edge best;
 
-    for (label k = 0; k < 3; ++k)
+    for (const edge& e : f.edges())
     {
-        edge e(f[(k + 1) % 3], f[(k + 2) % 3]);
-        e.sort();
         const scalar length = magSqr(points[e.start()] - points[e.end()]);
+        edge sorted(e);
+        sorted.sort();
 
-        if
-        (
-            length > most
-         || (
-                length == most
-             && labelPair(e.start(), e.end())
-              < labelPair(best.start(), best.end())
-            )
-        )
+        if (length > most || (length == most && sorted < ends))
         {
             most = length;
-            longest = k;
-            best = e;
+            longest = e;
+            ends = sorted;
         }
     }
 
@@ -56,13 +42,8 @@ static label longestEdge(const pointField& points, const face& f)
 }
 
 
-static edge edgeOpposite(const face& f, const label k)
-{
-    return edge(f[(k + 1) % 3], f[(k + 2) % 3]);
-}
-
-
-//- Edges to divide, each with the label of its midpoint
+//- The edges to divide: those that are too long, and the longest edge of each
+//  triangle that has one of them (Rivara)
 static EdgeMap<label> markEdges
 (
     const wallSurface& surface,
@@ -74,11 +55,13 @@ static EdgeMap<label> markEdges
 
     for (const face& f : surface.faces)
     {
-        for (label k = 0; k < 3; ++k)
+        for (const edge& e : f.edges())
         {
-            const edge e(edgeOpposite(f, k));
-
-            if (e.mag(points) > maxLength*size(e.centre(points)))
+            if
+            (
+                e.mag(points)
+              > farFieldTuned.maxLength*size(e.centre(points))
+            )
             {
                 marked.insert(e, -1);
             }
@@ -91,21 +74,13 @@ static EdgeMap<label> markEdges
 
         for (const face& f : surface.faces)
         {
-            bool divided = false;
-            for (label k = 0; k < 3; ++k)
-            {
-                divided = divided || marked.found(edgeOpposite(f, k));
-            }
+            const bool divided =
+                marked.found(f.faceEdge(0))
+             || marked.found(f.faceEdge(1))
+             || marked.found(f.faceEdge(2));
 
             more =
-                (
-                    divided
-                 && marked.insert
-                    (
-                        edgeOpposite(f, longestEdge(points, f)), -1
-                    )
-                )
-             || more;
+                (divided && marked.insert(longestEdge(points, f), -1)) || more;
         }
     }
 
@@ -113,7 +88,8 @@ static EdgeMap<label> markEdges
 }
 
 
-//- A triangle divided at its marked edges, the longest first
+//- Divides a triangle at its marked edges, the longest first. The marked edges
+//  have the labels of their midpoints.
 static void divide
 (
     const pointField& points,
@@ -129,7 +105,7 @@ static void divide
 
     for (label k = 0; k < 3; ++k)
     {
-        const edge e(edgeOpposite(f, k));
+        const edge e(f.faceEdge((k + 1) % 3));
 
         if (marked.found(e) && e.mag(points) > most)
         {

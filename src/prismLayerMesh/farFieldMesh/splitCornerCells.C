@@ -17,10 +17,11 @@ License
 namespace Foam
 {
 
-//- Where a tetrahedron that has two faces or more on a boundary is to be split
-//  to have one: at the edge opposite to these, or at a face where there are
-//  three or the edge is on the boundary. An edge or face of its points, given
-//  those of the boundary; of other tetrahedra one of no points.
+//- Returns the edge or face at which a tetrahedron with two or three faces on
+//  the boundary is to be split: the edge opposite to two such faces, or a face
+//  if there are three or the edge is on the boundary. The triangles and edges
+//  of the boundary are given. Other tetrahedra have no such simplex: its last
+//  point is -1.
 static simplex cornerSplit
 (
     const tetCell& tet,
@@ -35,7 +36,7 @@ static simplex cornerSplit
     {
         const triFace f(tet.face(i));
 
-        if (triangles.find(f[0], f[1], f[2]) >= 0)
+        if (triangles.lookup(f, -1) >= 0)
         {
             opposite.append(tet[i]);
         }
@@ -55,11 +56,9 @@ static simplex cornerSplit
         return sortedSimplex(opposite[0], opposite[1], opposite[2]);
     }
 
-    return sortedSimplex
-    (
-        edges.found(edge(opposite[0], opposite[1])) ? other : -1,
-        opposite[0], opposite[1]
-    );
+    const bool onBoundary = edges.found(edge(opposite[0], opposite[1]));
+
+    return sortedSimplex(onBoundary ? other : -1, opposite[0], opposite[1]);
 }
 
 } // End namespace Foam
@@ -69,16 +68,16 @@ static simplex cornerSplit
 
 void Foam::splitCornerCells(farFieldMesh& mesh)
 {
-    const triangleIndex triangles(mesh.boundaryTriangles);
+    const triangleIndex triangles(makeTriangleIndex(mesh.boundaryTriangles));
     boolList onBoundary(mesh.points.size(), false);
     edgeHashSet edges(4*mesh.boundaryTriangles.size());
 
     for (const face& f : mesh.boundaryTriangles)
     {
-        forAll(f, k)
+        for (const edge& e : f.edges())
         {
-            onBoundary[f[k]] = true;
-            edges.insert(edge(f[k], f.nextLabel(k)));
+            onBoundary[e.first()] = true;
+            edges.insert(e);
         }
     }
 

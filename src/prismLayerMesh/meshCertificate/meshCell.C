@@ -71,34 +71,22 @@ bool Foam::meshCell::closes(const faceCorner* c, const label n)
 }
 
 
-Foam::meshCellVerdict Foam::meshCell::prismVerdict(const label* p) const
+bool Foam::meshCell::lies(const label* p) const
 {
-    const point* points[6];
-    label nOnWall = 0;
-
-    for (label k = 0; k < 6; ++k)
-    {
-        points[k] = &mesh_.points()[p[k]];
-        nOnWall += onWall_[p[k]];
-    }
-
-    bool lies = false;
+    bool onSide = false;
+    label n = 0;
 
     for (label k = 0; k < 3; ++k)
     {
-        lies = lies || (nOnWall == 2 && onWall_[p[k]] && onWall_[p[k + 3]]);
+        n += onWall_[p[k]] + onWall_[p[k + 3]];
+        onSide = onSide || (onWall_[p[k]] && onWall_[p[k + 3]]);
     }
 
-    if (lies)
-    {
-        return {meshCellShape::lyingPrism, isPositiveLyingPrism(points)};
-    }
-
-    return {meshCellShape::prism, isPositivePrism(points)};
+    return onSide && n == 2;
 }
 
 
-Foam::meshCellVerdict Foam::meshCell::cornersVerdict()
+void Foam::meshCell::collectCorners()
 {
     corners_.clear();
     points_.clear();
@@ -129,6 +117,35 @@ Foam::meshCellVerdict Foam::meshCell::cornersVerdict()
     {
         points_.append(&mesh_.points()[c.at]);
     }
+}
+
+
+bool Foam::meshCell::isPositiveAt
+(
+    const tetSigns& positive,
+    const faceCorner* c,
+    const label n
+) const
+{
+    if (!closes(c, n))
+    {
+        return false;
+    }
+    if (n > 3)
+    {
+        return true;
+    }
+
+    const pointField& x = mesh_.points();
+    const label third = c[1].prev == c->next ? c[1].next : c[2].next;
+
+    return positive(x[c->at], x[c->prev], x[c->next], x[third]);
+}
+
+
+Foam::meshCellVerdict Foam::meshCell::cornersVerdict()
+{
+    collectCorners();
 
     if (points_.empty())
     {
@@ -136,11 +153,6 @@ Foam::meshCellVerdict Foam::meshCell::cornersVerdict()
     }
 
     const tetSigns positive(points_.begin(), points_.size());
-    const auto at = [this](const label p) -> const point&
-    {
-        return mesh_.points()[p];
-    };
-
     bool valid = true;
     bool simple = true;
     label nPoints = 0;
@@ -153,15 +165,7 @@ Foam::meshCellVerdict Foam::meshCell::cornersVerdict()
         {}
 
         simple = simple && n == 3;
-        valid = valid && closes(c, n);
-
-        if (valid && n == 3)
-        {
-            const label third = c[1].prev == c->next ? c[1].next : c[2].next;
-
-            valid =
-                positive(at(c->at), at(c->prev), at(c->next), at(third));
-        }
+        valid = valid && isPositiveAt(positive, c, n);
     }
 
     const auto is = [&](const label nFacesOfShape, const label nPointsOfShape)
@@ -184,25 +188,28 @@ Foam::meshCellVerdict Foam::meshCell::operator()(const label celli)
     set(celli);
 
     label p[6];
+    const bool isPrism = asPrism(p);
 
-    if (asPrism(p))
+    if (!isPrism && !asWedge(p))
     {
-        return prismVerdict(p);
+        return cornersVerdict();
     }
 
-    if (asWedge(p))
+    const point* points[6];
+
+    for (label k = 0; k < 6; ++k)
     {
-        const point* points[6];
+        points[k] = &mesh_.points()[p[k]];
+    }
 
-        for (label k = 0; k < 6; ++k)
-        {
-            points[k] = &mesh_.points()[p[k]];
-        }
-
+    if (!isPrism)
+    {
         return {meshCellShape::wedge, isPositiveCollapsedPrism(points)};
     }
 
-    return cornersVerdict();
+    return lies(p)
+      ? meshCellVerdict{meshCellShape::lyingPrism, isPositiveLyingPrism(points)}
+      : meshCellVerdict{meshCellShape::prism, isPositivePrism(points)};
 }
 
 

@@ -9,20 +9,17 @@ License
 
 #include "meshCell.H"
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * * Static Data * * * * * * * * * * * * * * * //
 
-Foam::word Foam::meshCellShapeName(const meshCellShape shape)
-{
-    switch (shape)
-    {
-        case meshCellShape::prism: return "prism";
-        case meshCellShape::lyingPrism: return "lyingPrism";
-        case meshCellShape::hexahedron: return "hexahedron";
-        case meshCellShape::wedge: return "wedge";
-        case meshCellShape::tetrahedron: return "tetrahedron";
-        default: return "other";
-    }
-}
+const Foam::Enum<Foam::meshCellShape> Foam::meshCellShapeName
+({
+    {meshCellShape::prism, "prism"},
+    {meshCellShape::lyingPrism, "lyingPrism"},
+    {meshCellShape::hexahedron, "hexahedron"},
+    {meshCellShape::wedge, "wedge"},
+    {meshCellShape::tetrahedron, "tetrahedron"},
+    {meshCellShape::other, "other"}
+});
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -58,6 +55,36 @@ bool Foam::meshCell::isTriangle
 }
 
 
+bool Foam::meshCell::readSide
+(
+    const label i,
+    label* p,
+    label* above
+) const
+{
+    for (label k = 0; k < 3; ++k)
+    {
+        for (label j = 0; j < 4; ++j)
+        {
+            if
+            (
+                corner(i, j) == p[k]
+             && corner(i, j + 1) == p[(k + 1)%3]
+             && p[k + 3] < 0
+            )
+            {
+                above[(k + 1)%3] = corner(i, j + 2);
+                p[k + 3] = corner(i, j + 3);
+
+                return true;
+            }
+        }
+    }
+
+    return false;
+}
+
+
 bool Foam::meshCell::asPrism(label* p) const
 {
     if (nFaces() != 5 || nTriangles_ != 2 || nQuads_ != 3)
@@ -75,37 +102,11 @@ bool Foam::meshCell::asPrism(label* p) const
         p[k + 3] = -1;
     }
 
-    // What each side says about the point above its second one
     label above[3];
 
     for (label i = 0; i < 5; ++i)
     {
-        if (nPoints(i) == 3)
-        {
-            continue;
-        }
-
-        bool found = false;
-
-        for (label k = 0; k < 3 && !found; ++k)
-        {
-            for (label j = 0; j < 4 && !found; ++j)
-            {
-                if
-                (
-                    corner(i, j) == p[k]
-                 && corner(i, j + 1) == p[(k + 1)%3]
-                 && p[k + 3] < 0
-                )
-                {
-                    above[(k + 1)%3] = corner(i, j + 2);
-                    p[k + 3] = corner(i, j + 3);
-                    found = true;
-                }
-            }
-        }
-
-        if (!found)
+        if (nPoints(i) == 4 && !readSide(i, p, above))
         {
             return false;
         }

@@ -9,7 +9,6 @@ License
 
 #include "meshCertificate.H"
 #include "labelledTriangle.H"
-#include "wallStacks.H"
 
 #include <cmath>
 
@@ -24,41 +23,88 @@ static bool isFinite(const point& p)
 }
 
 
-static void addTriangles
+//- Cuts faces into fans, and leaves out the triangles that have no area or are
+//  not finite. A face with a triangle that is not finite or, with addFlat, has
+//  no area is paired with itself.
+static std::vector<labelledTriangle> fansOf
 (
     const polyhedralMesh& mesh,
-    const label facei,
-    const bool isOuter,
-    std::vector<labelledTriangle>& triangles,
-    DynamicList<labelPair>& intersections
+    const labelUList& faces,
+    const bool addFlat,
+    DynamicList<labelPair>& pairs
 )
 {
-    const face& f = mesh.faces()[facei];
+    DynamicList<face> fans;
+    DynamicList<label> faceOf;
 
-    for (label k = 1; k + 1 < f.size(); ++k)
+    for (const label facei : faces)
     {
-        labelledTriangle t;
-        t.facei = facei;
+        const face& f = mesh.faces()[facei];
 
-        const label labels[3] = {f[0], f[k], f[k + 1]};
-        bool finite = true;
-
-        for (int j = 0; j < 3; ++j)
+        for (label k = 1; k + 1 < f.size(); ++k)
         {
-            t.labels[j] = labels[j];
-            t.points[j] = mesh.points()[labels[j]];
-            finite = finite && isFinite(t.points[j]);
+            fans.append(face({f[0], f[k], f[k + 1]}));
+            faceOf.append(facei);
         }
+    }
+
+    std::vector<labelledTriangle> sound;
+
+    for (const labelledTriangle& t : labelledTriangles(fans, mesh.points(), faceOf))
+    {
+        const bool finite =
+            isFinite(t.points[0]) && isFinite(t.points[1])
+         && isFinite(t.points[2]);
 
         if (finite && !t.degenerate())
         {
-            triangles.push_back(t);
+            sound.push_back(t);
         }
-        else if (isOuter || !finite)
+        else if (addFlat || !finite)
         {
-            intersections.append(labelPair(facei, facei));
+            pairs.append(labelPair(t.facei, t.facei));
         }
     }
+
+    return sound;
+}
+
+
+//- Number of layers of positive cells on each face of the wall. A stack goes
+//  on from a face to the opposite face of the cell, the only one without a
+//  common point, and from there to the next cell. It ends at the boundary, or
+//  at a cell that has no face opposite to the one below.
+static labelList countLayers
+(
+    const polyhedralMesh& mesh,
+    const labelUList& wallFaces,
+    const boolList& positive
+)
+{
+    labelList nLayers(wallFaces.size(), Zero);
+
+    forAll(wallFaces, i)
+    {
+        label facei = wallFaces[i];
+        label celli = mesh.owner(facei);
+
+        while (celli >= 0 && positive[celli])
+        {
+            const label next = mesh.opposite(facei, celli);
+
+            // A walk ends because faces are opposite to each other
+            if (next < 0 || mesh.opposite(next, celli) != facei)
+            {
+                break;
+            }
+
+            ++nLayers[i];
+            facei = next;
+            celli = mesh.beyond(facei, celli);
+        }
+    }
+
+    return nLayers;
 }
 
 
@@ -90,18 +136,17 @@ Foam::List<Foam::labelPair> Foam::findIntersections
 )
 {
     DynamicList<labelPair> pairs;
-    std::vector<labelledTriangle> triangles;
+    std::vector<labelledTriangle> triangles
+    (
+        fansOf(mesh, wallFaces, false, pairs)
+    );
+    const std::vector<labelledTriangle> outer
+    (
+        fansOf(mesh, outerFaces, true, pairs)
+    );
+    triangles.insert(triangles.end(), outer.begin(), outer.end());
 
-    for (const label facei : wallFaces)
-    {
-        addTriangles(mesh, facei, false, triangles, pairs);
-    }
-    for (const label facei : outerFaces)
-    {
-        addTriangles(mesh, facei, true, triangles, pairs);
-    }
-
-    addIntersections(triangles, std::vector<labelledTriangle>(), pairs);
+    addIntersections(triangles, {}, pairs);
 
     return List<labelPair>(std::move(pairs));
 }

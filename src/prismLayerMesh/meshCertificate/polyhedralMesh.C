@@ -10,6 +10,35 @@ License
 #include "polyhedralMesh.H"
 #include "HashSet.H"
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- Number of the faces of each cell
+static labelList nFacesOfCells
+(
+    const labelList& owner,
+    const labelList& neighbour
+)
+{
+    DynamicList<label> n;
+
+    for (const labelList* side : {&owner, &neighbour})
+    {
+        for (const label celli : *side)
+        {
+            n.setSize(max(n.size(), celli + 1), 0);
+            ++n[celli];
+        }
+    }
+
+    return labelList(std::move(n));
+}
+
+} // End namespace Foam
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::polyhedralMesh::polyhedralMesh
@@ -24,36 +53,16 @@ Foam::polyhedralMesh::polyhedralMesh
     faces_(faces),
     owner_(owner),
     neighbour_(neighbour),
-    starts_
-    (
-        2 + max
-        (
-            owner.empty() ? -1 : max(owner),
-            neighbour.empty() ? -1 : max(neighbour)
-        ),
-        Zero
-    ),
-    cellFaces_(owner.size() + neighbour.size())
+    cellFaces_(nFacesOfCells(owner, neighbour))
 {
-    for (const labelList* side : {&owner_, &neighbour_})
-    {
-        for (const label celli : *side)
-        {
-            ++starts_[celli + 1];
-        }
-    }
+    labelList n(nCells(), Zero);
 
-    for (label celli = 0; celli < nCells(); ++celli)
-    {
-        starts_[celli + 1] += starts_[celli];
-    }
-
-    labelList next(starts_);
     for (const labelList* side : {&owner_, &neighbour_})
     {
         forAll(*side, facei)
         {
-            cellFaces_[next[(*side)[facei]]++] = facei;
+            const label celli = (*side)[facei];
+            cellFaces_(celli, n[celli]++) = facei;
         }
     }
 }

@@ -18,8 +18,7 @@ License
 namespace Foam
 {
 
-//- Labels in the mesh of the points of the far field: those on the layers are
-//  the layers', the others come after these
+//- The labels in the mesh of the points of the far field
 static labelList meshLabels
 (
     const prismLayers& layers,
@@ -40,66 +39,20 @@ static labelList meshLabels
 }
 
 
-//- Faces of the mesh, one after the other
-struct faceAppender
+//- A face of the far field with the labels of the mesh
+static face farFace(const labelList& labels, const labelUList& f)
 {
-    //- In the mesh, of the points of the far field
-    const labelList& labels;
-
-    DynamicList<face> faces;
-    DynamicList<label> owner;
-    DynamicList<label> neighbour;
-
-    void append
-    (
-        const face& f,
-        const label ownerCell,
-        const label neighbourCell
-    )
-    {
-        faces.append(f);
-        owner.append(ownerCell);
-
-        if (neighbourCell >= 0)
-        {
-            neighbour.append(neighbourCell);
-        }
-    }
-
-    //- A face of the far field
-    void appendFar
-    (
-        const face& f,
-        const label ownerCell,
-        const label neighbourCell
-    )
-    {
-        append
-        (
-            face(UIndirectList<label>(labels, f)()),
-            ownerCell, neighbourCell
-        );
-    }
-};
+    return face(UIndirectList<label>(labels, f)());
+}
 
 
-//- Tetrahedra behind the triangles of the boundary: those on the layers, then
-//  those of the far boundary
-struct boundaryTets
+//- The tetrahedra on the outer triangles, then those on the far boundary's
+static labelList boundaryTets(const farFieldMesh& far)
 {
-    labelList onLayers;
-    labelList onFar;
-};
-
-
-static boundaryTets findBoundaryTets(const farFieldMesh& far)
-{
-    const triangleIndex onLayers(far.outerTriangles);
-    const triangleIndex onFar(far.boundaryTriangles);
-
-    boundaryTets tets;
-    tets.onLayers = labelList(far.outerTriangles.size(), -1);
-    tets.onFar = labelList(far.boundaryTriangles.size(), -1);
+    faceList triangles(far.outerTriangles);
+    triangles.append(far.boundaryTriangles);
+    const triangleIndex index(makeTriangleIndex(triangles));
+    labelList tets(triangles.size(), -1);
 
     forAll(far.tets, t)
     {
@@ -107,17 +60,7 @@ static boundaryTets findBoundaryTets(const farFieldMesh& far)
         {
             if (far.neighbours[t][i] < 0)
             {
-                const triFace f(far.tets[t].face(i));
-                const label triangle = onLayers.find(f[0], f[1], f[2]);
-
-                if (triangle >= 0)
-                {
-                    tets.onLayers[triangle] = t;
-                }
-                else
-                {
-                    tets.onFar[onFar.find(f[0], f[1], f[2])] = t;
-                }
+                tets[index[far.tets[t].face(i)]] = t;
             }
         }
     }
@@ -126,7 +69,7 @@ static boundaryTets findBoundaryTets(const farFieldMesh& far)
 }
 
 
-//- Faces between layers, and after those of each last cell those to the
+//- Internal faces of the layers, and after those of each last cell those to the
 //  tetrahedra on it
 static void addLayerFaces
 (
@@ -134,11 +77,13 @@ static void addLayerFaces
     const polyMeshTopology& prisms,
     const farFieldMesh& far,
     const labelList& tets,
-    faceAppender& to
+    const labelList& labels,
+    polyMeshTopology& mesh
 )
 {
     const label n = layers.nLayers;
     const label firstTet = layers.faces.size()*n;
+    const label nInternal = prisms.neighbour.size();
     label facei = 0;
     label trianglei = 0;
 
@@ -149,16 +94,12 @@ static void addLayerFaces
     {
         const label last = fronti*n + n - 1;
 
-        for
-        (
-            ;
-            facei < prisms.neighbour.size() && prisms.owner[facei] <= last;
-            ++facei
-        )
+        for (; facei < nInternal && prisms.owner[facei] <= last; ++facei)
         {
-            to.append
+            mesh.append
             (
-                prisms.faces[facei], prisms.owner[facei],
+                face(prisms.faces[facei]),
+                prisms.owner[facei],
                 prisms.neighbour[facei]
             );
         }
@@ -178,9 +119,11 @@ static void addLayerFaces
 
         for (const labelPair& b : beyond)
         {
-            to.appendFar
+            mesh.append
             (
-                far.outerTriangles[b.second()], last, firstTet + b.first()
+                farFace(labels, far.outerTriangles[b.second()]),
+                last,
+                firstTet + b.first()
             );
         }
     }
@@ -191,7 +134,8 @@ static void addTetFaces
 (
     const farFieldMesh& far,
     const label firstTet,
-    faceAppender& to
+    const labelList& labels,
+    polyMeshTopology& mesh
 )
 {
     // Later tetrahedra, with the face to them
@@ -211,10 +155,11 @@ static void addTetFaces
 
         for (const labelPair& b : beyond)
         {
-            to.appendFar
+            mesh.append
             (
-                far.tets[t].face(b.second()).triFaceFace(),
-                firstTet + t, firstTet + b.first()
+                farFace(labels, far.tets[t].face(b.second()).triFaceFace()),
+                firstTet + t,
+                firstTet + b.first()
             );
         }
     }
@@ -234,55 +179,45 @@ Foam::polyMeshTopology Foam::joinFarField
 )
 {
     const labelList labels(meshLabels(layers, nLayerPoints, far));
-    const boundaryTets tets(findBoundaryTets(far));
+    const labelList tets(boundaryTets(far));
     const label firstTet = layers.faces.size()*layers.nLayers;
+    const label nFaces = prisms.faces.size() + 2*far.tets.size();
 
+    polyMeshTopology mesh;
+    mesh.reserve(nFaces, nFaces);
+    addLayerFaces(layers, prisms, far, tets, labels, mesh);
+    addTetFaces(far, firstTet, labels, mesh);
+
+    forAll(layers.patchNames, patchi)
+    {
+        const label start = prisms.patchStarts[patchi];
+        mesh.startPatch();
+
+        for (label i = start; i < start + prisms.patchSizes[patchi]; ++i)
+        {
+            mesh.append(face(prisms.faces[i]), prisms.owner[i]);
+        }
+    }
+
+    // Seen from inside, the normals of the boundary's triangles point at us
     const labelListList farFaces
     (
         invertOneToMany(far.patchNames.size(), far.patchIDs)
     );
 
-    faceAppender to{labels, {}, {}, {}};
-    to.faces.reserve(prisms.faces.size() + 2*far.tets.size());
-    to.owner.reserve(prisms.faces.size() + 2*far.tets.size());
-    to.neighbour.reserve(prisms.faces.size() + 2*far.tets.size());
-    addLayerFaces(layers, prisms, far, tets.onLayers, to);
-    addTetFaces(far, firstTet, to);
-
-    polyMeshTopology mesh;
-
-    forAll(layers.patchNames, patchi)
-    {
-        const label start = prisms.patchStarts[patchi];
-        const label size = prisms.patchSizes[patchi];
-        mesh.patchStarts.append(to.faces.size());
-        mesh.patchSizes.append(size);
-
-        for (label facei = start; facei < start + size; ++facei)
-        {
-            to.append(prisms.faces[facei], prisms.owner[facei], -1);
-        }
-    }
-
-    // Seen from inside, the normals of the boundary's triangles point at us
     for (const labelList& triangles : farFaces)
     {
-        mesh.patchStarts.append(to.faces.size());
-        mesh.patchSizes.append(triangles.size());
+        mesh.startPatch();
 
         for (const label i : triangles)
         {
-            to.appendFar
+            mesh.append
             (
-                far.boundaryTriangles[i].reverseFace(),
-                firstTet + tets.onFar[i], -1
+                farFace(labels, far.boundaryTriangles[i].reverseFace()),
+                firstTet + tets[far.outerTriangles.size() + i]
             );
         }
     }
-
-    mesh.faces.transfer(to.faces);
-    mesh.owner.transfer(to.owner);
-    mesh.neighbour.transfer(to.neighbour);
 
     return mesh;
 }

@@ -7,7 +7,6 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-
 #include "prismPolyMesh.H"
 #include "HashSet.H"
 
@@ -52,6 +51,28 @@ static void addPatches
     }
 
     mesh.addPatches(patches);
+}
+
+
+//- The points of the mesh, which leaves nothing of layers and far field
+static pointField takePoints(prismLayers& layers, farFieldMesh& far)
+{
+    const label n = layers.nColumns();
+    pointField points
+    (
+        layers.furtherRoots.size()
+      ? layers.meshPoints() : pointField(std::move(layers.points))
+    );
+
+    if (!far.empty())
+    {
+        points.append(SubList<point>(far.points, far.points.size() - n, n));
+    }
+
+    layers = prismLayers();
+    far = farFieldMesh();
+
+    return points;
 }
 
 
@@ -115,11 +136,8 @@ Foam::autoPtr<Foam::polyMesh> Foam::makePrismPolyMesh
     const bool hasFarField = !far.empty();
     const label nLayerCells = layers.faces.size()*layers.nLayers;
     polyMeshTopology topology(makePrismTopology(layers));
-
     wordList names(prismPatchNames(layers.patchNames));
     wordList types(names.size(), word("wall"));
-
-    const label nColumns = layers.nColumns();
 
     if (hasFarField)
     {
@@ -132,48 +150,23 @@ Foam::autoPtr<Foam::polyMesh> Foam::makePrismPolyMesh
         types.append(far.patchTypes);
     }
 
-    pointField points
-    (
-        layers.furtherRoots.size()
-      ? layers.meshPoints() : pointField(std::move(layers.points))
-    );
+    names.append(wordList({layerOuterName, layerSidesName}));
+    names.setSize(topology.patchStarts.size());
+    types.setSize(names.size(), word("patch"));
 
-    if (hasFarField)
-    {
-        points.append
-        (
-            SubList<point>(far.points, far.points.size() - nColumns, nColumns)
-        );
-    }
-
-    for (const word& name : {layerOuterName, layerSidesName})
-    {
-        if (names.size() < topology.patchStarts.size())
-        {
-            names.append(name);
-            types.append(word("patch"));
-        }
-    }
-
-    layers = prismLayers();
-    far = farFieldMesh();
+    IOobject unread(io);
+    unread.readOpt() = IOobject::NO_READ;
+    pointField points(takePoints(layers, far));
 
     autoPtr<polyMesh> mesh
     (
         new polyMesh
         (
-            IOobject
-            (
-                io.name(),
-                io.instance(),
-                io.db(),
-                IOobject::NO_READ,
-                io.writeOpt()
-            ),
+            unread,
             std::move(points),
-            std::move(topology.faces),
-            std::move(topology.owner),
-            std::move(topology.neighbour)
+            faceList(std::move(topology.faces)),
+            labelList(std::move(topology.owner)),
+            labelList(std::move(topology.neighbour))
         )
     );
     addPatches(topology, names, types, mesh());

@@ -9,7 +9,7 @@ License
 
 
 #include "prismPolyMesh.H"
-#include "DynamicList.H"
+#include "labelPairHashes.H"
 #include "ListOps.H"
 
 #include <algorithm>
@@ -18,30 +18,6 @@ License
 
 namespace Foam
 {
-
-//- What is beyond the edges of the front faces
-struct frontNeighbours
-{
-    //- First edge of each face
-    labelList starts;
-
-    //- The face beyond each edge, or -1
-    labelList faces;
-
-    //- Edges of one face only
-    label nOpen;
-
-    label operator()(const label facei, const label k) const
-    {
-        return faces[starts[facei] + k];
-    }
-
-    label nInternal() const
-    {
-        return (faces.size() - nOpen)/2;
-    }
-};
-
 
 static void badEdge
 (
@@ -58,191 +34,107 @@ static void badEdge
 }
 
 
-//- Edges meet in short lists, one for the smaller column of each
-static frontNeighbours makeFrontNeighbours(const prismLayers& layers)
+//- The front face of each edge in the direction of the face. The front face
+//  beyond an edge has the reverse edge.
+static labelPairLookup facesOfEdges(const prismLayers& layers)
 {
-    const faceList& faces = layers.faces;
+    labelPairLookup faceOf(4*layers.faces.size());
 
-    frontNeighbours front;
-    front.starts.setSize(faces.size() + 1);
-    front.starts[0] = 0;
-
-    forAll(faces, facei)
+    forAll(layers.faces, facei)
     {
-        front.starts[facei + 1] = front.starts[facei] + faces[facei].size();
-    }
-
-    const label nEdges = front.starts.last();
-    front.faces.setSize(nEdges, -1);
-    front.nOpen = nEdges;
-
-    labelList lists(layers.nColumns(), -1);
-    labelList next(nEdges);
-    labelList faceOf(nEdges);
-    edgeList edges(nEdges);
-
-    label edgei = 0;
-    forAll(faces, facei)
-    {
-        for (label k = 0; k < faces[facei].size(); ++k, ++edgei)
+        for (const edge& e : layers.faces[facei].edges())
         {
-            const edge e(faces[facei][k], faces[facei].nextLabel(k));
-            edges[edgei] = e;
-            faceOf[edgei] = facei;
-
-            label& list = lists[min(e.first(), e.second())];
-            label other = list;
-            while (other >= 0 && edge::compare(edges[other], e) == 0)
+            if (!faceOf.insert(e, facei))
             {
-                other = next[other];
-            }
-
-            if (other < 0)
-            {
-                next[edgei] = list;
-                list = edgei;
-            }
-            else if (front.faces[other] >= 0)
-            {
-                badEdge(layers, facei, e, "has more than two faces");
-            }
-            else if (edges[other].first() == e.first())
-            {
-                badEdge(layers, facei, e, "has two faces that are flipped");
-            }
-            else
-            {
-                front.faces[other] = facei;
-                front.faces[edgei] = faceOf[other];
-                front.nOpen -= 2;
+                badEdge
+                (
+                    layers, facei, e,
+                    faceOf.found(e.reverseEdge())
+                  ? "has more than two faces" : "has two faces that are flipped"
+                );
             }
         }
     }
 
-    return front;
+    return faceOf;
 }
 
 
-//- Faces are added one after the other
-class topologyBuilder
+//- The front face beyond edge k of a front face, or -1
+static label faceBeyond
+(
+    const prismLayers& layers,
+    const labelPairLookup& faceOf,
+    const label facei,
+    const label k
+)
 {
-    const prismLayers& layers_;
-    polyMeshTopology& mesh_;
-    label nFaces_ = 0;
+    const edge e(layers.faces[facei].faceEdge(k));
+
+    return faceOf.lookup(e.reverseEdge(), -1);
+}
 
 
-    label cellLabel(const label facei, const label i) const
+static label cellLabel
+(
+    const prismLayers& layers,
+    const label facei,
+    const label i
+)
+{
+    return facei*layers.nLayers + i - 1;
+}
+
+
+//- Points on level i of a front face
+static face faceAt(const prismLayers& layers, const label facei, const label i)
+{
+    face f(layers.faces[facei]);
+
+    for (label& p : f)
     {
-        return facei*layers_.nLayers + i - 1;
+        p = layers.pointLabel(p, i);
     }
 
-
-public:
-
-    topologyBuilder(const prismLayers& layers, polyMeshTopology& mesh)
-    :
-        layers_(layers),
-        mesh_(mesh)
-    {}
+    return f;
+}
 
 
-    //- Between layer i and layer i + 1, or the outer surface
-    void addUpper(const label facei, const label i)
-    {
-        const face& columns = layers_.faces[facei];
-        face& f = mesh_.faces[nFaces_];
-        f.setSize(columns.size());
+//- The side of layer i on edge k of a front face. Columns on one point of the
+//  wall have a triangle between them.
+static face sideFace
+(
+    const prismLayers& layers,
+    const label facei,
+    const label k,
+    const label i
+)
+{
+    const edge e(layers.faces[facei].faceEdge(k));
+    const label start = layers.pointLabel(e.first(), i - 1);
+    const label end = layers.pointLabel(e.second(), i - 1);
 
-        forAll(columns, k)
-        {
-            f[k] = layers_.pointLabel(columns[k], i);
-        }
+    face f(start == end ? 3 : 4);
+    f[0] = start;
+    f[1] = end;
+    f[f.size() - 2] = layers.pointLabel(e.second(), i);
+    f[f.size() - 1] = layers.pointLabel(e.first(), i);
 
-        if (i < layers_.nLayers)
-        {
-            mesh_.neighbour[nFaces_] = cellLabel(facei, i + 1);
-        }
-
-        mesh_.owner[nFaces_++] = cellLabel(facei, i);
-    }
-
-
-    //- On the wall: seen from below
-    void addWall(const label facei)
-    {
-        const face& columns = layers_.faces[facei];
-        const label n = columns.size();
-        face& f = mesh_.faces[nFaces_];
-        f.setSize(n);
-
-        forAll(columns, k)
-        {
-            f[k] = layers_.pointLabel(columns[k ? n - k : 0], 0);
-        }
-
-        mesh_.owner[nFaces_++] = cellLabel(facei, 1);
-    }
-
-
-    //- The side of layer i on edge k of a front face, beyond which is another
-    //  front face or -1
-    void addSide
-    (
-        const label facei,
-        const label k,
-        const label i,
-        const label beyond
-    )
-    {
-        const face& columns = layers_.faces[facei];
-        const label c = columns[k];
-        const label d = columns.nextLabel(k);
-
-        const label start = layers_.pointLabel(c, i - 1);
-        const label end = layers_.pointLabel(d, i - 1);
-
-        // Columns on one point of the wall have a triangle between them
-        face& f = mesh_.faces[nFaces_];
-        f.setSize(start == end ? 3 : 4);
-        f[0] = start;
-        f[1] = end;
-        f[f.size() - 2] = layers_.pointLabel(d, i);
-        f[f.size() - 1] = layers_.pointLabel(c, i);
-
-        if (beyond >= 0)
-        {
-            mesh_.neighbour[nFaces_] = cellLabel(beyond, i);
-        }
-
-        mesh_.owner[nFaces_++] = cellLabel(facei, i);
-    }
-
-
-    //- Faces from start on are a patch
-    void addPatch(const label start)
-    {
-        mesh_.patchStarts.append(start);
-        mesh_.patchSizes.append(nFaces_ - start);
-    }
-
-    label nFaces() const
-    {
-        return nFaces_;
-    }
-};
+    return f;
+}
 
 
 //- Upper-triangular order: of the faces of a cell to cells of higher label, the
-//  one to the next layer is the first, those to the stacks of higher front
+//  first is the one to the next layer, and those to the stacks of higher front
 //  faces follow
 static void addInternalFaces
 (
     const prismLayers& layers,
-    const frontNeighbours& front,
-    topologyBuilder& builder
+    const labelPairLookup& faceOf,
+    polyMeshTopology& mesh
 )
 {
-    // Face beyond and edge, of the higher faces beyond
+    // Higher front faces beyond, and the edges to them
     DynamicList<labelPair> sides(16);
 
     forAll(layers.faces, facei)
@@ -251,7 +143,7 @@ static void addInternalFaces
 
         forAll(layers.faces[facei], k)
         {
-            const label beyond = front(facei, k);
+            const label beyond = faceBeyond(layers, faceOf, facei, k);
 
             if (beyond > facei)
             {
@@ -263,108 +155,158 @@ static void addInternalFaces
 
         for (label i = 1; i <= layers.nLayers; ++i)
         {
+            const label celli = cellLabel(layers, facei, i);
+
             if (i < layers.nLayers)
             {
-                builder.addUpper(facei, i);
+                mesh.append(faceAt(layers, facei, i), celli, celli + 1);
             }
 
             for (const labelPair& side : sides)
             {
-                builder.addSide(facei, side.second(), i, side.first());
+                mesh.append
+                (
+                    sideFace(layers, facei, side.second(), i),
+                    celli,
+                    cellLabel(layers, side.first(), i)
+                );
             }
         }
     }
 }
 
 
-//- One patch for each of the wall's
-static void addWallFaces(const prismLayers& layers, topologyBuilder& builder)
+//- One patch for each of the wall's, whose faces are seen from below
+static void addWallFaces(const prismLayers& layers, polyMeshTopology& mesh)
 {
-    labelListList patchFaces
+    const labelListList patchFaces
     (
         invertOneToMany(layers.patchNames.size(), layers.patchIDs)
     );
 
     for (const labelList& faces : patchFaces)
     {
-        const label start = builder.nFaces();
+        mesh.startPatch();
 
         for (const label facei : faces)
         {
-            builder.addWall(facei);
+            mesh.append
+            (
+                faceAt(layers, facei, 0).reverseFace(),
+                cellLabel(layers, facei, 1)
+            );
         }
-
-        builder.addPatch(start);
     }
 }
 
 
-static void addOuterFaces(const prismLayers& layers, topologyBuilder& builder)
+static void addOuterFaces(const prismLayers& layers, polyMeshTopology& mesh)
 {
-    const label start = builder.nFaces();
+    const label n = layers.nLayers;
+    mesh.startPatch();
 
     forAll(layers.faces, facei)
     {
-        builder.addUpper(facei, layers.nLayers);
+        mesh.append(faceAt(layers, facei, n), cellLabel(layers, facei, n));
     }
-
-    builder.addPatch(start);
 }
 
 
 static void addOpenSides
 (
     const prismLayers& layers,
-    const frontNeighbours& front,
-    topologyBuilder& builder
+    const labelPairLookup& faceOf,
+    polyMeshTopology& mesh
 )
 {
-    const label start = builder.nFaces();
+    mesh.startPatch();
 
     forAll(layers.faces, facei)
     {
         forAll(layers.faces[facei], k)
         {
-            if (front(facei, k) < 0)
+            const bool open = faceBeyond(layers, faceOf, facei, k) < 0;
+
+            for (label i = 1; open && i <= layers.nLayers; ++i)
             {
-                for (label i = 1; i <= layers.nLayers; ++i)
-                {
-                    builder.addSide(facei, k, i, -1);
-                }
+                mesh.append
+                (
+                    sideFace(layers, facei, k, i), cellLabel(layers, facei, i)
+                );
             }
         }
     }
-
-    builder.addPatch(start);
 }
 
 } // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::polyMeshTopology::reserve
+(
+    const label nFaces,
+    const label nInternal
+)
+{
+    faces.reserve(nFaces);
+    owner.reserve(nFaces);
+    neighbour.reserve(nInternal);
+}
+
+
+void Foam::polyMeshTopology::append
+(
+    face&& f,
+    const label ownerCell,
+    const label neighbourCell
+)
+{
+    faces.append(std::move(f));
+    owner.append(ownerCell);
+
+    if (neighbourCell >= 0)
+    {
+        neighbour.append(neighbourCell);
+    }
+    else
+    {
+        ++patchSizes.last();
+    }
+}
+
+
+void Foam::polyMeshTopology::startPatch()
+{
+    patchStarts.append(faces.size());
+    patchSizes.append(0);
+}
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 Foam::polyMeshTopology Foam::makePrismTopology(const prismLayers& layers)
 {
-    const frontNeighbours front(makeFrontNeighbours(layers));
+    const labelPairLookup faceOf(facesOfEdges(layers));
+    label nOpen = 0;
+    forAllConstIters(faceOf, iter)
+    {
+        nOpen += !faceOf.found(edge(iter.key()).reverseEdge());
+    }
+
     const label n = layers.nLayers;
     const label nFront = layers.faces.size();
-    const label nInternal = nFront*(n - 1) + front.nInternal()*n;
-    const label nFaces =
-        nInternal + nFront + layers.nWallFaces() + front.nOpen*n;
+    const label nInternal = nFront*(n - 1) + (faceOf.size() - nOpen)/2*n;
 
     polyMeshTopology mesh;
-    mesh.faces.setSize(nFaces);
-    mesh.owner.setSize(nFaces);
-    mesh.neighbour.setSize(nInternal);
+    mesh.reserve(nInternal + nFront + layers.nWallFaces() + nOpen*n, nInternal);
+    addInternalFaces(layers, faceOf, mesh);
+    addWallFaces(layers, mesh);
+    addOuterFaces(layers, mesh);
 
-    topologyBuilder builder(layers, mesh);
-    addInternalFaces(layers, front, builder);
-    addWallFaces(layers, builder);
-    addOuterFaces(layers, builder);
-
-    if (front.nOpen)
+    if (nOpen)
     {
-        addOpenSides(layers, front, builder);
+        addOpenSides(layers, faceOf, mesh);
     }
 
     return mesh;

@@ -10,15 +10,13 @@ License
 #include "splitTets.H"
 #include "boolList.H"
 
-#include <algorithm>
-
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
 
-//- The first of the set among edges and faces of a tetrahedron, or -1; inSet
-//  says which points have simplices there
+//- Position in the set of the first edge or face of a tetrahedron, or -1. The
+//  set has simplices on the points that inSet marks.
 static label firstSimplex
 (
     const simplexSet& simplices,
@@ -26,33 +24,31 @@ static label firstSimplex
     const tetCell& tet
 )
 {
-    label first = -1;
+    DynamicList<label, 4> p;
+    for (const label q : tet)
+    {
+        if (q < inSet.size() && inSet[q])
+        {
+            p.append(q);
+        }
+    }
 
+    label first = -1;
     const auto look = [&](const simplex& s)
     {
         const label i = simplices.find(s);
         first = i >= 0 && (first < 0 || i < first) ? i : first;
     };
-    const auto has = [&](const label i)
-    {
-        return tet[i] < inSet.size() && inSet[tet[i]];
-    };
 
-    for (label i = 0; i < 4; ++i)
+    for (label i = 0; i < p.size(); ++i)
     {
-        for (label j = i + 1; has(i) && j < 4; ++j)
+        for (label j = 0; j < i; ++j)
         {
-            if (has(j))
-            {
-                look(sortedSimplex(-1, tet[i], tet[j]));
+            look(sortedSimplex(-1, p[i], p[j]));
 
-                for (label k = j + 1; k < 4; ++k)
-                {
-                    if (has(k))
-                    {
-                        look(sortedSimplex(tet[i], tet[j], tet[k]));
-                    }
-                }
+            for (label k = 0; k < j; ++k)
+            {
+                look(sortedSimplex(p[i], p[j], p[k]));
             }
         }
     }
@@ -96,50 +92,14 @@ static void split
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void Foam::simplexSet::sort()
-{
-    std::sort(simplices_.begin(), simplices_.end(), before);
-    simplices_.setSize
-    (
-        std::unique(simplices_.begin(), simplices_.end()) - simplices_.begin()
-    );
-}
-
-
-Foam::label Foam::simplexSet::find(const simplex& s) const
-{
-    const auto found = std::lower_bound
-    (
-        simplices_.begin(), simplices_.end(), s, before
-    );
-
-    return found != simplices_.end() && *found == s
-      ? found - simplices_.begin() : -1;
-}
-
-
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 Foam::simplex Foam::sortedSimplex(const label a, const label b, const label c)
 {
-    simplex s;
-    s[0] = a;
-    s[1] = b;
-    s[2] = c;
+    simplex s({a, b, c});
     std::sort(s.begin(), s.end());
 
     return s;
-}
-
-
-bool Foam::before(const simplex& a, const simplex& b)
-{
-    return std::lexicographical_compare
-    (
-        a.begin(), a.end(), b.begin(), b.end()
-    );
 }
 
 

@@ -16,6 +16,7 @@ License
 #include "orientation.H"
 #include "triangleIndex.H"
 
+#include <algorithm>
 #include <string>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -23,8 +24,65 @@ License
 namespace Foam
 {
 
-//- How often TetGen tries, each time with other coordinates
-static const label maxAttempts = 3;
+namespace
+{
+
+//- Constants that were tuned
+const struct
+{
+    //- How often TetGen is started, each time with other coordinates
+    label maxAttempts = 3;
+
+    //- CPU time of the first attempt [s], and the points for which it has one
+    //  second more: twice the time of any success. Later attempts have half
+    //  the time of the last one each, but not less than the shortest time.
+    label seconds = 3;
+    label pointsPerSecond = 16000;
+    label shortest = 2;
+
+    //- The same for tetrahedra of given sizes, of which there may be so many
+    label sizedSeconds = 30;
+    label tetsPerSecond = 3000;
+
+    //- Tetrahedra that there may be for each point that is added
+    label tetsPerPoint = 4;
+
+    //- Longest edge of a tetrahedron over the size at its centre
+    scalar maxLength = 1.6;
+
+    //- Facets stay as they are: not split (Y), coplanar ones not merged (M), no
+    //  tolerance (T) in place of the exact predicates. Points that are not used
+    //  are not left out (J): that would change the labels of the others.
+    const char* keepFacets = "pYMJQT1e-16";
+
+    //- Radius over shortest edge at most 1.3, dihedral angles from 12 to 120
+    //  degrees, if it can be had, by refinement and then by flips and smoothing
+    const char* shapes = "q1.3/12o/120O4/7";
+} tuned;
+
+
+//- How TetGen runs
+struct tetRun
+{
+    std::string switches;
+    std::function<scalar(const point&)> size;
+
+    //- CPU time of the first attempt
+    label seconds;
+};
+
+
+//- The wanted sizes, and the rotation of the coordinates, in TetGen's process
+struct tetSizing
+{
+    std::function<scalar(const point&)> size;
+    tensor rotation;
+};
+
+//- Global because TetGen asks with coordinates alone
+tetSizing sizing;
+
+} // End anonymous namespace
 
 
 //- Rotations that lay nothing along the axes or their diagonals: on exactly
@@ -74,39 +132,13 @@ static void setFacets(tetgenio& io, const faceList& facets)
         tetgenio::polygon& polygon = f.polygonlist[0];
         polygon.numberofvertices = facets[i].size();
         polygon.vertexlist = new int[facets[i].size()];
-
-        forAll(facets[i], j)
-        {
-            polygon.vertexlist[j] = facets[i][j];
-        }
-
+        std::copy(facets[i].begin(), facets[i].end(), polygon.vertexlist);
         io.facetmarkerlist[i] = 1;
     }
 }
 
 
-//- TetGen in its process: what makes tetrahedra of the wanted sizes
-struct tetSizing
-{
-    std::function<scalar(const point&)> size;
-    tensor rotation;
-
-    //- TetGen's question has no place for more than coordinates
-    static tetSizing current;
-
-    static bool isLarge
-    (
-        REAL* a, REAL* b, REAL* c, REAL* d, REAL*, REAL
-    );
-};
-
-tetSizing tetSizing::current;
-
-
-//- Edges over the wanted size, at most
-static const scalar maxLength = 1.6;
-
-bool tetSizing::isLarge(REAL* a, REAL* b, REAL* c, REAL* d, REAL*, REAL)
+static bool isLarge(REAL* a, REAL* b, REAL* c, REAL* d, REAL*, REAL)
 {
     const point x[4] =
     {
@@ -126,19 +158,8 @@ bool tetSizing::isLarge(REAL* a, REAL* b, REAL* c, REAL* d, REAL*, REAL)
     const point centre(0.25*(x[0] + x[1] + x[2] + x[3]));
 
     return
-        longest > sqr(maxLength*current.size(centre & current.rotation));
+        longest > sqr(tuned.maxLength*sizing.size(centre & sizing.rotation));
 }
-
-
-//- How TetGen runs
-struct tetRun
-{
-    std::string switches;
-    std::function<scalar(const point&)> size;
-
-    //- At the first attempt
-    label seconds;
-};
 
 
 static void run
@@ -159,8 +180,8 @@ static void run
 
     if (how.size)
     {
-        tetSizing::current = tetSizing{how.size, rotation};
-        in.tetunsuitable = tetSizing::isLarge;
+        sizing = tetSizing{how.size, rotation};
+        in.tetunsuitable = isLarge;
     }
 
     std::string switches(how.switches);
@@ -217,24 +238,22 @@ static bool read
 
 
 //- Whether all facets are faces of tetrahedra: now and then TetGen adds a point
-//  on one
+//  on a facet
 static bool keepsFacets(const tetDomain& domain, const tetMesh& mesh)
 {
-    const triangleIndex facets(domain.facets);
+    const triangleIndex facets(makeTriangleIndex(domain.facets));
     boolList isFace(domain.facets.size(), false);
 
     for (const tetCell& tet : mesh.tets)
     {
         for (label i = 0; i < 4; ++i)
         {
-            const label a = tet[(i + 1) % 4];
-            const label b = tet[(i + 2) % 4];
-            const label c = tet[(i + 3) % 4];
+            const triFace f(tet.face(i));
 
             // Facets are on points of the domain
-            if (max(max(a, b), c) < domain.points.size())
+            if (max(max(f[0], f[1]), f[2]) < domain.points.size())
             {
-                const label facet = facets.find(a, b, c);
+                const label facet = facets.lookup(f, -1);
 
                 if (facet >= 0)
                 {
@@ -248,19 +267,9 @@ static bool keepsFacets(const tetDomain& domain, const tetMesh& mesh)
 }
 
 
-//- Facets stay as they are: not split (Y), coplanar ones not merged (M), no
-//  tolerance (T) in place of the exact predicates. Points that are not used
-//  are not left out (J), or the others would change their labels.
-static const std::string keepFacets("pYMJQT1e-16");
-
-//- Radius over shortest edge at most 1.3, dihedral angles from 12 to 120
-//  degrees, where it can be had, by refinement and then by flips and smoothing
-static const std::string shapes("q1.3/12o/120O4/7");
-
-
 static tetMesh attempts(const tetDomain& domain, const tetRun& how)
 {
-    for (label attempt = 0; attempt < maxAttempts; ++attempt)
+    for (label attempt = 0; attempt < tuned.maxAttempts; ++attempt)
     {
         const tensor rotation(generalRotation(attempt));
         tetMesh mesh;
@@ -272,7 +281,7 @@ static tetMesh attempts(const tetDomain& domain, const tetRun& how)
             {
                 return read(domain, rotation, result, mesh);
             },
-            max(how.seconds >> attempt, 2)
+            max(how.seconds >> attempt, tuned.shortest)
         );
 
         if
@@ -288,7 +297,7 @@ static tetMesh attempts(const tetDomain& domain, const tetRun& how)
     FatalErrorInFunction
         << "TetGen failed, or took too long, on "
         << domain.facets.size() << " facets and "
-        << domain.points.size() << " points, " << maxAttempts << " times"
+        << domain.points.size() << " points, " << tuned.maxAttempts << " times"
         << exit(FatalError);
 
     return tetMesh();
@@ -318,7 +327,12 @@ Foam::tetMesh Foam::tetrahedralize(const tetDomain& domain)
     return attempts
     (
         domain,
-        tetRun{keepFacets, nullptr, 3 + domain.points.size()/16000}
+        tetRun
+        {
+            tuned.keepFacets,
+            nullptr,
+            tuned.seconds + domain.points.size()/tuned.pointsPerSecond
+        }
     );
 }
 
@@ -335,9 +349,10 @@ Foam::tetMesh Foam::tetrahedralize
         domain,
         tetRun
         {
-            keepFacets + shapes + 'S' + std::to_string(maxTets/4),
+            std::string(tuned.keepFacets) + tuned.shapes + 'S'
+          + std::to_string(maxTets/tuned.tetsPerPoint),
             size,
-            30 + maxTets/3000
+            tuned.sizedSeconds + maxTets/tuned.tetsPerSecond
         }
     );
 }

@@ -11,6 +11,7 @@ License
 #include "memoryMesh.H"
 #include "testLayers.H"
 #include "testSurfaces.H"
+#include "HashSet.H"
 #include "mathematicalConstants.H"
 #include "wallPolyPatch.H"
 
@@ -251,6 +252,38 @@ TEST(prismPolyMesh, sidesWhereTheFrontEnds)
     EXPECT_EQ(patches[0].size(), 1);
     EXPECT_EQ(patches[1].size(), 1);
     EXPECT_EQ(patches[2].size(), 9);
+}
+
+
+TEST(prismPolyMesh, sidesAreOnOpenEdgesOnly)
+{
+    prismLayers layers(layersOn(testSurfaces::cube(1)));
+    layers.faces.setSize(layers.faces.size() - 1);
+    layers.patchIDs.setSize(layers.faces.size());
+
+    const memoryMesh mesh(layers);
+    const polyPatch& sides = mesh().boundaryMesh()[2];
+
+    EXPECT_EQ(sides.name(), layerSidesName);
+    EXPECT_EQ(sides.type(), "patch");
+    EXPECT_EQ(sides.size(), 3*layers.nLayers);
+    EXPECT_EQ(sides.start() + sides.size(), mesh().nFaces());
+    EXPECT_FALSE(mesh().checkTopology());
+    EXPECT_FALSE(mesh().checkUpperTriangular());
+    EXPECT_FALSE(mesh().checkClosedCells());
+
+    // Between the columns of one edge of the front each
+    for (const face& f : sides)
+    {
+        labelHashSet columns;
+        for (const label p : f)
+        {
+            columns.insert(p/(layers.nLayers + 1));
+        }
+
+        EXPECT_EQ(f.size(), 4);
+        EXPECT_EQ(columns.size(), 2);
+    }
 }
 
 
