@@ -286,7 +286,7 @@ void Foam::prismCase::write
     );
     report.noField = m.noField;
     report.points = countKinds(m.pointKinds);
-    report.nFurtherColumns = m.front.furtherRoots().size();
+    report.nFurtherColumns = m.front.extraColumnPoints().size();
     report.nRetreats = m.columns.nRetreats;
 
     const autoPtr<polyMesh> mesh(writeMesh(m));

@@ -9,7 +9,7 @@ License
 
 #include "layerColumns.H"
 #include "limitGradient.H"
-#include "wallGraph.H"
+#include "wallSmoother.H"
 
 #include <algorithm>
 
@@ -112,7 +112,7 @@ Foam::scalar Foam::layerColumns::stretch
     // The length is height*(maxStretch + ...), which always grows with it
     const scalar excess = max(nearWallStretch - maxStretch, scalar(0));
 
-    return maxStretch + excess/(1 + height/(nearWallHeight*edges[p]));
+    return maxStretch + excess/(1 + height/(nearWallHeight*edgeLengths[p]));
 }
 
 
@@ -227,13 +227,13 @@ Foam::layerColumns Foam::makeLayerColumns
     columns.nLayers = n;
     columns.heights = requestedHeights(spacing);
     columns.offsets.setSize(nPoints*n);
-    columns.edges = meanEdges(wall, addressing);
+    columns.edgeLengths = meanEdges(wall, addressing);
     columns.maxStretch = maxStretch;
     setRoom(wall, addressing, visibility, clearance, spacing, columns);
 
     // From layer to layer the smoothed directions take up what the lines turn,
     // and are spread by what the square of the height grows
-    const wallGraph graph(makeWallGraph(wall, addressing));
+    const wallSmoother graph(makeWallSmoother(wall, addressing));
     vectorField smoothed(nPoints, Zero), previous(nPoints, Zero);
     scalarField variances(nPoints), previousHeights(nPoints, 0);
 

@@ -334,7 +334,7 @@ void Foam::movingColumns::fitFirst
     };
     const auto share = [&](const label c, const scalar height)
     {
-        return shareOf(height, reach*columns_.edges[c]);
+        return shareOf(height, reach*columns_.edgeLengths[c]);
     };
 
     fit({1, isWrong, share}, moving);
@@ -352,7 +352,7 @@ void Foam::movingColumns::fitThickness(const mover& moving)
         const scalar above = height - spacing_.firstThickness[c];
 
         return above > 0
-          ? 1 - shareOf(above, lowShare*columns_.edges[c]) : 0;
+          ? 1 - shareOf(above, lowShare*columns_.edgeLengths[c]) : 0;
     };
 
     fit({spacing_.nLayers, isWrong, share}, moving);

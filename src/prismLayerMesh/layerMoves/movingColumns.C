@@ -152,7 +152,7 @@ Foam::movingColumns::movingColumns
     columns_(columns),
     firstRoom_(columns.room),
     firstCauses_(columns.causes),
-    graph_(makeWallGraph(front.surface, front.addressing)),
+    graph_(makeWallSmoother(front.surface, front.addressing)),
     heights_(front.wallPoints.size()*(spacing.nLayers + 1)),
     heightsRoom_(front.wallPoints.size(), -1),
     turns_(front.wallPoints.size(), 0),
@@ -168,7 +168,7 @@ Foam::movingColumns::movingColumns
     layers_.faces = surface.faces;
     layers_.patchIDs = SubList<label>(surface.patchIDs, front.nWallFaces);
     layers_.patchNames = surface.patchNames;
-    layers_.furtherRoots = front.furtherRoots();
+    layers_.extraColumnPoints = front.extraColumnPoints();
     layers_.points.setSize(surface.points.size()*(spacing.nLayers + 1));
 
     rebuild(identity(surface.points.size()));
@@ -276,7 +276,7 @@ bool Foam::movingColumns::turn(const labelUList& columns)
         const vector mean = graph_.mean(columns_.offsets, c, n, k % n);
 
         // Less so near to the wall, where columns stand upright
-        const scalar share = wallGraph::fullPass*::sqrt
+        const scalar share = wallSmoother::fullPass*::sqrt
         (
             columns_.heights[c*n + k % n]/columns_.heights[c*n + n - 1]
         );

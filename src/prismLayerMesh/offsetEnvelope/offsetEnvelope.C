@@ -46,7 +46,7 @@ static scalarField edgeLengths
 
 
 //- Vector along the axis of a cone so long that all faces are one unit away
-static vector miter(const visibilityCone& cone)
+static vector offsetVector(const visibilityCone& cone)
 {
     return min(1/max(cone.cosine, SMALL), maxStretch)*cone.axis;
 }
@@ -79,7 +79,7 @@ struct sheet
     void addPoint(const label p, const scalar height, const scalar gap)
     {
         const visibilityCone& cone = visibility.cones[p];
-        add(wall.points[p] + height*miter(cone), height, gap);
+        add(wall.points[p] + height*offsetVector(cone), height, gap);
 
         // 0.8: 37 degrees apart
         DynamicList<vector> others;
@@ -125,7 +125,8 @@ struct sheet
 
                 add
                 (
-                    wall.points[p] + height*(normalised(along) + miter(cone)),
+                    wall.points[p]
+                  + height*(normalised(along) + offsetVector(cone)),
                     height,
                     height
                 );

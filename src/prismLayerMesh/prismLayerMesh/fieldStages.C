@@ -11,7 +11,7 @@ License
 #include "diffusionTensor.H"
 #include "harmonicField.H"
 #include "levelSets.H"
-#include "localTensors.H"
+#include "localConductivity.H"
 #include "stageText.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -128,7 +128,7 @@ static void makeLevelSets
     {
         if (k > 0)
         {
-            aim = correctedAim(aim, m.spacing, reached(), uniform);
+            aim = correctedTarget(aim, m.spacing, reached(), uniform);
         }
 
         m.field = makeHarmonicField

@@ -80,7 +80,7 @@ static void makeRoom
     observer.end
     (
         text(m.front.wallPoints.size(), " columns, ",
-            m.front.furtherRoots().size(), " by multiple normals")
+            m.front.extraColumnPoints().size(), " by multiple normals")
     );
 
     observer.begin("wallClearance");

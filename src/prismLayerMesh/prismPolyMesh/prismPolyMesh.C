@@ -126,7 +126,7 @@ Foam::autoPtr<Foam::polyMesh> Foam::makePrismPolyMesh
         topology = joinFarField
         (
             layers, topology,
-            layers.points.size() - layers.furtherRoots.size(), far
+            layers.points.size() - layers.extraColumnPoints.size(), far
         );
         names.append(far.patchNames);
         types.append(far.patchTypes);
@@ -134,7 +134,7 @@ Foam::autoPtr<Foam::polyMesh> Foam::makePrismPolyMesh
 
     pointField points
     (
-        layers.furtherRoots.size()
+        layers.extraColumnPoints.size()
       ? layers.meshPoints() : pointField(std::move(layers.points))
     );
 

@@ -26,7 +26,10 @@ TEST(movingColumns, standOnTheFrontAtFirst)
         {
             EXPECT_EQ(m.moving.layers()(c, 0), front.surface.points[c]);
         }
-        EXPECT_EQ(m.moving.layers().furtherRoots, front.furtherRoots());
+        EXPECT_EQ
+        (
+            m.moving.layers().extraColumnPoints, front.extraColumnPoints()
+        );
         EXPECT_EQ(m.moving.layers().faces, front.surface.faces);
         EXPECT_EQ(m.moving.layers().nWallFaces(), front.nWallFaces);
     }

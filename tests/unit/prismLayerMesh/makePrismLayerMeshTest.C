@@ -216,13 +216,13 @@ TEST(makePrismLayerMesh, pointThatSeesNothingHasMultipleNormals)
     const prismLayerMesh mesh(layeredMesh(wall, 3, 0.1));
 
     EXPECT_EQ(mesh.visibility.emptyCones().size(), 1);
-    EXPECT_GE(mesh.layers.furtherRoots.size(), 1);
+    EXPECT_GE(mesh.layers.extraColumnPoints.size(), 1);
     EXPECT_TRUE(mesh.certificate.valid());
     EXPECT_EQ(mesh.layers.nWallFaces(), wall.faces.size());
     EXPECT_EQ
     (
         mesh.layers.faces.size() - wall.faces.size(),
-        2*mesh.layers.furtherRoots.size()
+        2*mesh.layers.extraColumnPoints.size()
     );
 }
 

@@ -7,7 +7,7 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "localTensors.H"
+#include "localConductivity.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -62,7 +62,7 @@ static profile makeProfile
 
 
 //- Where a point of the mesh is above the wall
-struct footing
+struct wallProjection
 {
     //- Heights that are asked for there
     scalarField heights;
@@ -75,7 +75,7 @@ struct footing
 };
 
 
-static footing footingOf
+static wallProjection projectionOf
 (
     const backgroundMesh& mesh,
     const label v,
@@ -86,7 +86,7 @@ static footing footingOf
 )
 {
     const label n = uniform.size();
-    footing result;
+    wallProjection result;
     result.heights.setSize(n, 0);
 
     forAll(foot.points, k)
@@ -140,18 +140,18 @@ Foam::scalarField Foam::localWeightFactors
     const scalar gap = max(mesh.gaps);
     const profile flat(makeProfile(all, energies, gap));
 
-    List<footing> footings(mesh.points.size());
-    forAll(footings, v)
+    List<wallProjection> projections(mesh.points.size());
+    forAll(projections, v)
     {
-        footings[v] = footingOf(mesh, v, feet[v], requested, all, gap);
+        projections[v] = projectionOf(mesh, v, feet[v], requested, all, gap);
     }
 
     scalarField factors(mesh.edges.size(), 1);
     forAll(factors, i)
     {
         const edge& e = mesh.edges[i];
-        const footing& a = footings[e.start()];
-        const footing& b = footings[e.end()];
+        const wallProjection& a = projections[e.start()];
+        const wallProjection& b = projections[e.end()];
 
         if (!a.isLocal && !b.isLocal)
         {
@@ -179,7 +179,7 @@ Foam::scalarField Foam::localWeightFactors
 }
 
 
-Foam::layerSpacing Foam::correctedAim
+Foam::layerSpacing Foam::correctedTarget
 (
     const layerSpacing& aim,
     const layerSpacing& asked,

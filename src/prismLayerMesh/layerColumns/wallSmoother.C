@@ -7,18 +7,18 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "wallGraph.H"
+#include "wallSmoother.H"
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::wallGraph Foam::makeWallGraph
+Foam::wallSmoother Foam::makeWallSmoother
 (
     const wallSurface& wall,
     const wallAddressing& addressing
 )
 {
     const label nPoints = wall.points.size();
-    wallGraph graph{addressing, {}, {}};
+    wallSmoother graph{addressing, {}, {}};
     graph.weights.setSize(nPoints);
     graph.spread.setSize(nPoints, 0);
 
