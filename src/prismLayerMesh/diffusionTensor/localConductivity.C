@@ -13,6 +13,8 @@ License
 
 namespace Foam
 {
+namespace
+{
 
 //- A field along a normal of the wall: energies at ascending heights, linear
 //  between
@@ -38,6 +40,22 @@ struct profile
 };
 
 
+//- The heights of the wall below a point of the mesh
+struct wallProjection
+{
+    //- Heights that are asked for there [m]
+    scalarField heights;
+
+    //- Distance to the wall [m], scaled to the gap of a flat wall
+    scalar depth = 0;
+
+    //- Whether the heights differ from the uniform ones
+    bool isLocal = false;
+};
+
+} // End anonymous namespace
+
+
 //- From the wall through the layers to the envelope
 static profile makeProfile
 (
@@ -49,30 +67,13 @@ static profile makeProfile
     const label n = heights.size();
     profile result{scalarField(n + 2, 0), scalarField(n + 2, 0)};
     result.energies[0] = 1;
-
-    for (label i = 0; i < n; ++i)
-    {
-        result.heights[i + 1] = heights[i];
-        result.energies[i + 1] = energies[i];
-    }
-    result.heights[n + 1] = max(gap, 1.001*heights[n - 1]);
+    SubList<scalar>(result.heights, n, 1) = heights;
+    SubList<scalar>(result.energies, n, 1) = energies;
+    result.heights[n + 1] =
+        max(gap, conductivityControls::leastGap*heights[n - 1]);
 
     return result;
 }
-
-
-//- Where a point of the mesh is above the wall
-struct wallProjection
-{
-    //- Heights that are asked for there
-    scalarField heights;
-
-    //- Distance to the wall, where the gap is that of a flat wall [m]
-    scalar depth = 0;
-
-    //- Whether they are others than those of all of the wall
-    bool isLocal = false;
-};
 
 
 static wallProjection projectionOf
@@ -99,9 +100,35 @@ static wallProjection projectionOf
     }
 
     result.depth = foot.distance*gap/max(mesh.gaps[v], VSMALL);
-    result.isLocal = max(mag(result.heights/uniform - 1)) > 1e-6;
+    result.isLocal = max(mag(result.heights/uniform - 1))
+      > conductivityControls::sameHeight;
 
     return result;
+}
+
+//- Correct one height of a target by what was reached of what was asked for
+static void correct
+(
+    const scalar asked,
+    const scalar reached,
+    const scalar largest,
+    scalar& height
+)
+{
+    // The largest height is that of the uniform spacing
+    if (asked < largest*(1 - conductivityControls::sameHeight))
+    {
+        const scalar change = asked/max(reached, VSMALL);
+        height *= min
+        (
+            max(change, conductivityControls::leastChange),
+            conductivityControls::mostChange
+        );
+        height = min
+        (
+            max(height, conductivityControls::leastTarget*asked), largest
+        );
+    }
 }
 
 } // End namespace Foam
@@ -165,8 +192,11 @@ Foam::scalarField Foam::localWeightFactors
 
         // Not nearer to each other than slopes need
         const scalar middle = 0.5*(a.depth + b.depth);
-        const scalar half =
-            max(0.5*mag(a.depth - b.depth), 0.05*middle);
+        const scalar half = max
+        (
+            0.5*mag(a.depth - b.depth),
+            conductivityControls::leastDistance*middle
+        );
         const scalar low = max(middle - half, scalar(0));
         const scalar high = min(middle + half, gap);
 
@@ -181,31 +211,14 @@ Foam::scalarField Foam::localWeightFactors
 
 Foam::layerSpacing Foam::correctedTarget
 (
-    const layerSpacing& aim,
+    const layerSpacing& target,
     const layerSpacing& asked,
     const layerSpacing& reached,
     const layerSpacing& uniform
 )
 {
     const label n = uniform.nLayers;
-    layerSpacing corrected(aim);
-
-    const auto correct = []
-    (
-        scalar& value,
-        const scalar wanted,
-        const scalar had,
-        const scalar largest
-    )
-    {
-        // Nothing to do where all of the wall is to be so
-        if (wanted < largest*(1 - 1e-6))
-        {
-            const scalar change = wanted/max(had, VSMALL);
-            value *= min(max(change, scalar(0.8)), scalar(1.25));
-            value = min(max(value, 0.02*wanted), largest);
-        }
-    };
+    layerSpacing corrected(target);
 
     forAll(corrected.thickness, p)
     {
@@ -214,18 +227,21 @@ Foam::layerSpacing Foam::correctedTarget
 
         correct
         (
-            thickness, asked.thickness[p], reached.thickness[p],
-            uniform.thickness[p]
+            asked.thickness[p], reached.thickness[p], uniform.thickness[p],
+            thickness
         );
         correct
         (
-            first, asked.firstThickness[p], reached.firstThickness[p],
-            uniform.firstThickness[p]
+            asked.firstThickness[p], reached.firstThickness[p],
+            uniform.firstThickness[p], first
         );
 
         if (n > 1)
         {
-            first = min(first, thickness/(1 + 0.1*n));
+            first = min
+            (
+                first, thickness/(1 + conductivityControls::leastExcess*n)
+            );
             corrected.ratio[p] = fittedRatio(n, first, thickness);
         }
     }

@@ -9,20 +9,19 @@ License
 
 #include "wallSmoother.H"
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::wallSmoother Foam::makeWallSmoother
+Foam::wallSmoother::wallSmoother
 (
     const wallSurface& wall,
     const wallAddressing& addressing
 )
+:
+    addressing_(addressing),
+    weights_(wall.points.size()),
+    spread_(wall.points.size())
 {
-    const label nPoints = wall.points.size();
-    wallSmoother graph{addressing, {}, {}};
-    graph.weights.setSize(nPoints);
-    graph.spread.setSize(nPoints, 0);
-
-    for (label p = 0; p < nPoints; ++p)
+    forAll(weights_, p)
     {
         const labelList& neighbours = addressing.pointPoints[p];
         scalarField weights(neighbours.size());
@@ -36,11 +35,9 @@ Foam::wallSmoother Foam::makeWallSmoother
             nOthers += lengthSqr > 0;
         }
 
-        graph.weights[p] = weights/sum(weights);
-        graph.spread[p] = 0.5*nOthers/sum(weights);
+        weights_[p] = weights/sum(weights);
+        spread_[p] = 0.5*nOthers/sum(weights);
     }
-
-    return graph;
 }
 
 

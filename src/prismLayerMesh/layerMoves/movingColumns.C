@@ -152,7 +152,7 @@ Foam::movingColumns::movingColumns
     columns_(columns),
     firstRoom_(columns.room),
     firstCauses_(columns.causes),
-    graph_(makeWallSmoother(front.surface, front.addressing)),
+    graph_(front.surface, front.addressing),
     heights_(front.wallPoints.size()*(spacing.nLayers + 1)),
     heightsRoom_(front.wallPoints.size(), -1),
     turns_(front.wallPoints.size(), 0),

@@ -9,6 +9,7 @@ License
 
 #include "wallVisibility.H"
 #include "FixedList.H"
+#include "ListOps.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -115,17 +116,7 @@ static supportSet reduced(const supportSet& set)
 
 static label lowestAlong(const UList<vector>& normals, const vector& d)
 {
-    label lowest = 0;
-
-    for (label i = 1; i < normals.size(); ++i)
-    {
-        if ((normals[i] & d) < (normals[lowest] & d))
-        {
-            lowest = i;
-        }
-    }
-
-    return lowest;
+    return findMin(scalarField(normals & d));
 }
 
 
