@@ -273,7 +273,7 @@ void Foam::prismCase::writeAll
     );
     report.noField = m.noField;
     report.points = countKinds(m.pointKinds);
-    report.nFurtherColumns = m.front.furtherRoots().size();
+    report.nFurtherColumns = m.front.extraColumnPoints().size();
     report.nRetreats = m.made.nRetreats;
 
     const autoPtr<polyMesh> mesh(writeMesh(m, files));

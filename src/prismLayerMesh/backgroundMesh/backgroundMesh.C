@@ -8,10 +8,12 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "backgroundMesh.H"
+#include "ListOps.H"
 #include "tetrahedralize.H"
 #include "wallBridges.H"
 
 #include <algorithm>
+#include <array>
 #include <cstdint>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -33,7 +35,8 @@ static pointField bodySeeds(const wallSurface& wall, const wallSearch& search)
             wall.points[f[0]], wall.points[f[1]], wall.points[f[2]]
         );
         const vector inwards = -tri.unitNormal();
-        const scalar tiny = 1e-6*::sqrt(f.mag(wall.points));
+        const scalar tiny =
+            domainControls::seedShare*::sqrt(f.mag(wall.points));
 
         const pointIndexHit hit
         (
@@ -59,9 +62,11 @@ static pointField bodySeeds(const wallSurface& wall, const wallSearch& search)
 static void addBox(const offsetEnvelope& envelope, tetDomain& domain)
 {
     boundBox box(domain.points);
-    box.inflate(0.1);
-    box.min() -= point::uniform(2*max(envelope.radius));
-    box.max() += point::uniform(2*max(envelope.radius));
+    box.inflate(domainControls::boxShare);
+    const vector margin =
+        point::uniform(domainControls::boxHeights*max(envelope.radius));
+    box.min() -= margin;
+    box.max() += margin;
 
     const label first = domain.points.size();
     domain.points.append(box.points());
@@ -104,6 +109,39 @@ static void fillGaps(const tetCellList& tets, scalarField& gaps)
                     changed = true;
                 }
             }
+        }
+    }
+}
+
+
+//- Set free and gaps of the points: those of the wall, of the sheets, of the
+//  box up to nGiven, and those that TetGen has added
+static void setPointData
+(
+    const offsetEnvelope& envelope,
+    const label nGiven,
+    backgroundMesh& mesh
+)
+{
+    mesh.free.setSize(mesh.points.size(), false);
+    mesh.gaps.setSize(mesh.points.size(), 0);
+
+    forAll(mesh.points, p)
+    {
+        const label sheetPoint = p - mesh.nWallPoints;
+
+        if (sheetPoint < 0)
+        {
+            mesh.gaps[p] = envelope.radius[p];
+        }
+        else if (sheetPoint < envelope.points.size())
+        {
+            mesh.gaps[p] = envelope.gaps[sheetPoint];
+            mesh.free[p] = sheetPoint >= envelope.nEnvelope;
+        }
+        else
+        {
+            mesh.free[p] = p >= nGiven;
         }
     }
 }
@@ -159,53 +197,29 @@ Foam::List<Foam::FixedList<Foam::label, 4>> Foam::tetNeighbours
     const tetCellList& tets
 )
 {
-    struct keyed
-    {
-        FixedList<label, 3> points;
-        label tetFace;
-    };
+    // Points of a face in ascending order, and 4*tet + the opposite point
+    typedef std::pair<std::array<label, 3>, label> keyed;
 
     List<keyed> keys(4*tets.size());
-    forAll(tets, t)
+    forAll(keys, k)
     {
-        const tetCell& tet = tets[t];
-
-        for (label i = 0; i < 4; ++i)
-        {
-            keyed& k = keys[4*t + i];
-            k.points[0] = tet[(i + 1) % 4];
-            k.points[1] = tet[(i + 2) % 4];
-            k.points[2] = tet[(i + 3) % 4];
-            k.tetFace = 4*t + i;
-            std::sort(k.points.begin(), k.points.end());
-        }
+        const tetCell& tet = tets[k/4];
+        keys[k] = keyed
+        (
+            {tet[(k + 1) % 4], tet[(k + 2) % 4], tet[(k + 3) % 4]}, k
+        );
+        std::sort(keys[k].first.begin(), keys[k].first.end());
     }
 
-    std::sort
-    (
-        keys.begin(),
-        keys.end(),
-        [](const keyed& a, const keyed& b)
-        {
-            return std::lexicographical_compare
-            (
-                a.points.begin(), a.points.end(),
-                b.points.begin(), b.points.end()
-            );
-        }
-    );
+    std::sort(keys.begin(), keys.end());
 
-    List<FixedList<label, 4>> neighbours(tets.size());
-    for (FixedList<label, 4>& n : neighbours)
-    {
-        n = -1;
-    }
+    List<FixedList<label, 4>> neighbours(tets.size(), FixedList<label, 4>(-1));
 
     for (label i = 1; i < keys.size(); ++i)
     {
-        if (keys[i].points == keys[i - 1].points)
+        if (keys[i].first == keys[i - 1].first)
         {
-            const label a = keys[i].tetFace, b = keys[i - 1].tetFace;
+            const label a = keys[i].second, b = keys[i - 1].second;
             neighbours[a/4][a % 4] = b/4;
             neighbours[b/4][b % 4] = a/4;
         }
@@ -225,22 +239,18 @@ void Foam::setAddressing(backgroundMesh& mesh)
 Foam::backgroundMesh Foam::makeBackgroundMesh
 (
     const wallSurface& wall,
-    const wallAddressing& addressing,
     const wallSearch& search,
     const wallVisibility& visibility,
     const offsetEnvelope& envelope
 )
 {
-    const label nWallPoints = wall.points.size();
-    const label nSheetPoints = envelope.points.size();
-
-    tetDomain domain;
     labelList triangleFace;
-    const faceList triangles(wallTriangles(wall, triangleFace));
-    domain.facets = triangles;
+    tetDomain domain;
+    domain.facets = wallTriangles(wall, triangleFace);
     domain.points = wall.points;
     domain.points.append(envelope.points);
     domain.holes = bodySeeds(wall, search);
+    const faceList triangles(domain.facets);
 
     if (enclosedVolume(wall) > 0)
     {
@@ -250,45 +260,17 @@ Foam::backgroundMesh Foam::makeBackgroundMesh
     tetMesh filled(tetrahedralize(domain));
 
     backgroundMesh mesh;
-    mesh.nWallPoints = nWallPoints;
+    mesh.nWallPoints = wall.points.size();
     mesh.points.transfer(filled.points);
+    setPointData(envelope, domain.points.size(), mesh);
 
-    mesh.free.setSize(mesh.points.size(), false);
-    mesh.gaps.setSize(mesh.points.size(), 0);
-    forAll(mesh.points, p)
+    mesh.tets = subsetList(filled.tets, [&](const tetCell& tet)
     {
-        const label sheetPoint = p - nWallPoints;
-
-        if (sheetPoint < 0)
+        return std::any_of(tet.begin(), tet.end(), [&](const label p)
         {
-            mesh.gaps[p] = envelope.radius[p];
-        }
-        else if (sheetPoint < nSheetPoints)
-        {
-            mesh.gaps[p] = envelope.gaps[sheetPoint];
-            mesh.free[p] = sheetPoint >= envelope.nEnvelope;
-        }
-        else
-        {
-            mesh.free[p] = p >= domain.points.size();
-        }
-    }
-
-    DynamicList<tetCell> tets(filled.tets.size());
-    for (const tetCell& tet : filled.tets)
-    {
-        bool between = false;
-        for (const label p : tet)
-        {
-            between = between || mesh.onWall(p) || mesh.free[p];
-        }
-
-        if (between)
-        {
-            tets.append(tet);
-        }
-    }
-    mesh.tets.transfer(tets);
+            return mesh.onWall(p) || mesh.free[p];
+        });
+    });
 
     fillGaps(mesh.tets, mesh.gaps);
     splitWallBridges(triangles, visibility.axes(), mesh);

@@ -17,7 +17,6 @@ License
 namespace Foam
 {
 
-
 //- Edges of a tetrahedron that the level set crosses, around the polygon that
 //  it cuts out; seen from the lower side counter-clockwise
 static label crossedEdges
@@ -29,22 +28,12 @@ static label crossedEdges
 )
 {
     // Points above first; their parity decides the orientation
-    FixedList<label, 4> order;
-    label nAbove = 0, nBelow = 0;
-    for (label i = 0; i < 4; ++i)
-    {
-        if (field[tet[i]] > level)
-        {
-            order[nAbove++] = i;
-        }
-    }
-    for (label i = 0; i < 4; ++i)
-    {
-        if (field[tet[i]] <= level)
-        {
-            order[nAbove + nBelow++] = i;
-        }
-    }
+    FixedList<label, 4> order({0, 1, 2, 3});
+    const label nAbove = std::stable_partition
+    (
+        order.begin(), order.end(),
+        [&](const label i) { return field[tet[i]] > level; }
+    ) - order.begin();
 
     bool odd = false;
     for (label i = 0; i < 4; ++i)
@@ -159,13 +148,7 @@ Foam::surfaceTopology Foam::levelSetTopology
 
 Foam::surfaceTopology Foam::wallLevelSetTopology(const backgroundMesh& mesh)
 {
-    scalarField onWall(mesh.points.size(), 0);
-    for (label p = 0; p < mesh.nWallPoints; ++p)
-    {
-        onWall[p] = 1;
-    }
-
-    return levelSetTopology(mesh, onWall, 0.5);
+    return levelSetTopology(mesh, mesh.wallIndicator(), 0.5);
 }
 
 

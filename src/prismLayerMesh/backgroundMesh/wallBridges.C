@@ -15,45 +15,11 @@ License
 namespace Foam
 {
 
-//- Edges and faces of a tetrahedron whose points are all on the wall
-template<class Action>
-static void forWallSimplices
-(
-    const backgroundMesh& mesh,
-    const tetCell& tet,
-    const Action& action
-)
-{
-    for (label i = 0; i < 4; ++i)
-    {
-        for (label j = i + 1; mesh.onWall(tet[i]) && j < 4; ++j)
-        {
-            if (mesh.onWall(tet[j]))
-            {
-                action(sortedSimplex(-1, tet[i], tet[j]));
-
-                for (label k = j + 1; k < 4; ++k)
-                {
-                    if (mesh.onWall(tet[k]))
-                    {
-                        action(sortedSimplex(tet[i], tet[j], tet[k]));
-                    }
-                }
-            }
-        }
-    }
-}
-
-
-//- Edges that bridge, and faces that do while none of their edges does: the
-//  others are split with their edges
-static simplexSet findBridges
-(
-    const faceList& wallTriangles,
-    const backgroundMesh& mesh
-)
+//- Edges and triangles of the wall
+static simplexSet simplicesOf(const faceList& wallTriangles)
 {
     simplexSet wall;
+
     for (const face& f : wallTriangles)
     {
         wall.append(sortedSimplex(f[0], f[1], f[2]));
@@ -65,28 +31,56 @@ static simplexSet findBridges
     }
     wall.sort();
 
+    return wall;
+}
+
+
+//- Edges that bridge, and faces that bridge although none of their edges does:
+//  other faces are split with their edges
+static simplexSet findBridges
+(
+    const faceList& wallTriangles,
+    const backgroundMesh& mesh
+)
+{
+    const simplexSet wall(simplicesOf(wallTriangles));
     simplexSet bridges;
+
+    const auto isBridge = [&](const label a, const label b)
+    {
+        return mesh.onWall(a) && mesh.onWall(b)
+            && wall.find(sortedSimplex(-1, a, b)) < 0;
+    };
+
     for (const tetCell& tet : mesh.tets)
     {
-        forWallSimplices
-        (
-            mesh,
-            tet,
-            [&](const simplex& s)
-            {
-                const bool onlyFace = s[0] < 0
-                 || (
-                        wall.find(sortedSimplex(-1, s[0], s[1])) >= 0
-                     && wall.find(sortedSimplex(-1, s[1], s[2])) >= 0
-                     && wall.find(sortedSimplex(-1, s[0], s[2])) >= 0
-                    );
+        for (label i = 0; i < 6; ++i)
+        {
+            const edge e(tet.tetEdge(i));
 
-                if (onlyFace && wall.find(s) < 0)
-                {
-                    bridges.append(s);
-                }
+            if (isBridge(e[0], e[1]))
+            {
+                bridges.append(sortedSimplex(-1, e[0], e[1]));
             }
-        );
+        }
+
+        for (label i = 0; i < 4; ++i)
+        {
+            const triFace f(tet.face(i));
+            const simplex s(sortedSimplex(f[0], f[1], f[2]));
+
+            if
+            (
+                mesh.onWall(s[2])
+             && !isBridge(s[0], s[1])
+             && !isBridge(s[1], s[2])
+             && !isBridge(s[0], s[2])
+             && wall.find(s) < 0
+            )
+            {
+                bridges.append(s);
+            }
+        }
     }
     bridges.sort();
 
@@ -126,7 +120,11 @@ Foam::label Foam::splitWallBridges
 
         points.append(centreOf(s, mesh.points));
         gaps.append(gap);
-        free.append(s[0] >= 0 || (axes[s[1]] & axes[s[2]]) > -0.5);
+        free.append
+        (
+            s[0] >= 0
+         || (axes[s[1]] & axes[s[2]]) > clearanceControls::oppositeCosine
+        );
     }
 
     splitTets(bridges, firstNewPoint, mesh.tets);

@@ -24,46 +24,6 @@ namespace diffusionTensors
 }
 
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
-
-//- Bound on lambda, and with it on the condition of the tensors
-static const scalar flat = 0.1;
-
-//- Intervals of the integrals over c
-static const label nIntervals = 200;
-
-//- Slopes per unit, and the largest of them, for which the integrals are
-//  tabulated; the tensors of larger ones hardly differ
-static const label nPerUnit = 100;
-static const label maxSlope = 4;
-
-
-//- a of a slope sigma: the mean of c^2, weighted by exp(lambda)
-static scalar alongGradient(const scalar sigma, const scalar beta)
-{
-    // The largest lambda, so that nothing overflows
-    const scalar largest = ::pow(flat, beta);
-    scalar sum = 0, sumSqr = 0;
-
-    for (label k = 0; k < nIntervals; ++k)
-    {
-        const scalar c = (k + 0.5)/nIntervals;
-        const scalar weight =
-            ::exp(::pow(max(sigma*c, flat), beta) - largest);
-
-        sum += weight;
-        sumSqr += weight*sqr(c);
-    }
-
-    return sumSqr/sum;
-}
-
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::diffusionTensors::anisotropic::anisotropic(const dictionary& coeffs)
@@ -71,6 +31,31 @@ Foam::diffusionTensors::anisotropic::anisotropic(const dictionary& coeffs)
     checkKeys(coeffs, {"beta", "delta"});
     readBounded(coeffs, "beta", scalar(-4), scalar(0), beta_);
     readBounded(coeffs, "delta", scalar(0.05), scalar(100), delta_);
+}
+
+
+// * * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * //
+
+Foam::scalar Foam::diffusionTensors::anisotropic::alongGradient
+(
+    const scalar sigma
+) const
+{
+    // The largest lambda, so that nothing overflows
+    const scalar largest = ::pow(flat, beta_);
+    scalar sum = 0, sumSqr = 0;
+
+    for (label k = 0; k < nIntervals; ++k)
+    {
+        const scalar c = (k + 0.5)/nIntervals;
+        const scalar weight =
+            ::exp(::pow(max(sigma*c, flat), beta_) - largest);
+
+        sum += weight;
+        sumSqr += weight*sqr(c);
+    }
+
+    return sumSqr/sum;
 }
 
 
@@ -85,7 +70,7 @@ Foam::symmTensorField Foam::diffusionTensors::anisotropic::tensors
     scalarField table(maxSlope*nPerUnit + 1);
     forAll(table, i)
     {
-        table[i] = alongGradient(i/scalar(nPerUnit), beta_);
+        table[i] = alongGradient(i/scalar(nPerUnit));
     }
 
     const vectorField gradients(pointGradients(mesh, isotropic));
@@ -100,7 +85,7 @@ Foam::symmTensorField Foam::diffusionTensors::anisotropic::tensors
 
         tensors[p] = 0.5*(1 - a)*symmTensor::I + 0.5*(3*a - 1)*sqr(g);
 
-        // Of a gradient without a direction
+        // The trace is not 1 without a direction
         tensors[p] /= tr(tensors[p]);
     }
 

@@ -47,7 +47,7 @@ Foam::symmTensorField Foam::diffusionTensors::gradientPower::tensors
     forAll(tensors, v)
     {
         const scalar slope = mag(gradients[v])*mesh.gaps[v];
-        const scalar bounded = min(max(slope, scalar(0.1)), scalar(10));
+        const scalar bounded = min(max(slope, smallest), largest);
         tensors[v] = ::pow(bounded, q_)*symmTensor::I/3;
     }
 

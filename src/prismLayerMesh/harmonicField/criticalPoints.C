@@ -17,12 +17,17 @@ License
 namespace Foam
 {
 
+namespace
+{
+
 //- Parts of the link of a point with smaller, and with larger values
 struct linkParts
 {
     label nSmaller = 0;
     label nLarger = 0;
 };
+
+} // End anonymous namespace
 
 
 static linkParts partsOfLink

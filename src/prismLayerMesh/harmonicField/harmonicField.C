@@ -11,6 +11,7 @@ License
 #include <Eigen/IterativeLinearSolvers>
 
 #include "harmonicField.H"
+#include "ListOps.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -20,27 +21,36 @@ namespace Foam
 typedef Eigen::SparseMatrix<double, Eigen::RowMajor> sparseMatrix;
 
 
+namespace
+{
+
+//- Equations for the free points
+struct linearSystem
+{
+    sparseMatrix matrix;
+    Eigen::VectorXd source;
+};
+
+} // End anonymous namespace
+
+
 //- Gradients of the four barycentric coordinates of a tetrahedron
 static FixedList<vector, 4> barycentricGradients(const tetPointRef& tet)
 {
-    const vector ab = tet.b() - tet.a();
-    const vector ac = tet.c() - tet.a();
-    const vector ad = tet.d() - tet.a();
-
-    // The volume of a sliver may be zero in floating point
-    const scalar sixV = max((ab ^ ac) & ad, 1e-14*mag(ab)*mag(ac)*mag(ad));
-
+    const tetAreas areas(tet);
     FixedList<vector, 4> gradients;
-    gradients[1] = (ac ^ ad)/sixV;
-    gradients[2] = (ad ^ ab)/sixV;
-    gradients[3] = (ab ^ ac)/sixV;
+
+    for (label i = 1; i < 4; ++i)
+    {
+        gradients[i] = areas.normals[i - 1]/areas.sixV;
+    }
     gradients[0] = -(gradients[1] + gradients[2] + gradients[3]);
 
     return gradients;
 }
 
 
-//- Of the triangle that three unit vectors span on the sphere
+//- Solid angle of the triangle that three unit vectors span on the sphere
 static scalar solidAngle(const vector& a, const vector& b, const vector& c)
 {
     return 2*::atan2
@@ -51,37 +61,20 @@ static scalar solidAngle(const vector& a, const vector& b, const vector& c)
 }
 
 
-static scalarField boundaryValues(const backgroundMesh& mesh)
-{
-    scalarField field(mesh.points.size(), 0);
-
-    for (label p = 0; p < mesh.nWallPoints; ++p)
-    {
-        field[p] = 1;
-    }
-
-    return field;
-}
-
-
-static void solveKrylov
+static linearSystem assemble
 (
     const backgroundMesh& mesh,
     const scalarField& weights,
-    const scalar tolerance,
-    scalarField& field
+    const labelList& unknowns,
+    const scalarField& field
 )
 {
-    const labelList unknowns(findIndices(mesh.free, true));
-    labelList row(mesh.points.size(), -1);
-    forAll(unknowns, i)
-    {
-        row[unknowns[i]] = i;
-    }
+    const labelList row(invert(mesh.points.size(), unknowns));
+    linearSystem system;
+    system.source = Eigen::VectorXd::Zero(unknowns.size());
 
     std::vector<Eigen::Triplet<double>> entries;
     entries.reserve(4*mesh.edges.size());
-    Eigen::VectorXd source = Eigen::VectorXd::Zero(unknowns.size());
 
     forAll(mesh.edges, e)
     {
@@ -102,22 +95,37 @@ static void solveKrylov
                 }
                 else
                 {
-                    source[i] += w*field[ij.second()];
+                    system.source[i] += w*field[ij.second()];
                 }
             }
         }
     }
 
-    sparseMatrix matrix(unknowns.size(), unknowns.size());
-    matrix.setFromTriplets(entries.begin(), entries.end());
+    system.matrix.resize(unknowns.size(), unknowns.size());
+    system.matrix.setFromTriplets(entries.begin(), entries.end());
+
+    return system;
+}
+
+
+static void solveKrylov
+(
+    const backgroundMesh& mesh,
+    const scalarField& weights,
+    const scalar tolerance,
+    scalarField& field
+)
+{
+    const labelList unknowns(findIndices(mesh.free, true));
+    const linearSystem system(assemble(mesh, weights, unknowns, field));
 
     Eigen::ConjugateGradient<sparseMatrix, Eigen::Lower|Eigen::Upper> solver;
     solver.setTolerance(tolerance);
-    solver.compute(matrix);
+    solver.compute(system.matrix);
 
     const Eigen::VectorXd solution = solver.solveWithGuess
     (
-        source, Eigen::VectorXd::Constant(unknowns.size(), 0.5)
+        system.source, Eigen::VectorXd::Constant(unknowns.size(), 0.5)
     );
 
     if (unknowns.size() && solver.info() != Eigen::Success)
@@ -135,41 +143,6 @@ static void solveKrylov
 }
 
 
-//- Edges at each point
-struct pointEdgeList
-{
-    labelList starts;
-    labelList edges;
-};
-
-
-static pointEdgeList makePointEdges(const backgroundMesh& mesh)
-{
-    pointEdgeList list;
-    list.starts.setSize(mesh.points.size() + 1, 0);
-    list.edges.setSize(2*mesh.edges.size());
-
-    for (const edge& e : mesh.edges)
-    {
-        ++list.starts[e.start() + 1];
-        ++list.starts[e.end() + 1];
-    }
-    for (label p = 0; p < mesh.points.size(); ++p)
-    {
-        list.starts[p + 1] += list.starts[p];
-    }
-
-    labelList next(list.starts);
-    forAll(mesh.edges, e)
-    {
-        list.edges[next[mesh.edges[e].start()]++] = e;
-        list.edges[next[mesh.edges[e].end()]++] = e;
-    }
-
-    return list;
-}
-
-
 //- Algorithm 1. Its line 6 is printed the wrong way round: iteration goes on
 //  while the energy still changes.
 static void iterate
@@ -180,8 +153,9 @@ static void iterate
     scalarField& field
 )
 {
-    const pointEdgeList pointEdges(makePointEdges(mesh));
-    const label maxIterations = 100000;
+    labelListList pointEdges;
+    invertManyToMany(mesh.points.size(), mesh.edges, pointEdges);
+    const label maxIterations = harmonicControls::maxIterations;
 
     scalar energy = harmonicEnergy(mesh, weights, field);
     scalar previous = 0;
@@ -199,14 +173,8 @@ static void iterate
             {
                 scalar sumWeights = 0, sumValues = 0;
 
-                for
-                (
-                    label k = pointEdges.starts[p];
-                    k < pointEdges.starts[p + 1];
-                    ++k
-                )
+                for (const label e : pointEdges[p])
                 {
-                    const label e = pointEdges.edges[k];
                     sumWeights += weights[e];
                     sumValues +=
                         weights[e]*field[mesh.edges[e].otherVertex(p)];
@@ -231,6 +199,25 @@ static void iterate
 }
 
 } // End namespace Foam
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::tetAreas::tetAreas(const tetPointRef& tet)
+{
+    const vector ab = tet.b() - tet.a();
+    const vector ac = tet.c() - tet.a();
+    const vector ad = tet.d() - tet.a();
+
+    normals[0] = ac ^ ad;
+    normals[1] = ad ^ ab;
+    normals[2] = ab ^ ac;
+    sixV = max
+    (
+        normals[2] & ad,
+        harmonicControls::smallestShape*mag(ab)*mag(ac)*mag(ad)
+    );
+}
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
@@ -275,7 +262,7 @@ Foam::scalarField Foam::makeHarmonicField
     const fieldControls& controls
 )
 {
-    scalarField field(boundaryValues(mesh));
+    scalarField field(mesh.wallIndicator());
 
     if (controls.solver == "iteration")
     {

@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "gradientLines.H"
+#include "columnControls.H"
 #include "ListOps.H"
 #include "harmonicField.H"
 
@@ -18,47 +19,24 @@ namespace Foam
 
 typedef FixedList<scalar, 4> barycentrics;
 
-//- Floor on the volume of a sliver relative to its edges
-static const scalar smallestShape = 1e-14;
-
-//- A step is no longer than this share of the local gap
-static const scalar stepShare = 0.125;
-
-
 static barycentrics coordinates(const tetPointRef& tet, const point& x)
 {
-    const vector ab = tet.b() - tet.a();
-    const vector ac = tet.c() - tet.a();
-    const vector ad = tet.d() - tet.a();
+    const tetAreas areas(tet);
     const vector ax = x - tet.a();
-    const scalar sixV =
-        max((ab ^ ac) & ad, smallestShape*mag(ab)*mag(ac)*mag(ad));
 
     barycentrics l;
-    l[1] = ((ac ^ ad) & ax)/sixV;
-    l[2] = ((ad ^ ab) & ax)/sixV;
-    l[3] = ((ab ^ ac) & ax)/sixV;
+    for (label i = 1; i < 4; ++i)
+    {
+        l[i] = (areas.normals[i - 1] & ax)/areas.sixV;
+    }
     l[0] = 1 - l[1] - l[2] - l[3];
 
     return l;
 }
 
 
-static label lowest(const barycentrics& l)
+namespace
 {
-    label low = 0;
-
-    for (label i = 1; i < 4; ++i)
-    {
-        if (l[i] < l[low])
-        {
-            low = i;
-        }
-    }
-
-    return low;
-}
-
 
 //- A point that moves through the mesh
 struct walker
@@ -72,14 +50,12 @@ struct walker
     //  on the way.
     bool moveTo(const point& x)
     {
-        const scalar tolerance = 1e-9;
-
-        for (label step = 0; step < 1000; ++step)
+        for (label step = 0; step < columnControls::maxTets; ++step)
         {
             l = coordinates(mesh.tet(tet), x);
-            const label low = lowest(l);
+            const label low = findMin(l);
 
-            if (l[low] >= -tolerance)
+            if (l[low] >= -columnControls::tetTolerance)
             {
                 return true;
             }
@@ -108,100 +84,141 @@ struct walker
 };
 
 
-//- The tetrahedron among those that d points into most
-static label startTet
-(
-    const backgroundMesh& mesh,
-    const labelList& tets,
-    const point& p,
-    const vector& d
-)
+//- Traces lines from points of the wall
+class lineTracer
 {
-    label best = -1;
-    scalar bestLow = -GREAT;
+    const backgroundMesh& mesh_;
+    const scalarField& field_;
 
-    for (const label t : tets)
+    //- Unit directions of the lines at the points of the mesh
+    const vectorField directions_;
+
+    labelListList pointTets_;
+
+
+    //- On the wall the mean of the lines that begin there
+    static vectorField directionsOf
+    (
+        const backgroundMesh& mesh,
+        const scalarField& field,
+        const labelList& wallPoints,
+        const vectorField& wallDirections
+    )
     {
-        const barycentrics l(coordinates(mesh.tet(t), p + d));
-        scalar low = GREAT;
+        vectorField directions(-pointGradients(mesh, field));
 
-        // Of the point itself, the coordinate is 1 minus the others
-        for (label i = 0; i < 4; ++i)
+        SubList<vector>(directions, mesh.nWallPoints) = Zero;
+        forAll(wallPoints, line)
         {
-            if (mesh.points[mesh.tets[t][i]] != p)
-            {
-                low = min(low, l[i]);
-            }
+            directions[wallPoints[line]] += wallDirections[line];
+        }
+        for (vector& d : directions)
+        {
+            d = normalised(d);
         }
 
-        if (low > bestLow)
-        {
-            bestLow = low;
-            best = t;
-        }
+        return directions;
     }
 
-    return best;
-}
 
-
-//- Trace one line, from point p of the wall along start
-static void trace
-(
-    const backgroundMesh& mesh,
-    const scalarField& field,
-    const vectorField& directions,
-    const labelList& tets,
-    const label p,
-    const vector& start,
-    const label line,
-    const scalarField& arcLengths,
-    gradientLines& lines
-)
-{
-    const label n = lines.nSamples;
-    point x = mesh.points[p];
-    vector d = start;
-
-    walker w{mesh, -1, {}};
-    w.tet = startTet(mesh, tets, x, 1e-3*mesh.gaps[p]*d);
-    bool inside = w.tet >= 0;
-
-    // Where the gap is far less than the length, the line ends soon
-    const scalar step =
-        max(stepShare*mesh.gaps[p], 1e-3*arcLengths[line*n + n - 1]);
-
-    scalar s = 0;
-    lines.lengths[line] = arcLengths[line*n + n - 1];
-
-    for (label i = 0; i < n; ++i)
+    //- The tetrahedron at point p that d points into most; -1 if there is none
+    label startTet(const label p, const vector& d) const
     {
-        const scalar target = arcLengths[line*n + i];
+        const point& x = mesh_.points[p];
+        label best = -1;
+        scalar bestLow = -GREAT;
 
-        while (inside && s < target)
+        for (const label t : pointTets_[p])
         {
-            const scalar ds = min(step, target - s);
-            x += ds*d;
-            s += ds;
+            const barycentrics l(coordinates(mesh_.tet(t), x + d));
+            scalar low = GREAT;
 
-            inside = w.moveTo(x) && w.interpolate(field) > 1e-3;
-
-            if (inside)
+            // The coordinate of the point itself is 1 minus the others
+            for (label i = 0; i < 4; ++i)
             {
-                const vector g = w.interpolate(directions);
-                d = normalised(mag(g) > SMALL ? g : d);
+                if (mesh_.points[mesh_.tets[t][i]] != x)
+                {
+                    low = min(low, l[i]);
+                }
             }
-            else
+
+            if (low > bestLow)
             {
-                lines.lengths[line] = s;
+                bestLow = low;
+                best = t;
             }
         }
 
-        lines.points[line*n + i] = x + (target - s)*d;
-        lines.energies[line*n + i] = inside ? w.interpolate(field) : 0;
+        return best;
     }
-}
 
+public:
+
+    lineTracer
+    (
+        const backgroundMesh& mesh,
+        const scalarField& field,
+        const labelList& wallPoints,
+        const vectorField& wallDirections
+    )
+    :
+        mesh_(mesh),
+        field_(field),
+        directions_(directionsOf(mesh, field, wallPoints, wallDirections))
+    {
+        invertManyToMany(mesh.points.size(), mesh.tets, pointTets_);
+    }
+
+
+    //- Set the samples of one line, from point p of the wall along d
+    void trace
+    (
+        const label p,
+        vector d,
+        const SubList<scalar>& arcLengths,
+        SubList<point> points,
+        SubList<scalar> energies
+    ) const
+    {
+        const scalar gap = mesh_.gaps[p];
+        point x = mesh_.points[p];
+        scalar s = 0;
+
+        walker w{mesh_, startTet(p, columnControls::probeShare*gap*d), {}};
+        bool inside = w.tet >= 0;
+
+        // If the gap is far less than the length, the line ends soon
+        const scalar step = max
+        (
+            columnControls::stepShare*gap,
+            columnControls::leastStep*arcLengths.last()
+        );
+
+        forAll(arcLengths, i)
+        {
+            while (inside && s < arcLengths[i])
+            {
+                const scalar ds = min(step, arcLengths[i] - s);
+                x += ds*d;
+                s += ds;
+
+                inside = w.moveTo(x)
+                 && w.interpolate(field_) > columnControls::endValue;
+
+                if (inside)
+                {
+                    const vector g = w.interpolate(directions_);
+                    d = normalised(mag(g) > SMALL ? g : d);
+                }
+            }
+
+            points[i] = x + (arcLengths[i] - s)*d;
+            energies[i] = inside ? w.interpolate(field_) : 0;
+        }
+    }
+};
+
+} // End anonymous namespace
 } // End namespace Foam
 
 
@@ -216,38 +233,22 @@ Foam::gradientLines Foam::makeGradientLines
     const scalarField& arcLengths
 )
 {
-    // On the wall the mean of the lines that begin there
-    vectorField directions(-pointGradients(mesh, field));
-    for (label p = 0; p < mesh.nWallPoints; ++p)
-    {
-        directions[p] = Zero;
-    }
-    forAll(wallPoints, line)
-    {
-        directions[wallPoints[line]] += wallDirections[line];
-    }
-    for (vector& d : directions)
-    {
-        d = normalised(d);
-    }
-
     gradientLines lines;
-    lines.nSamples = arcLengths.size()/wallPoints.size();
+    const label n = lines.nSamples = arcLengths.size()/wallPoints.size();
     lines.points.setSize(arcLengths.size());
     lines.energies.setSize(arcLengths.size());
-    lines.lengths.setSize(wallPoints.size());
 
-    labelListList pointTets;
-    invertManyToMany(mesh.points.size(), mesh.tets, pointTets);
+    const lineTracer tracer(mesh, field, wallPoints, wallDirections);
 
     forAll(wallPoints, line)
     {
-        const label p = wallPoints[line];
-
-        trace
+        tracer.trace
         (
-            mesh, field, directions, pointTets[p], p, wallDirections[line],
-            line, arcLengths, lines
+            wallPoints[line],
+            wallDirections[line],
+            SubList<scalar>(arcLengths, n, line*n),
+            SubList<point>(lines.points, n, line*n),
+            SubList<scalar>(lines.energies, n, line*n)
         );
     }
 
@@ -266,13 +267,11 @@ Foam::gradientLines Foam::makeStraightLines
     lines.nSamples = arcLengths.size()/starts.size();
     lines.points.setSize(arcLengths.size());
     lines.energies.setSize(arcLengths.size(), 0);
-    lines.lengths.setSize(starts.size());
 
     forAll(arcLengths, i)
     {
         const label line = i/lines.nSamples;
         lines.points[i] = starts[line] + arcLengths[i]*directions[line];
-        lines.lengths[line] = arcLengths[i];
     }
 
     return lines;

@@ -8,8 +8,9 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "layerColumns.H"
+#include "columnControls.H"
 #include "limitGradient.H"
-#include "wallGraph.H"
+#include "wallSmoother.H"
 
 #include <algorithm>
 
@@ -17,24 +18,6 @@ License
 
 namespace Foam
 {
-
-//- Share of the clearance that layers may fill; the rest is the far field's
-static const scalar gapShare = 0.95;
-
-//- Length of the smoothing along the wall over the height
-static const scalar smoothingLength = 0.5;
-
-//- Bound on the passes of smoothing for each layer
-static const label maxPasses = 4;
-
-//- Bound on the length of a column over its height at the wall, and the height
-//  over the length of edges where it is on half of its way to maxStretch
-static const scalar nearWallStretch = 10;
-static const scalar nearWallHeight = 0.05;
-
-//- Smallest angle to a face, as a share of what the axis of the cone has
-static const scalar coneMargin = 0.2;
-
 
 //- Unit directions from the wall to the samples of layer i
 static vectorField lineDirections
@@ -48,10 +31,8 @@ static vectorField lineDirections
 
     forAll(directions, p)
     {
-        directions[p] = normalised
-        (
-            lines.points[p*lines.nSamples + i] - wall.points[p]
-        );
+        directions[p] =
+            normalised(lines.points[p*lines.nSamples + i] - wall.points[p]);
     }
 
     return directions;
@@ -60,40 +41,89 @@ static vectorField lineDirections
 
 static void setRoom
 (
-    const wallSurface& wall,
-    const wallAddressing& addressing,
-    const wallVisibility& visibility,
+    const layerFront& front,
     const scalarField& clearance,
-    const layerSpacing& spacing,
+    const scalarField& asked,
     layerColumns& columns
 )
 {
-    const scalarField& asked = spacing.thickness;
-
-    columns.room = min(asked, gapShare*clearance);
+    columns.room = min(asked, columnControls::gapShare*clearance);
     columns.causes.setSize(asked.size(), squeezeCause::none);
 
-    forAll(asked, p)
+    forAll(asked, c)
     {
-        if (columns.room[p] < asked[p])
+        const scalar stretch = columns.stretch(c, asked[c]);
+
+        if (columns.room[c] < asked[c])
         {
-            columns.causes[p] = squeezeCause::gap;
+            columns.causes[c] = squeezeCause::gap;
         }
-        else if (isStretched(visibility, p, columns.stretch(p, asked[p])))
+        else if (isStretched(front.visibility, c, stretch))
         {
-            columns.causes[p] = squeezeCause::stretch;
+            columns.causes[c] = squeezeCause::stretch;
         }
     }
 
-    for
+    const labelList lowered
     (
-        const label p
-      : limitGradient(wall, addressing, layerColumns::maxSlope, columns.room)
-    )
+        limitGradient
+        (
+            front.surface, front.addressing, layerColumns::maxSlope,
+            columns.room
+        )
+    );
+
+    for (const label c : lowered)
     {
-        if (columns.causes[p] == squeezeCause::none)
+        if (columns.causes[c] == squeezeCause::none)
         {
-            columns.causes[p] = squeezeCause::neighbour;
+            columns.causes[c] = squeezeCause::neighbour;
+        }
+    }
+}
+
+
+//- From layer to layer the smoothed directions take up what the lines turn, and
+//  are spread by what the square of the height grows
+static void setOffsets
+(
+    const layerFront& front,
+    const gradientLines& lines,
+    layerColumns& columns
+)
+{
+    const label n = columns.nLayers;
+    const label nColumns = front.wallPoints.size();
+    const wallSmoother smoother(front.surface, front.addressing);
+    vectorField smoothed(nColumns, Zero), previous(nColumns, Zero);
+    scalarField variances(nColumns), previousHeights(nColumns, 0);
+
+    columns.offsets.setSize(nColumns*n);
+
+    for (label i = 0; i < n; ++i)
+    {
+        const vectorField directions(lineDirections(front.surface, lines, i));
+        smoothed += directions - previous;
+        previous = directions;
+
+        for (label c = 0; c < nColumns; ++c)
+        {
+            const scalar height =
+                min(columns.heights[c*n + i], columns.room[c]);
+            variances[c] = sqr(columnControls::smoothingLength)
+               *(sqr(height) - sqr(previousHeights[c]));
+            previousHeights[c] = height;
+        }
+
+        smoother.smooth(variances, columnControls::maxPasses, smoothed);
+
+        for (label c = 0; c < nColumns; ++c)
+        {
+            columns.offsets[c*n + i] = columnOffset
+            (
+                front.visibility, c, smoothed[c],
+                columns.stretch(c, columns.heights[c*n + i])
+            );
         }
     }
 }
@@ -105,39 +135,39 @@ static void setRoom
 
 Foam::scalar Foam::layerColumns::stretch
 (
-    const label p,
+    const label c,
     const scalar height
 ) const
 {
     // The length is height*(maxStretch + ...), which always grows with it
-    const scalar excess = max(nearWallStretch - maxStretch, scalar(0));
+    const scalar excess =
+        max(columnControls::nearWallStretch - maxStretch, scalar(0));
+    const scalar halfWay = columnControls::nearWallHeight*edgeLengths[c];
 
-    return maxStretch + excess/(1 + height/(nearWallHeight*edges[p]));
+    return maxStretch + excess/(1 + height/halfWay);
 }
 
 
 Foam::vector Foam::layerColumns::axisOffset
 (
     const wallVisibility& visibility,
-    const label p,
+    const label c,
     const scalar height
 ) const
 {
-    const vector& axis = visibility.cones[p].axis;
+    const vector& axis = visibility.cones[c].axis;
 
-    return axis
-       /max(visibility.heightCosine(p, axis), 1/stretch(p, height));
+    return axis/max(visibility.heightCosine(c, axis), 1/stretch(c, height));
 }
-
 
 
 Foam::label Foam::layerColumns::layerAt
 (
-    const label p,
+    const label c,
     const scalar height
 ) const
 {
-    const scalar* first = heights.cdata() + p*nLayers;
+    const scalar* first = heights.cdata() + c*nLayers;
 
     return std::lower_bound(first, first + nLayers, height) - first;
 }
@@ -146,21 +176,21 @@ Foam::label Foam::layerColumns::layerAt
 Foam::vector Foam::layerColumns::interpolated
 (
     const vectorField& values,
-    const label p,
+    const label c,
     const scalar height
 ) const
 {
-    const scalar* first = heights.cdata() + p*nLayers;
-    const label i = layerAt(p, height);
+    const scalar* first = heights.cdata() + c*nLayers;
+    const label i = layerAt(c, height);
 
     if (i == 0 || i == nLayers)
     {
-        return values[p*nLayers + max(i - 1, 0)];
+        return values[c*nLayers + max(i - 1, 0)];
     }
 
     const scalar s = (height - first[i - 1])/(first[i] - first[i - 1]);
 
-    return (1 - s)*values[p*nLayers + i - 1] + s*values[p*nLayers + i];
+    return (1 - s)*values[c*nLayers + i - 1] + s*values[c*nLayers + i];
 }
 
 
@@ -169,97 +199,62 @@ Foam::vector Foam::layerColumns::interpolated
 Foam::vector Foam::columnOffset
 (
     const wallVisibility& visibility,
-    const label p,
+    const label c,
     const vector& direction,
     const scalar stretch
 )
 {
-    const vector& axis = visibility.cones[p].axis;
-    vector d = visibility.limited(p, normalised(direction), coneMargin);
+    const vector& axis = visibility.cones[c].axis;
+    vector d = visibility.limited
+    (
+        c, normalised(direction), columnControls::coneMargin
+    );
 
     // Not so far over that the stretch would take height away
-    const scalar smallest =
-        min(1/stretch, visibility.heightCosine(p, axis));
-    const scalar cosine = visibility.heightCosine(p, d);
+    const scalar smallest = min(1/stretch, visibility.heightCosine(c, axis));
+    const scalar cosine = visibility.heightCosine(c, d);
 
     if (cosine < smallest)
     {
         const scalar s = (smallest - cosine)
-           /max(visibility.heightCosine(p, axis) - cosine, VSMALL);
+           /max(visibility.heightCosine(c, axis) - cosine, VSMALL);
         d = normalised(d + min(s, scalar(1))*(axis - d));
     }
 
-    return d/max(visibility.heightCosine(p, d), 1/stretch);
+    return d/max(visibility.heightCosine(c, d), 1/stretch);
 }
 
 
 bool Foam::isStretched
 (
     const wallVisibility& visibility,
-    const label p,
+    const label c,
     const scalar stretch
 )
 {
     return
-        visibility.heightCosine(p, visibility.cones[p].axis)*stretch
+        visibility.heightCosine(c, visibility.cones[c].axis)*stretch
       < 1 - SMALL;
 }
 
 
 Foam::layerColumns Foam::makeLayerColumns
 (
-    const wallSurface& wall,
-    const wallAddressing& addressing,
-    const wallVisibility& visibility,
+    const layerFront& front,
     const scalarField& clearance,
     const layerSpacing& spacing,
     const gradientLines& lines,
-    const scalar maxStretch
+    const layerControls& controls
 )
 {
-    const label n = spacing.nLayers;
-    const label nPoints = wall.points.size();
-
     layerColumns columns;
-    columns.nLayers = n;
+    columns.nLayers = spacing.nLayers;
     columns.heights = requestedHeights(spacing);
-    columns.offsets.setSize(nPoints*n);
-    columns.edges = meanEdges(wall, addressing);
-    columns.maxStretch = maxStretch;
-    setRoom(wall, addressing, visibility, clearance, spacing, columns);
-
-    // From layer to layer the smoothed directions take up what the lines turn,
-    // and are spread by what the square of the height grows
-    const wallGraph graph(makeWallGraph(wall, addressing));
-    vectorField smoothed(nPoints, Zero), previous(nPoints, Zero);
-    scalarField variances(nPoints), previousHeights(nPoints, 0);
-
-    for (label i = 0; i < n; ++i)
-    {
-        const vectorField directions(lineDirections(wall, lines, i));
-        smoothed += directions - previous;
-        previous = directions;
-
-        for (label p = 0; p < nPoints; ++p)
-        {
-            const scalar height =
-                min(columns.heights[p*n + i], columns.room[p]);
-            variances[p] = sqr(smoothingLength)
-               *(sqr(height) - sqr(previousHeights[p]));
-            previousHeights[p] = height;
-        }
-
-        smooth(graph, variances, maxPasses, smoothed);
-
-        for (label p = 0; p < nPoints; ++p)
-        {
-            columns.offsets[p*n + i] = columnOffset
-            (
-                visibility, p, smoothed[p],
-                columns.stretch(p, columns.heights[p*n + i])
-            );
-        }
-    }
+    columns.edgeLengths = meanEdges(front.surface, front.addressing);
+    columns.maxStretch = controls.maxStretch;
+    columns.onLevelSets = controls.onLevelSets;
+    setRoom(front, clearance, spacing.thickness, columns);
+    setOffsets(front, lines, columns);
 
     return columns;
 }

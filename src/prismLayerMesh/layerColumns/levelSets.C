@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "levelSets.H"
+#include "columnControls.H"
 #include "gradientLines.H"
 #include "DynamicField.H"
 
@@ -18,15 +19,6 @@ License
 namespace Foam
 {
 
-//- Samples of a line between the first height and the end of the line
-static const label nSamples = 64;
-
-//- Shortest and longest arc length that is sampled, over the first height and
-//  over the thickness
-static const scalar shortest = 0.05;
-static const scalar longest = 6;
-
-
 static scalar median(DynamicField<scalar>& values)
 {
     const auto middle = values.begin() + values.size()/2;
@@ -36,31 +28,23 @@ static scalar median(DynamicField<scalar>& values)
 }
 
 
-//- Ascending, in geometric progression
-static scalarField arcLengths(const scalar first, const scalar last)
+//- Arc lengths of the samples of nLines lines, each in geometric progression
+static scalarField arcLengths
+(
+    const scalar first,
+    const scalar last,
+    const label nLines
+)
 {
-    scalarField lengths(nSamples);
+    const label n = columnControls::nSamples;
+    scalarField lengths(n*nLines);
 
-    forAll(lengths, k)
+    forAll(lengths, i)
     {
-        lengths[k] = first*::pow(last/first, k/scalar(nSamples - 1));
+        lengths[i] = first*::pow(last/first, (i % n)/scalar(n - 1));
     }
 
     return lengths;
-}
-
-
-//- One list after the other
-static scalarField repeated(const scalarField& values, const label n)
-{
-    scalarField all(n*values.size());
-
-    forAll(all, i)
-    {
-        all[i] = values[i % values.size()];
-    }
-
-    return all;
 }
 
 
@@ -175,9 +159,10 @@ Foam::layerSpacing Foam::levelSetSpacing
         makeGradientLines
         (
             mesh, field, identity(mesh.nWallPoints), directions,
-            repeated
+            arcLengths
             (
-                arcLengths(shortest*first, longest*thickness),
+                columnControls::shortest*first,
+                columnControls::longest*thickness,
                 mesh.nWallPoints
             )
         )
@@ -190,11 +175,9 @@ Foam::layerSpacing Foam::levelSetSpacing
         {
             return max
             (
-                heightOf
-                (
-                    lines, p, visibility, mesh.points[p], energies[i]
-                ),
-                1e-3*shortest*first*(i + 1)
+                heightOf(lines, p, visibility, mesh.points[p], energies[i]),
+                columnControls::leastHeight*columnControls::shortest
+               *first*(i + 1)
             );
         };
 
@@ -202,8 +185,11 @@ Foam::layerSpacing Foam::levelSetSpacing
 
         if (n > 1)
         {
-            spacing.firstThickness[p] =
-                min(heightAt(0), spacing.thickness[p]/(1 + 1e-3*n));
+            spacing.firstThickness[p] = min
+            (
+                heightAt(0),
+                spacing.thickness[p]/(1 + columnControls::leastExcess*n)
+            );
             spacing.ratio[p] = fittedRatio
             (
                 n, spacing.firstThickness[p], spacing.thickness[p]

@@ -13,7 +13,7 @@ License
 
 Foam::scalarField Foam::layerFront::smallest(const scalarField& values) const
 {
-    scalarField result(wallPoints.size() - furtherRoots().size(), GREAT);
+    scalarField result(wallPoints.size() - extraColumnPoints().size(), GREAT);
 
     forAll(values, c)
     {
@@ -25,7 +25,7 @@ Foam::scalarField Foam::layerFront::smallest(const scalarField& values) const
 }
 
 
-Foam::labelList Foam::layerFront::furtherRoots() const
+Foam::labelList Foam::layerFront::extraColumnPoints() const
 {
     // Each first column stands on the point of its own label
     label nFirst = 0;

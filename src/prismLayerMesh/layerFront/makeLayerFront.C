@@ -23,22 +23,20 @@ static boolList narrowCones
     const scalar smallestAngle
 )
 {
-    const scalar smallest = ::sin(smallestAngle);
     boolList narrow(visibility.cones.size());
 
     forAll(narrow, p)
     {
         const visibilityCone& cone = visibility.cones[p];
-        narrow[p] = cone.empty() || cone.cosine < smallest;
+        narrow[p] = cone.empty() || cone.cosine < ::sin(smallestAngle);
     }
 
     return narrow;
 }
 
 
-//- Bound on the rounds in which neighbours agree on their divisions
-static const label maxRounds = 20;
-
+namespace
+{
 
 //- The front while it is divided
 class frontBuilder
@@ -64,20 +62,19 @@ class frontBuilder
     layerFront& front_;
 
 
-    //- Column of face i around point p of the wall
-    label column(const label p, const label i) const
-    {
-        const label k = indices_[p];
-        const label s = k < 0 ? 0 : sectors_[k].sector(i);
-
-        return s ? secondColumns_[k] + s - 1 : p;
-    }
-
-
     //- Column of the sector of point k
     label sectorColumn(const label k, const label s) const
     {
         return s ? secondColumns_[k] + s - 1 : points_[k];
+    }
+
+
+    //- Column of face i around point p of the wall
+    label column(const label p, const label i) const
+    {
+        const label k = indices_[p];
+
+        return k < 0 ? p : sectorColumn(k, sectors_[k].sector(i));
     }
 
 
@@ -121,29 +118,41 @@ class frontBuilder
     normalSectors sectorsOf(const label p) const
     {
         vectorField middles(addressing_.pointPoints[p].size());
+        vectorField normals(middles.size());
         forAll(middles, i)
         {
             middles[i] = middle(p, i);
+            normals[i] = edgeNormal(p, i);
         }
 
-        normalSectors sectors
-        (
-            makeNormalSectors(wall_, addressing_, visibility_, middles, p)
-        );
-
-        // Cells may be positive all the same where there is no other choice
-        if (sectors.starts.empty() && visibility_.cones[p].empty())
+        const auto dividedBy = [&](const vectorField& m)
         {
-            forAll(middles, i)
-            {
-                middles[i] = edgeNormal(p, i);
-            }
+            return makeNormalSectors(wall_, addressing_, visibility_, m, p);
+        };
+        const normalSectors sectors(dividedBy(middles));
 
-            sectors =
-                makeNormalSectors(wall_, addressing_, visibility_, middles, p);
+        // If there is no other choice, cells may be positive all the same
+        return sectors.starts.empty() && visibility_.cones[p].empty()
+          ? dividedBy(normals) : sectors;
+    }
+
+
+    //- Divide point k again; true if its division changes
+    bool divideAgain(const label k)
+    {
+        const normalSectors old(sectors_[k]);
+        const normalSectors sectors(sectorsOf(points_[k]));
+
+        if (sectors.starts.empty())
+        {
+            return false;
         }
 
-        return sectors;
+        sectors_[k] = sectors;
+
+        return sectors.starts != old.starts
+            || max(mag(sectors.axes - old.axes))
+             > frontControls::directionTolerance;
     }
 
 
@@ -154,29 +163,22 @@ class frontBuilder
         searched_ = true;
         bool changed = true;
 
-        for (label round = 0; changed && round < maxRounds; ++round)
+        for
+        (
+            label round = 0;
+            changed && round < frontControls::maxRounds;
+            ++round
+        )
         {
             changed = false;
 
             forAll(points_, k)
             {
-                bool beside = false;
-                for (const label q : addressing_.pointPoints[points_[k]])
-                {
-                    beside = beside || narrow_[q];
-                }
+                const labelList& beside = addressing_.pointPoints[points_[k]];
 
-                if (beside)
+                if (UIndirectList<bool>(narrow_, beside).found(true))
                 {
-                    normalSectors sectors(sectorsOf(points_[k]));
-
-                    if (sectors.starts.size())
-                    {
-                        changed = changed
-                         || sectors.starts != sectors_[k].starts
-                         || max(mag(sectors.axes - sectors_[k].axes)) > 1e-6;
-                        sectors_[k] = sectors;
-                    }
+                    changed = divideAgain(k) || changed;
                 }
             }
         }
@@ -184,9 +186,9 @@ class frontBuilder
 
 
     //- Face that has no area on the wall
-    void addFace(const labelUList& columns)
+    void addFace(const face& columns)
     {
-        front_.surface.faces.append(face(columns));
+        front_.surface.faces.append(columns);
         front_.surface.patchIDs.append(-1);
     }
 
@@ -240,14 +242,11 @@ class frontBuilder
 
             if (left == right)
             {
-                addFace(labelList({left, column(p, i), column(p, before)}));
+                addFace(face({left, column(p, i), column(p, before)}));
             }
             else if (p < q)
             {
-                addFace
-                (
-                    labelList({column(p, before), right, left, column(p, i)})
-                );
+                addFace(face({column(p, before), right, left, column(p, i)}));
             }
         }
     }
@@ -356,6 +355,7 @@ public:
     }
 };
 
+} // End anonymous namespace
 } // End namespace Foam
 
 

@@ -18,24 +18,6 @@ License
 namespace Foam
 {
 
-//- Sectors meet at some of this many edges, those with the largest angles
-//  between their faces
-static const label maxEdges = 12;
-
-//- What a further sector must gain: the narrowest cone of the better division
-//  is wider by more than this share
-static const scalar sectorGain = 0.3;
-
-//- The narrowest cone of a division that is made by choice, where one column
-//  could stand, has at least this cosine, and this share of its cosine: the
-//  planes between the sectors narrow the cones too
-static const scalar smallestChoice = 0.25;
-static const scalar choiceShare = 0.9;
-
-//- Below this the volume that three unit vectors span is not positive
-static const scalar smallestVolume = 1e-6;
-
-
 static scalar volume(const vector& a, const vector& b, const vector& c)
 {
     return (a ^ b) & c;
@@ -49,45 +31,43 @@ static scalar angleAt(const vector& d, const vector& a, const vector& b)
 }
 
 
-//- Triangles of a polygon of unit vectors, all positive; false where there
-//  are none
+//- Whether the triangle of corner k of a polygon of unit vectors is positive
+//  and holds no other corner
+static bool isEar
+(
+    const vectorField& d,
+    const UList<label>& polygon,
+    const label k
+)
+{
+    const label prev = polygon[polygon.rcIndex(k)];
+    const label next = polygon[polygon.fcIndex(k)];
+    const label cur = polygon[k];
+
+    const auto holds = [&](const label x)
+    {
+        return x != prev && x != cur && x != next
+            && volume(d[prev], d[cur], d[x]) > 0
+            && volume(d[cur], d[next], d[x]) > 0
+            && volume(d[next], d[prev], d[x]) > 0;
+    };
+
+    return volume(d[prev], d[cur], d[next]) >= frontControls::smallestVolume
+        && std::none_of(polygon.begin(), polygon.end(), holds);
+}
+
+
+//- Cut a polygon of unit vectors into positive triangles; false if there are
+//  none
 static bool cutIntoTriangles(const vectorField& d, faceList& triangles)
 {
     DynamicList<label> left(identity(d.size()));
     DynamicList<face> cut;
 
-    const auto isEar = [&](const label k)
-    {
-        const label prev = left[left.rcIndex(k)];
-        const label next = left[left.fcIndex(k)];
-        const label cur = left[k];
-
-        if (volume(d[prev], d[cur], d[next]) < smallestVolume)
-        {
-            return false;
-        }
-
-        for (const label x : left)
-        {
-            if
-            (
-                x != prev && x != cur && x != next
-             && volume(d[prev], d[cur], d[x]) > 0
-             && volume(d[cur], d[next], d[x]) > 0
-             && volume(d[next], d[prev], d[x]) > 0
-            )
-            {
-                return false;
-            }
-        }
-
-        return true;
-    };
-
     while (left.size() > 2)
     {
         label k = 0;
-        while (k < left.size() && !isEar(k))
+        while (k < left.size() && !isEar(d, left, k))
         {
             ++k;
         }
@@ -97,11 +77,10 @@ static bool cutIntoTriangles(const vectorField& d, faceList& triangles)
             return false;
         }
 
-        face ear(3);
-        ear[0] = left[left.rcIndex(k)];
-        ear[1] = left[k];
-        ear[2] = left[left.fcIndex(k)];
-        cut.append(ear);
+        cut.append
+        (
+            face({left[left.rcIndex(k)], left[k], left[left.fcIndex(k)]})
+        );
         left.remove(k);
     }
 
@@ -111,10 +90,12 @@ static bool cutIntoTriangles(const vectorField& d, faceList& triangles)
 }
 
 
+namespace
+{
+
 //- All divisions of the faces around one point
 class sectorSearch
 {
-    const wallSurface& wall_;
     const wallVisibility& visibility_;
     const label p_;
 
@@ -150,27 +131,15 @@ class sectorSearch
     void setCandidates()
     {
         const vectorField& corners = visibility_.cornerNormals[p_];
-        candidates_ = identity(edges_.size());
-
-        if (candidates_.size() > maxEdges)
+        scalarField cosines(edges_.size());
+        forAll(cosines, i)
         {
-            scalarField cosines(edges_.size());
-            forAll(cosines, i)
-            {
-                cosines[i] = corners[i] & corners[corners.rcIndex(i)];
-            }
-
-            std::stable_sort
-            (
-                candidates_.begin(), candidates_.end(),
-                [&](const label a, const label b)
-                {
-                    return cosines[a] < cosines[b];
-                }
-            );
-            candidates_.setSize(maxEdges);
-            sort(candidates_);
+            cosines[i] = corners[i] & corners[corners.rcIndex(i)];
         }
+
+        candidates_ = sortedOrder(cosines);
+        candidates_.setSize(min(candidates_.size(), frontControls::maxEdges));
+        sort(candidates_);
     }
 
 
@@ -240,7 +209,8 @@ class sectorSearch
             }
         }
 
-        return max(mag(angles - constant::mathematical::twoPi)) < 0.01;
+        return max(mag(angles - constant::mathematical::twoPi))
+          < frontControls::angleTolerance;
     }
 
 
@@ -270,7 +240,8 @@ class sectorSearch
             narrowest = min(narrowest, c.cosine);
         }
 
-        const scalar score = narrowest/::pow(1 + sectorGain, n - 2);
+        const scalar score =
+            narrowest/::pow(1 + frontControls::sectorGain, n - 2);
         faceList triangles;
 
         if
@@ -300,13 +271,17 @@ public:
         const label p
     )
     :
-        wall_(wall),
         visibility_(visibility),
         p_(p),
         least_
         (
             visibility.cones[p].empty()
-          ? 0 : max(choiceShare*visibility.cones[p].cosine, smallestChoice)
+          ? 0
+          : max
+            (
+                frontControls::choiceShare*visibility.cones[p].cosine,
+                frontControls::smallestChoice
+            )
         ),
         edges_(addressing.pointPoints[p].size()),
         normals_(edges_.size()),
@@ -315,12 +290,10 @@ public:
         forAll(edges_, i)
         {
             const label q = addressing.pointPoints[p][i];
-            edges_[i] = normalised(wall_.points[q] - wall_.points[p]);
+            edges_[i] = normalised(wall.points[q] - wall.points[p]);
 
-            normals_[i] = polygonNormals
-            (
-                wall_, addressing.pointFaces[p][i], p
-            );
+            normals_[i] =
+                polygonNormals(wall, addressing.pointFaces[p][i], p);
             normals_[i].append(visibility_.cornerNormals[p][i]);
             setPlanes(i, middles[i]);
         }
@@ -365,6 +338,7 @@ public:
     }
 };
 
+} // End anonymous namespace
 } // End namespace Foam
 
 

@@ -361,7 +361,7 @@ void Foam::fitFirstHeights
     };
     const auto share = [&](const label c, const scalar height)
     {
-        return shareAt(height, reach*editor.proposed().edges[c]);
+        return shareAt(height, reach*editor.proposed().edgeLengths[c]);
     };
 
     fit(editor, {1, isWrong, share});
@@ -379,7 +379,7 @@ void Foam::fitThickness(layerEditor& editor)
     {
         const scalar above = height - editor.spacing().firstThickness[c];
         const scalar reach =
-            controls.thicknessReach*editor.proposed().edges[c];
+            controls.thicknessReach*editor.proposed().edgeLengths[c];
 
         return above > 0 ? 1 - shareAt(above, reach) : 0;
     };

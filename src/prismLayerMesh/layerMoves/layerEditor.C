@@ -143,7 +143,7 @@ Foam::layerEditor::layerEditor
     proposed_(proposed),
     controls_(controls),
     constraints_(constraints),
-    graph_(makeWallGraph(front.surface, front.addressing)),
+    smoother_(front.surface, front.addressing),
     colours_(columnColours(front.surface.faces, front.addressing)),
     offsets_(proposed.offsets),
     straightened_(front.wallPoints.size(), 0),
@@ -157,7 +157,7 @@ Foam::layerEditor::layerEditor
     layers_.faces = surface.faces;
     layers_.patchIDs = SubList<label>(surface.patchIDs, front.nWallFaces);
     layers_.patchNames = surface.patchNames;
-    layers_.furtherRoots = front.furtherRoots();
+    layers_.extraColumnPoints = front.extraColumnPoints();
     layers_.points.setSize(surface.points.size()*(spacing.nLayers + 1));
 
     #pragma omp parallel for schedule(static, 64)

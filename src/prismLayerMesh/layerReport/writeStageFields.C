@@ -183,12 +183,18 @@ static void addFaceFields
 )
 {
     const label nFaces = wall.faces.size();
-    const faceHeights heights(makeFaceHeights(wall, mesh.request, mesh.made.layers));
+    const faceHeights heights
+    (
+        makeFaceHeights(wall, mesh.request, mesh.made.layers)
+    );
     const scalarField worst
     (
         SubList<scalar>(mesh.certificate.worstJacobian, nFaces)
     );
-    scalarField best(attainableJacobians(mesh.front.surface, mesh.front.visibility));
+    scalarField best
+    (
+        attainableJacobians(mesh.front.surface, mesh.front.visibility)
+    );
     best.setSize(nFaces);
 
     fields.add("firstHeight", heights.first);

@@ -50,7 +50,11 @@ static std::vector<labelledTriangle> fansOf
 
     std::vector<labelledTriangle> sound;
 
-    for (const labelledTriangle& t : labelledTriangles(fans, mesh.points(), faceOf))
+    for
+    (
+        const labelledTriangle& t
+      : labelledTriangles(fans, mesh.points(), faceOf)
+    )
     {
         const bool finite =
             isFinite(t.points[0]) && isFinite(t.points[1])

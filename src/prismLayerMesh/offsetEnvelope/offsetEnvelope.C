@@ -15,14 +15,6 @@ License
 namespace Foam
 {
 
-//- A point nearer to the wall than this share of its sheet's height is above
-//  another part of the wall, in a concave corner
-static const scalar ownShare = 0.7;
-
-//- Bound on the distance from a point of the wall over the height there
-static const scalar maxStretch = 2;
-
-
 //- Mean length of the edges at each point
 static scalarField edgeLengths
 (
@@ -46,11 +38,15 @@ static scalarField edgeLengths
 
 
 //- Vector along the axis of a cone so long that all faces are one unit away
-static vector miter(const visibilityCone& cone)
+static vector offsetVector(const visibilityCone& cone)
 {
-    return min(1/max(cone.cosine, SMALL), maxStretch)*cone.axis;
+    return min(1/max(cone.cosine, SMALL), clearanceControls::maxStretch)
+       *cone.axis;
 }
 
+
+namespace
+{
 
 //- Points of a sheet before they are thinned
 struct sheet
@@ -65,7 +61,7 @@ struct sheet
 
     void add(const point& x, const scalar height, const scalar gap)
     {
-        if (!search.nearer(x, ownShare*height))
+        if (!search.nearer(x, sheetControls::ownShare*height))
         {
             points.append(x);
             heights.append(height);
@@ -79,17 +75,17 @@ struct sheet
     void addPoint(const label p, const scalar height, const scalar gap)
     {
         const visibilityCone& cone = visibility.cones[p];
-        add(wall.points[p] + height*miter(cone), height, gap);
+        add(wall.points[p] + height*offsetVector(cone), height, gap);
 
-        // 0.8: 37 degrees apart
+        const scalar apart = sheetControls::apartCosine;
         DynamicList<vector> others;
         for (const vector& n : visibility.cornerNormals[p])
         {
-            bool far = (n & cone.axis) < 0.8;
+            bool far = (n & cone.axis) < apart;
 
             for (const vector& other : others)
             {
-                far = far && (n & other) < 0.8;
+                far = far && (n & other) < apart;
             }
 
             if (far)
@@ -116,7 +112,7 @@ struct sheet
         {
             const vector along = wall.points[neighbours[i]] - wall.points[p];
 
-            if (mag(along) > 2*height)
+            if (mag(along) > sheetControls::longEdge*height)
             {
                 const visibilityCone cone = makeVisibilityCone
                 (
@@ -125,7 +121,8 @@ struct sheet
 
                 add
                 (
-                    wall.points[p] + height*(normalised(along) + miter(cone)),
+                    wall.points[p]
+                  + height*(normalised(along) + offsetVector(cone)),
                     height,
                     height
                 );
@@ -133,6 +130,8 @@ struct sheet
         }
     }
 };
+
+} // End anonymous namespace
 
 
 static void append
@@ -162,9 +161,7 @@ Foam::offsetEnvelope Foam::makeOffsetEnvelope
     const wallAddressing& addressing,
     const wallSearch& search,
     const wallVisibility& visibility,
-    const scalarField& clearance,
-    const layerSpacing& spacing,
-    const envelopeControls& controls,
+    const scalarField& radius,
     const backgroundMeshControls& mesh
 )
 {
@@ -172,8 +169,7 @@ Foam::offsetEnvelope Foam::makeOffsetEnvelope
     const scalar density = mesh.radiusEdgeRatio;
 
     offsetEnvelope envelope;
-    envelope.radius = min(controls.scale*spacing.thickness, clearance);
-    const scalarField& radius = envelope.radius;
+    envelope.radius = radius;
 
     sheet outer{wall, search, visibility, {}, {}, {}};
     forAll(wall.points, p)

@@ -18,6 +18,8 @@ License
 
 namespace Foam
 {
+namespace
+{
 
 //- Grids of cells, one for each power of two of the distance, so wide that a
 //  ball of that distance reaches into no more than two cells of each axis
@@ -119,6 +121,7 @@ public:
     }
 };
 
+} // End anonymous namespace
 } // End namespace Foam
 
 

@@ -11,7 +11,7 @@ License
 #include "diffusionTensor.H"
 #include "harmonicField.H"
 #include "levelSets.H"
-#include "localTensors.H"
+#include "localConductivity.H"
 #include "stageText.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -128,7 +128,7 @@ static void makeLevelSets
     {
         if (k > 0)
         {
-            aim = correctedAim(aim, m.spacing, reached(), uniform);
+            aim = correctedTarget(aim, m.spacing, reached(), uniform);
         }
 
         m.field = makeHarmonicField
@@ -184,8 +184,12 @@ void Foam::makeField
     m.envelope = makeOffsetEnvelope
     (
         wall, m.addressing, search, m.visibility,
-        m.front.smallest(m.clearance), fieldSpacing(controls, m.spacing),
-        controls.envelope, controls.backgroundMesh
+        min
+        (
+            controls.envelope.scale*fieldSpacing(controls, m.spacing).thickness,
+            m.front.smallest(m.clearance)
+        ),
+        controls.backgroundMesh
     );
     observer.end
     (
@@ -196,10 +200,8 @@ void Foam::makeField
 
     attempt("backgroundMesh", observer, m, [&]()
     {
-        m.background = makeBackgroundMesh
-        (
-            wall, m.addressing, search, m.visibility, m.envelope
-        );
+        m.background =
+            makeBackgroundMesh(wall, search, m.visibility, m.envelope);
         m.topology = wallLevelSetTopology(m.background);
         requireHomeomorphic(m.topology, wallTopology(wall, m.addressing));
     },

@@ -80,7 +80,7 @@ static void makeRoom
     observer.end
     (
         text(m.front.wallPoints.size(), " columns, ",
-            m.front.furtherRoots().size(), " by multiple normals")
+            m.front.extraColumnPoints().size(), " by multiple normals")
     );
 
     observer.begin("wallClearance");
@@ -116,10 +116,8 @@ static void makeLayers
         );
     m.columns = makeLayerColumns
     (
-        front.surface, front.addressing, front.visibility, m.clearance, spacing,
-        m.lines, controls.layers.maxStretch
+        front, m.clearance, spacing, m.lines, controls.layers
     );
-    m.columns.onLevelSets = controls.layers.onLevelSets;
     observer.end(text(m.columns.room.size(), " columns"));
 
     observer.begin("prismLayers");

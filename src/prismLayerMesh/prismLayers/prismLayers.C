@@ -15,18 +15,18 @@ Foam::label Foam::prismLayers::root(const label c) const
 {
     const label further = c - nWallPoints();
 
-    return further < 0 ? c : furtherRoots[further];
+    return further < 0 ? c : extraColumnPoints[further];
 }
 
 
 Foam::label Foam::prismLayers::pointLabel(const label c, const label i) const
 {
-    const label further = furtherRoots.size() ? c - nWallPoints() : -1;
+    const label further = extraColumnPoints.size() ? c - nWallPoints() : -1;
 
     return
         further < 0 ? index(c, i)
       : i ? index(c, i) - (further + 1)
-      : index(furtherRoots[further], 0);
+      : index(extraColumnPoints[further], 0);
 }
 
 
@@ -41,7 +41,7 @@ Foam::pointField Foam::prismLayers::meshPoints() const
             result[pointLabel(c, i)] = (*this)(c, i);
         }
     }
-    result.setSize(points.size() - furtherRoots.size());
+    result.setSize(points.size() - extraColumnPoints.size());
 
     return result;
 }

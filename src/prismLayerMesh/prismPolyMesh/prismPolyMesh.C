@@ -60,7 +60,7 @@ static pointField takePoints(prismLayers& layers, farFieldMesh& far)
     const label n = layers.nColumns();
     pointField points
     (
-        layers.furtherRoots.size()
+        layers.extraColumnPoints.size()
       ? layers.meshPoints() : pointField(std::move(layers.points))
     );
 
@@ -144,7 +144,7 @@ Foam::autoPtr<Foam::polyMesh> Foam::makePrismPolyMesh
         topology = joinFarField
         (
             layers, topology,
-            layers.points.size() - layers.furtherRoots.size(), far
+            layers.points.size() - layers.extraColumnPoints.size(), far
         );
         names.append(far.patchNames);
         types.append(far.patchTypes);

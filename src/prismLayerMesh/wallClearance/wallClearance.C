@@ -14,19 +14,9 @@ License
 namespace Foam
 {
 
-//- Columns of offset envelopes are at most this much longer than high
-static const scalar smallestCosine = 0.5;
-
-//- Above this cosine a ball holds nearly all of the smaller ones
-static const scalar nestedCosine = 0.95;
-
-//- The smallest ball that is looked into, a share of the largest
-static const scalar lowestShare = 1.0/32;
-
-
-//- Height at which the ball of that radius, centred on the axis so that the
-//  wall's faces at p touch it, passes through q: the smaller root s*c of
-//  |p + s*d - q| = s*c. Negative where there is none.
+//- Radius of the ball that touches the wall's faces at p, has its centre on the
+//  axis d, and passes through q: the smaller root s*cosine of
+//  |p + s*d - q| = s*cosine. Negative if there is no root.
 static scalar touchingHeight
 (
     const point& p,
@@ -46,7 +36,7 @@ static scalar touchingHeight
 }
 
 
-//- The largest ball of at most that height that no point is in
+//- Radius of the largest ball, at most largest, that holds no opposite point
 static scalar shrunkenBall
 (
     const wallSearch& search,
@@ -58,8 +48,8 @@ static scalar shrunkenBall
 {
     scalar height = largest;
 
-    // Each round takes the deepest point inside the ball; two or three do
-    for (label round = 0; round < 20; ++round)
+    // Each round takes the deepest point inside the ball
+    for (label round = 0; round < clearanceControls::maxRounds; ++round)
     {
         const pointIndexHit hit
         (
@@ -71,10 +61,9 @@ static scalar shrunkenBall
             break;
         }
 
-        const scalar lower =
-            touchingHeight(p, d, cosine, hit.rawPoint());
+        const scalar lower = touchingHeight(p, d, cosine, hit.rawPoint());
 
-        if (lower < 0 || lower >= (1 - 1e-6)*height)
+        if (lower < 0 || lower >= (1 - clearanceControls::tolerance)*height)
         {
             break;
         }
@@ -86,7 +75,7 @@ static scalar shrunkenBall
 }
 
 
-//- The height up to which no ball has a point in it
+//- The radius up to which no ball holds an opposite point
 static scalar room
 (
     const wallSearch& search,
@@ -95,11 +84,12 @@ static scalar room
     const scalar reach
 )
 {
-    const scalar cosine = max(cone.cosine, smallestCosine);
+    const scalar cosine = max(cone.cosine, 1/clearanceControls::maxStretch);
 
     // Balls on a flat wall hold the smaller ones; at an edge they leave room
     // beside them
-    scalar height = cosine < nestedCosine ? reach*lowestShare : reach;
+    scalar height = cosine < clearanceControls::nestedCosine
+      ? reach*clearanceControls::lowestShare : reach;
     scalar free = 0;
 
     for (; height < (1 + SMALL)*reach; height *= 2)
@@ -133,13 +123,8 @@ Foam::scalarField Foam::makeWallClearance
     #pragma omp parallel for schedule(dynamic, 64)
     for (label p = 0; p < clearance.size(); ++p)
     {
-        clearance[p] = room
-        (
-            search,
-            wall.points[p],
-            visibility.cones[p],
-            reach[p]
-        );
+        clearance[p] =
+            room(search, wall.points[p], visibility.cones[p], reach[p]);
     }
 
     return clearance;

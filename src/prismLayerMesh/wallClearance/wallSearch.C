@@ -14,10 +14,6 @@ License
 namespace Foam
 {
 
-//- cos(120 degrees)
-static const scalar oppositeCosine = -0.5;
-
-
 static triSurface triangulated(const wallSurface& wall)
 {
     labelList triangleFace;
@@ -56,26 +52,15 @@ static treeBoundBox inflated(const pointField& points)
 }
 
 
-//- For indexedOctree: skips the triangles that do not oppose a direction
-class oppositeOnly
+namespace
 {
-    const triSurface& surface_;
-    const vectorField& normals_;
-    const vector& direction_;
 
-public:
-
-    oppositeOnly
-    (
-        const triSurface& surface,
-        const vectorField& normals,
-        const vector& direction
-    )
-    :
-        surface_(surface),
-        normals_(normals),
-        direction_(direction)
-    {}
+//- For indexedOctree: skips the triangles that do not oppose a direction
+struct oppositeOnly
+{
+    const triSurface& surface;
+    const vectorField& normals;
+    const vector& direction;
 
     void operator()
     (
@@ -88,14 +73,14 @@ public:
     {
         for (const label i : indices)
         {
-            if ((normals_[i] & direction_) > oppositeCosine)
+            if ((normals[i] & direction) > clearanceControls::oppositeCosine)
             {
                 continue;
             }
 
             const pointHit hit
             (
-                surface_[i].nearestPoint(sample, surface_.points())
+                surface[i].nearestPoint(sample, surface.points())
             );
 
             if (sqr(hit.distance()) < nearestDistSqr)
@@ -107,6 +92,8 @@ public:
         }
     }
 };
+
+} // End anonymous namespace
 
 } // End namespace Foam
 
@@ -166,9 +153,7 @@ Foam::pointIndexHit Foam::wallSearch::nearestOpposite
 {
     return tree_.findNearest
     (
-        x,
-        sqr(distance),
-        oppositeOnly(surface_, normals_, direction)
+        x, sqr(distance), oppositeOnly{surface_, normals_, direction}
     );
 }
 

@@ -14,15 +14,7 @@ License
 namespace Foam
 {
 
-//- Cosine of the angle between the normals at a sharp edge
-static const scalar sharpCosine = 0.5*::sqrt(3.0);
-
-} // End namespace Foam
-
-
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
-Foam::pointKind Foam::kindOfPoint
+static pointKind kindOfPoint
 (
     const wallSurface& wall,
     const wallAddressing& addressing,
@@ -43,7 +35,7 @@ Foam::pointKind Foam::kindOfPoint
     {
         const vector& before = normals[normals.rcIndex(i)];
 
-        if ((before & normals[i]) < sharpCosine)
+        if ((before & normals[i]) < visibilityControls::sharpCosine)
         {
             const vector edge =
                 wall.points[addressing.pointPoints[p][i]] - wall.points[p];
@@ -59,6 +51,10 @@ Foam::pointKind Foam::kindOfPoint
       : pointKind::flat;
 }
 
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 Foam::List<Foam::pointKind> Foam::kindsOfPoints
 (

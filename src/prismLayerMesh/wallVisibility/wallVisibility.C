@@ -9,7 +9,7 @@ License
 
 #include "wallVisibility.H"
 #include "DynamicField.H"
-#include "FixedList.H"
+#include "ListOps.H"
 #include "mathematicalConstants.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -17,191 +17,123 @@ License
 namespace Foam
 {
 
-//- Some of the normals, at most three, and the point of their hull that is
-//  nearest to the origin
-struct supportSet
-{
-    FixedList<vector, 4> normals;
-    label size = 0;
-    vector nearest = Zero;
-};
-
-
-//- Point nearest to the origin on the line or plane through one to three
-//  points; false where it is not inside their hull
-static bool nearestInside
+//- Set the normals and the cone of point p
+static void setPoint
 (
-    const vector& a,
-    const vector* b,
-    const vector* c,
-    vector& nearest
+    const wallSurface& wall,
+    const wallAddressing& addressing,
+    const vectorField& faceNormals,
+    const label p,
+    wallVisibility& visibility
 )
 {
-    if (!b)
+    DynamicField<vector> normals;
+    DynamicField<scalar> angles;
+    DynamicField<vector> others;
+
+    for (const label facei : addressing.pointFaces[p])
     {
-        nearest = a;
-        return true;
-    }
-
-    const vector ab = *b - a;
-
-    if (!c)
-    {
-        const scalar s = -(a & ab)/max(magSqr(ab), VSMALL);
-        nearest = a + s*ab;
-        return s > 0 && s < 1;
-    }
-
-    const vector ac = *c - a;
-    const vector n = ab ^ ac;
-    const scalar nn = magSqr(n);
-
-    if (nn < VSMALL)
-    {
-        return false;
-    }
-
-    const scalar s = -((a ^ ac) & n)/nn;
-    const scalar t = -((ab ^ a) & n)/nn;
-    nearest = a + s*ab + t*ac;
-
-    return s > 0 && t > 0 && s + t < 1;
-}
-
-
-//- Replace the set by its subset of at most three whose hull holds the point
-//  of the whole hull nearest to the origin
-static supportSet reduced(const supportSet& set)
-{
-    supportSet best;
-    scalar bestSqr = GREAT;
-
-    // A subset contains the normal that came last: without it the nearest
-    // point would not have moved
-    const vector& last = set.normals[set.size - 1];
-
-    auto consider = [&](const vector* b, const vector* c)
-    {
-        vector x;
-        if (nearestInside(last, b, c, x) && magSqr(x) < bestSqr)
+        // Faces between columns have no area
+        if (wall.patchIDs[facei] < 0)
         {
-            bestSqr = magSqr(x);
-            best.nearest = x;
-            best.size = 0;
-            if (b) best.normals[best.size++] = *b;
-            if (c) best.normals[best.size++] = *c;
-            best.normals[best.size++] = last;
+            continue;
         }
-    };
 
-    consider(nullptr, nullptr);
+        const face& f = wall.faces[facei];
+        const label corner = f.find(p);
+        const vector next = wall.points[f.nextLabel(corner)] - wall.points[p];
+        const vector prev = wall.points[f.prevLabel(corner)] - wall.points[p];
+        const vector n = next ^ prev;
+        const scalar angle = ::atan2(mag(n), next & prev);
 
-    for (label i = 0; i < set.size - 1; ++i)
-    {
-        consider(&set.normals[i], nullptr);
+        // At a reflex corner of a polygon the edges span the outside
+        const vector& faceNormal = faceNormals[facei];
+        const bool reflex = (n & faceNormal) < 0;
 
-        for (label j = 0; j < i; ++j)
-        {
-            consider(&set.normals[i], &set.normals[j]);
-        }
+        normals.append(normalised((n & faceNormal) > 0 ? n : faceNormal));
+        angles.append(reflex ? constant::mathematical::twoPi - angle : angle);
+        others.append(polygonNormals(wall, facei, p));
     }
 
-    return best;
-}
-
-
-static label lowestAlong(const UList<vector>& normals, const vector& d)
-{
-    label lowest = 0;
-
-    for (label i = 1; i < normals.size(); ++i)
-    {
-        if ((normals[i] & d) < (normals[lowest] & d))
-        {
-            lowest = i;
-        }
-    }
-
-    return lowest;
-}
-
-
-static bool holdsOrigin(const supportSet& set)
-{
-    if (set.size < 4)
-    {
-        return false;
-    }
-
-    for (label i = 0; i < 4; ++i)
-    {
-        const vector& a = set.normals[(i + 1) % 4];
-        const vector n =
-            (set.normals[(i + 2) % 4] - a) ^ (set.normals[(i + 3) % 4] - a);
-
-        // The origin on the same side as the fourth point
-        if (((set.normals[i] - a) & n)*(-a & n) <= 0)
-        {
-            return false;
-        }
-    }
-
-    return true;
+    visibility.polygonNormals[p] = others;
+    visibility.cornerNormals[p] = normals;
+    visibility.meanNormals[p] = sum(angles*normals)/max(sum(angles), VSMALL);
+    visibility.setCone(p);
 }
 
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::visibilityCone Foam::makeVisibilityCone(const UList<vector>& normals)
+void Foam::wallVisibility::setCone(const label p)
 {
-    const visibilityCone empty{normalised(sum(normals)), 0};
-
-    supportSet set;
-    set.size = 1;
-    set.normals[0] = normals[lowestAlong(normals, sum(normals))];
-    set.nearest = set.normals[0];
-
-    // Each round lowers |nearest|, so no set comes twice; the bound only
-    // guards against rounding
-    for (label round = 0; round < 4*normals.size() + 16; ++round)
-    {
-        const vector& added = normals[lowestAlong(normals, set.nearest)];
-        const scalar nearestSqr = magSqr(set.nearest);
-
-        if ((added & set.nearest) >= nearestSqr - 1e-14)
-        {
-            break;
-        }
-
-        set.normals[set.size++] = added;
-
-        if (holdsOrigin(set))
-        {
-            return empty;
-        }
-
-        set = reduced(set);
-
-        if (magSqr(set.nearest) >= nearestSqr)
-        {
-            break;
-        }
-    }
-
-    const vector axis = normalised(set.nearest);
-    const scalar cosine = normals[lowestAlong(normals, axis)] & axis;
-
-    // Below this the sign of d.n_f is not above the rounding of the normals
-    if (cosine < 1e-9)
-    {
-        return empty;
-    }
-
-    return visibilityCone{axis, cosine};
+    vectorField all(cornerNormals[p]);
+    all.append(polygonNormals[p]);
+    cones[p] = makeVisibilityCone(all);
 }
 
+
+Foam::vectorField Foam::wallVisibility::axes() const
+{
+    vectorField axes(cones.size());
+
+    forAll(axes, p)
+    {
+        axes[p] = cones[p].axis;
+    }
+
+    return axes;
+}
+
+
+Foam::labelList Foam::wallVisibility::emptyCones() const
+{
+    return subsetList
+    (
+        identity(cones.size()),
+        [&](const label p) { return cones[p].empty(); }
+    );
+}
+
+
+Foam::vector Foam::wallVisibility::limited
+(
+    const label p,
+    const vector& d,
+    const scalar margin
+) const
+{
+    const visibilityCone& cone = cones[p];
+    const scalar smallest = margin*cone.cosine;
+
+    // No d.n_f can be smaller by more than that
+    if (cone.cosine - mag(d - cone.axis) > smallest)
+    {
+        return d;
+    }
+
+    // d + s*(axis - d) is no longer than 1, so what holds for it holds for
+    // its unit vector
+    scalar s = 0;
+    for (const vectorField* normals : {&cornerNormals[p], &polygonNormals[p]})
+    {
+        for (const vector& n : *normals)
+        {
+            const scalar dn = d & n;
+
+            if (dn < smallest)
+            {
+                s = max(s, (smallest - dn)/max((cone.axis & n) - dn, VSMALL));
+            }
+        }
+    }
+
+    return normalised(d + min(s, scalar(1))*(cone.axis - d));
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 Foam::vectorField Foam::polygonNormals
 (
@@ -243,78 +175,6 @@ Foam::vectorField Foam::polygonNormals
 }
 
 
-void Foam::wallVisibility::setCone(const label p)
-{
-    vectorField all(cornerNormals[p]);
-    all.append(polygonNormals[p]);
-    cones[p] = makeVisibilityCone(all);
-}
-
-
-Foam::vectorField Foam::wallVisibility::axes() const
-{
-    vectorField axes(cones.size());
-
-    forAll(axes, p)
-    {
-        axes[p] = cones[p].axis;
-    }
-
-    return axes;
-}
-
-
-Foam::labelList Foam::wallVisibility::emptyCones() const
-{
-    DynamicList<label> empty;
-    forAll(cones, p)
-    {
-        if (cones[p].empty())
-        {
-            empty.append(p);
-        }
-    }
-
-    return labelList(std::move(empty));
-}
-
-
-Foam::vector Foam::wallVisibility::limited
-(
-    const label p,
-    const vector& d,
-    const scalar margin
-) const
-{
-    const visibilityCone& cone = cones[p];
-    const scalar smallest = margin*cone.cosine;
-
-    // No d.n_f can be smaller by more than that
-    if (cone.cosine - mag(d - cone.axis) > smallest)
-    {
-        return d;
-    }
-
-    // d + s*(axis - d) is no longer than 1, so what holds for it holds for
-    // its unit vector
-    scalar s = 0;
-    for (const vectorField* normals : {&cornerNormals[p], &polygonNormals[p]})
-    {
-        for (const vector& n : *normals)
-        {
-            const scalar dn = d & n;
-
-            if (dn < smallest)
-            {
-                s = max(s, (smallest - dn)/max((cone.axis & n) - dn, VSMALL));
-            }
-        }
-    }
-
-    return normalised(d + min(s, scalar(1))*(cone.axis - d));
-}
-
-
 Foam::wallVisibility Foam::makeWallVisibility
 (
     const wallSurface& wall,
@@ -330,52 +190,9 @@ Foam::wallVisibility Foam::makeWallVisibility
     visibility.polygonNormals.setSize(nPoints);
     visibility.cones.setSize(nPoints);
 
-    DynamicField<vector> normals;
-    DynamicField<scalar> angles;
-    DynamicField<vector> others;
-
     for (label p = 0; p < nPoints; ++p)
     {
-        normals.clear();
-        angles.clear();
-        others.clear();
-
-        for (const label facei : addressing.pointFaces[p])
-        {
-            // Those between columns have no area
-            if (wall.patchIDs[facei] < 0)
-            {
-                continue;
-            }
-
-            const face& f = wall.faces[facei];
-            const label corner = f.find(p);
-            const vector next = wall.points[f.nextLabel(corner)]
-              - wall.points[p];
-            const vector prev = wall.points[f.prevLabel(corner)]
-              - wall.points[p];
-
-            const vector n = next ^ prev;
-            const scalar angle = ::atan2(mag(n), next & prev);
-
-            // At a reflex corner of a polygon the edges span the outside
-            const vector& faceNormal = faceNormals[facei];
-            const bool reflex = (n & faceNormal) < 0;
-
-            normals.append(normalised((n & faceNormal) > 0 ? n : faceNormal));
-            angles.append
-            (
-                reflex ? constant::mathematical::twoPi - angle : angle
-            );
-
-            others.append(polygonNormals(wall, facei, p));
-        }
-
-        visibility.polygonNormals[p] = others;
-        visibility.cornerNormals[p] = normals;
-        visibility.meanNormals[p] =
-            sum(angles*normals)/max(sum(angles), VSMALL);
-        visibility.setCone(p);
+        setPoint(wall, addressing, faceNormals, p, visibility);
     }
 
     return visibility;

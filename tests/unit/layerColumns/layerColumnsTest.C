@@ -19,12 +19,11 @@ using namespace Foam;
 using testSurfaces::layeredMesh;
 
 //- Columns before any of them retreats
-static layerColumns columnsOf(const wallSurface& wall, const prismLayerMesh& m)
+static layerColumns columnsOf(const prismLayerMesh& m)
 {
     return makeLayerColumns
     (
-        wall, m.addressing, m.visibility, m.clearance, m.spacing, m.lines,
-        layerControls().maxStretch
+        m.front, m.clearance, m.spacing, m.lines, layerControls()
     );
 }
 
@@ -125,7 +124,7 @@ TEST(layerColumns, areRadialOnASphere)
     const wallSurface wall(testSurfaces::sphere(16));
     const layerColumns columns
     (
-        columnsOf(wall, layeredMesh(wall, 6, 0.1))
+        columnsOf(layeredMesh(wall, 6, 0.1))
     );
 
     forAll(columns.offsets, i)
@@ -144,7 +143,7 @@ TEST(layerColumns, areNormalToTheFacesOfACube)
     const wallSurface wall(testSurfaces::cube(12));
     const layerColumns columns
     (
-        columnsOf(wall, layeredMesh(wall, 6, 0.05))
+        columnsOf(layeredMesh(wall, 6, 0.05))
     );
 
     forAll(columns.offsets, i)
@@ -176,7 +175,7 @@ TEST(layerColumns, offsetsHaveUnitHeight)
         {testSurfaces::sphere(8), testSurfaces::lBlock(6)})
     {
         const prismLayerMesh m(layeredMesh(wall, 6, 0.1));
-        const layerColumns columns(columnsOf(wall, m));
+        const layerColumns columns(columnsOf(m));
 
         forAll(columns.offsets, i)
         {
@@ -198,7 +197,7 @@ TEST(layerColumns, offsetsAreInTheCones)
 {
     const wallSurface wall(testSurfaces::wedgeBlock(6, 45));
     const prismLayerMesh m(layeredMesh(wall, 6, 0.1));
-    const layerColumns columns(columnsOf(wall, m));
+    const layerColumns columns(columnsOf(m));
 
     forAll(columns.offsets, i)
     {
@@ -214,7 +213,7 @@ TEST(layerColumns, roomIsAllWhereNothingIsNear)
 {
     const wallSurface wall(testSurfaces::lBlock(6));
     const prismLayerMesh m(layeredMesh(wall, 6, 0.1));
-    const layerColumns columns(columnsOf(wall, m));
+    const layerColumns columns(columnsOf(m));
 
     EXPECT_EQ(columns.room, m.spacing.thickness);
     for (const squeezeCause cause : columns.causes)
@@ -230,7 +229,7 @@ TEST(layerColumns, roomInASlitIsItsShareOfHalfTheWidth)
     const wallSurface wall(testSurfaces::slitBlock(10, width));
     const layerColumns columns
     (
-        columnsOf(wall, layeredMesh(wall, 6, 0.25))
+        columnsOf(layeredMesh(wall, 6, 0.25))
     );
     label nInside = 0, nNeighbours = 0;
 
@@ -261,7 +260,7 @@ TEST(layerColumns, roomHasABoundedGradient)
 {
     const wallSurface wall(testSurfaces::slitBlock(10, 0.1));
     const prismLayerMesh m(layeredMesh(wall, 6, 0.15));
-    const layerColumns columns(columnsOf(wall, m));
+    const layerColumns columns(columnsOf(m));
 
     for (const edge& e : m.addressing.edges)
     {
@@ -278,7 +277,7 @@ TEST(layerColumns, causeIsNoneExactlyWhereTheRoomIsAll)
 {
     const wallSurface wall(testSurfaces::slitBlock(10, 0.1));
     const prismLayerMesh m(layeredMesh(wall, 6, 0.15));
-    const layerColumns columns(columnsOf(wall, m));
+    const layerColumns columns(columnsOf(m));
 
     forAll(columns.room, p)
     {

@@ -176,7 +176,7 @@ TEST(levelSets, tensorsMakeThemMoreEvenInAConcaveCorner)
 }
 
 
-TEST(localTensors, movesLevelSetsToLocalHeights)
+TEST(localConductivity, movesLevelSetsToLocalHeights)
 {
     for (const scalar factor : {0.7, 0.5})
     {
@@ -189,7 +189,7 @@ TEST(localTensors, movesLevelSetsToLocalHeights)
 }
 
 
-TEST(localTensors, theChangeIsSmooth)
+TEST(localConductivity, theChangeIsSmooth)
 {
     const halfBall ball(0.5);
     scalarField changes
@@ -209,7 +209,7 @@ TEST(localTensors, theChangeIsSmooth)
 }
 
 
-TEST(localTensors, areNoneWhereHeightsAreTheSame)
+TEST(localConductivity, areNoneWhereHeightsAreTheSame)
 {
     const halfBall ball(1);
     const prismLayerMesh plain

@@ -279,13 +279,13 @@ TEST(layerFront, columnsStandOnTheirPoints)
 }
 
 
-TEST(layerFront, furtherRootsAreThePointsOfFurtherColumns)
+TEST(layerFront, extraColumnPointsAreThePointsOfFurtherColumns)
 {
     for (const dividedWall& w : walls())
     {
         EXPECT_EQ
         (
-            w.front.furtherRoots(),
+            w.front.extraColumnPoints(),
             labelList
             (
                 SubList<label>
@@ -316,7 +316,7 @@ TEST(layerFront, isTheWallWithoutNarrowCones)
     EXPECT_EQ(w.front.surface.points, w.wall.points);
     EXPECT_EQ(w.front.surface.patchIDs, w.wall.patchIDs);
     EXPECT_EQ(w.front.wallPoints, identity(w.wall.points.size()));
-    EXPECT_TRUE(w.front.furtherRoots().empty());
+    EXPECT_TRUE(w.front.extraColumnPoints().empty());
 }
 
 

@@ -28,7 +28,10 @@ TEST(layerEditor, standOnTheFrontAtFirst)
         {
             EXPECT_EQ(m.editor.layers()(c, 0), front.surface.points[c]);
         }
-        EXPECT_EQ(m.editor.layers().furtherRoots, front.furtherRoots());
+        EXPECT_EQ
+        (
+            m.editor.layers().extraColumnPoints, front.extraColumnPoints()
+        );
         EXPECT_EQ(m.editor.layers().faces, front.surface.faces);
         EXPECT_EQ(m.editor.layers().nWallFaces(), front.nWallFaces);
     }

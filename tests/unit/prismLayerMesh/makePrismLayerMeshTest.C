@@ -216,13 +216,13 @@ TEST(makePrismLayerMesh, pointThatSeesNothingHasMultipleNormals)
     const prismLayerMesh mesh(layeredMesh(wall, 3, 0.1));
 
     EXPECT_EQ(mesh.visibility.emptyCones().size(), 1);
-    EXPECT_GE(mesh.made.layers.furtherRoots.size(), 1);
+    EXPECT_GE(mesh.made.layers.extraColumnPoints.size(), 1);
     EXPECT_TRUE(mesh.certificate.valid());
     EXPECT_EQ(mesh.made.layers.nWallFaces(), wall.faces.size());
     EXPECT_EQ
     (
         mesh.made.layers.faces.size() - wall.faces.size(),
-        2*mesh.made.layers.furtherRoots.size()
+        2*mesh.made.layers.extraColumnPoints.size()
     );
 }
 

@@ -136,7 +136,7 @@ TEST(prismLayers, meshHasNoPointTwice)
     EXPECT_EQ
     (
         layers.meshPoints().size(),
-        layers.points.size() - layers.furtherRoots.size()
+        layers.points.size() - layers.extraColumnPoints.size()
     );
 }
 

@@ -107,7 +107,7 @@ TEST(multipleNormalsMesh, hasFurtherColumns)
 {
     for (const dividedMesh& m : meshes())
     {
-        EXPECT_FALSE(m.layers.furtherRoots.empty()) << m.name;
+        EXPECT_FALSE(m.layers.extraColumnPoints.empty()) << m.name;
     }
 }
 

@@ -24,14 +24,14 @@ using namespace Foam;
 static prismLayers cellBetween
 (
     const pointField& wallPoints,
-    const labelList& furtherRoots,
+    const labelList& extraColumnPoints,
     const pointField& upper,
     const face& columns
 )
 {
     prismLayers layers;
     layers.nLayers = 1;
-    layers.furtherRoots = furtherRoots;
+    layers.extraColumnPoints = extraColumnPoints;
     layers.faces = faceList(1, columns);
     layers.points.setSize(2*upper.size());
 

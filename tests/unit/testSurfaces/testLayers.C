@@ -109,7 +109,7 @@ Foam::prismLayers Foam::testSurfaces::frontLayers
     layers.faces = front.surface.faces;
     layers.patchIDs = SubList<label>(front.surface.patchIDs, front.nWallFaces);
     layers.patchNames = front.surface.patchNames;
-    layers.furtherRoots = front.furtherRoots();
+    layers.extraColumnPoints = front.extraColumnPoints();
     layers.points.setSize(front.wallPoints.size()*heights.size());
 
     forAll(front.wallPoints, c)

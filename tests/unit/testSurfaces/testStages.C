@@ -83,9 +83,7 @@ Foam::testSurfaces::stages::stages
             addressing,
             search,
             visibility,
-            clearance,
-            spacing,
-            envelopeControls(),
+            min(envelopeControls().scale*spacing.thickness, clearance),
             backgroundMeshControls()
         )
     )
@@ -96,7 +94,7 @@ Foam::testSurfaces::stages::stages
 
 Foam::backgroundMesh Foam::testSurfaces::stages::background() const
 {
-    return makeBackgroundMesh(wall, addressing, search, visibility, envelope);
+    return makeBackgroundMesh(wall, search, visibility, envelope);
 }
 
 

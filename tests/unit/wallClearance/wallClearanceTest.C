@@ -8,6 +8,7 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "wallClearance.H"
+#include "prismLayerControls.H"
 #include "testSurfaces.H"
 
 #include <gtest/gtest.h>
@@ -193,6 +194,12 @@ TEST(wallClearance, scalesWithTheWall)
     const scalarField small(clearanceOf(scaled, 0.5e-3));
 
     EXPECT_LT(max(mag(1e3*small/clearance - 1)), 1e-5);
+}
+
+
+TEST(clearanceControls, agreeWithTheDefaultsOfColumns)
+{
+    EXPECT_EQ(clearanceControls::maxStretch, layerControls().maxStretch);
 }
 
 

@@ -77,6 +77,40 @@ TEST(wallSearch, firstHitMissesBesideTheWall)
 }
 
 
+TEST(wallSearch, footIsTheNearestPoint)
+{
+    const wallSurface wall(testSurfaces::cube(3));
+    const wallSearch search(wall);
+
+    // Above a side, beside an edge, beyond a corner
+    const List<Pair<point>> pointsAndFeet
+    ({
+        {point(0.3, 0.45, 1.7), point(0.3, 0.45, 1)},
+        {point(1.4, 0.45, 1.3), point(1, 0.45, 1)},
+        {point(2, 2, 2), point(1, 1, 1)},
+        {point(0.45, 0.4, 0.3), point(0.45, 0.4, 0)}
+    });
+
+    for (const Pair<point>& pair : pointsAndFeet)
+    {
+        const wallSearch::foot foot(search.footOf(pair.first()));
+        point x(Zero);
+        scalar sum = 0;
+
+        for (label k = 0; k < 3; ++k)
+        {
+            x += foot.weights[k]*wall.points[foot.points[k]];
+            sum += foot.weights[k];
+            EXPECT_GE(foot.weights[k], 0);
+        }
+
+        EXPECT_NEAR(sum, 1, 1e-12);
+        EXPECT_NEAR(mag(x - pair.second()), 0, 1e-12);
+        EXPECT_NEAR(foot.distance, mag(pair.first() - pair.second()), 1e-12);
+    }
+}
+
+
 TEST(wallSearch, oppositeSkipsWhatFacesAlong)
 {
     // From above the cube only its top is opposite to what points down

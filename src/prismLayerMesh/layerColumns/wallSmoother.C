@@ -7,22 +7,21 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "wallGraph.H"
+#include "wallSmoother.H"
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::wallGraph Foam::makeWallGraph
+Foam::wallSmoother::wallSmoother
 (
     const wallSurface& wall,
     const wallAddressing& addressing
 )
+:
+    addressing_(addressing),
+    weights_(wall.points.size()),
+    spread_(wall.points.size())
 {
-    const label nPoints = wall.points.size();
-    wallGraph graph{addressing, {}, {}};
-    graph.weights.setSize(nPoints);
-    graph.spread.setSize(nPoints, 0);
-
-    for (label p = 0; p < nPoints; ++p)
+    forAll(weights_, p)
     {
         const labelList& neighbours = addressing.pointPoints[p];
         scalarField weights(neighbours.size());
@@ -36,11 +35,9 @@ Foam::wallGraph Foam::makeWallGraph
             nOthers += lengthSqr > 0;
         }
 
-        graph.weights[p] = weights/sum(weights);
-        graph.spread[p] = 0.5*nOthers/sum(weights);
+        weights_[p] = weights/sum(weights);
+        spread_[p] = 0.5*nOthers/sum(weights);
     }
-
-    return graph;
 }
 
 

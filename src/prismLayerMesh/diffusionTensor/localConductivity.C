@@ -7,11 +7,13 @@ License
 
 \*---------------------------------------------------------------------------*/
 
-#include "localTensors.H"
+#include "localConductivity.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
+{
+namespace
 {
 
 //- A field along a normal of the wall: energies at ascending heights, linear
@@ -38,6 +40,22 @@ struct profile
 };
 
 
+//- The heights of the wall below a point of the mesh
+struct wallProjection
+{
+    //- Heights that are asked for there [m]
+    scalarField heights;
+
+    //- Distance to the wall [m], scaled to the gap of a flat wall
+    scalar depth = 0;
+
+    //- Whether the heights differ from the uniform ones
+    bool isLocal = false;
+};
+
+} // End anonymous namespace
+
+
 //- From the wall through the layers to the envelope
 static profile makeProfile
 (
@@ -49,33 +67,16 @@ static profile makeProfile
     const label n = heights.size();
     profile result{scalarField(n + 2, 0), scalarField(n + 2, 0)};
     result.energies[0] = 1;
-
-    for (label i = 0; i < n; ++i)
-    {
-        result.heights[i + 1] = heights[i];
-        result.energies[i + 1] = energies[i];
-    }
-    result.heights[n + 1] = max(gap, 1.001*heights[n - 1]);
+    SubList<scalar>(result.heights, n, 1) = heights;
+    SubList<scalar>(result.energies, n, 1) = energies;
+    result.heights[n + 1] =
+        max(gap, conductivityControls::leastGap*heights[n - 1]);
 
     return result;
 }
 
 
-//- Where a point of the mesh is above the wall
-struct footing
-{
-    //- Heights that are asked for there
-    scalarField heights;
-
-    //- Distance to the wall, where the gap is that of a flat wall [m]
-    scalar depth = 0;
-
-    //- Whether they are others than those of all of the wall
-    bool isLocal = false;
-};
-
-
-static footing footingOf
+static wallProjection projectionOf
 (
     const backgroundMesh& mesh,
     const label v,
@@ -86,7 +87,7 @@ static footing footingOf
 )
 {
     const label n = uniform.size();
-    footing result;
+    wallProjection result;
     result.heights.setSize(n, 0);
 
     forAll(foot.points, k)
@@ -99,9 +100,35 @@ static footing footingOf
     }
 
     result.depth = foot.distance*gap/max(mesh.gaps[v], VSMALL);
-    result.isLocal = max(mag(result.heights/uniform - 1)) > 1e-6;
+    result.isLocal = max(mag(result.heights/uniform - 1))
+      > conductivityControls::sameHeight;
 
     return result;
+}
+
+//- Correct one height of a target by what was reached of what was asked for
+static void correct
+(
+    const scalar asked,
+    const scalar reached,
+    const scalar largest,
+    scalar& height
+)
+{
+    // The largest height is that of the uniform spacing
+    if (asked < largest*(1 - conductivityControls::sameHeight))
+    {
+        const scalar change = asked/max(reached, VSMALL);
+        height *= min
+        (
+            max(change, conductivityControls::leastChange),
+            conductivityControls::mostChange
+        );
+        height = min
+        (
+            max(height, conductivityControls::leastTarget*asked), largest
+        );
+    }
 }
 
 } // End namespace Foam
@@ -140,18 +167,18 @@ Foam::scalarField Foam::localWeightFactors
     const scalar gap = max(mesh.gaps);
     const profile flat(makeProfile(all, energies, gap));
 
-    List<footing> footings(mesh.points.size());
-    forAll(footings, v)
+    List<wallProjection> projections(mesh.points.size());
+    forAll(projections, v)
     {
-        footings[v] = footingOf(mesh, v, feet[v], requested, all, gap);
+        projections[v] = projectionOf(mesh, v, feet[v], requested, all, gap);
     }
 
     scalarField factors(mesh.edges.size(), 1);
     forAll(factors, i)
     {
         const edge& e = mesh.edges[i];
-        const footing& a = footings[e.start()];
-        const footing& b = footings[e.end()];
+        const wallProjection& a = projections[e.start()];
+        const wallProjection& b = projections[e.end()];
 
         if (!a.isLocal && !b.isLocal)
         {
@@ -165,8 +192,11 @@ Foam::scalarField Foam::localWeightFactors
 
         // Not nearer to each other than slopes need
         const scalar middle = 0.5*(a.depth + b.depth);
-        const scalar half =
-            max(0.5*mag(a.depth - b.depth), 0.05*middle);
+        const scalar half = max
+        (
+            0.5*mag(a.depth - b.depth),
+            conductivityControls::leastDistance*middle
+        );
         const scalar low = max(middle - half, scalar(0));
         const scalar high = min(middle + half, gap);
 
@@ -179,33 +209,16 @@ Foam::scalarField Foam::localWeightFactors
 }
 
 
-Foam::layerSpacing Foam::correctedAim
+Foam::layerSpacing Foam::correctedTarget
 (
-    const layerSpacing& aim,
+    const layerSpacing& target,
     const layerSpacing& asked,
     const layerSpacing& reached,
     const layerSpacing& uniform
 )
 {
     const label n = uniform.nLayers;
-    layerSpacing corrected(aim);
-
-    const auto correct = []
-    (
-        scalar& value,
-        const scalar wanted,
-        const scalar had,
-        const scalar largest
-    )
-    {
-        // Nothing to do where all of the wall is to be so
-        if (wanted < largest*(1 - 1e-6))
-        {
-            const scalar change = wanted/max(had, VSMALL);
-            value *= min(max(change, scalar(0.8)), scalar(1.25));
-            value = min(max(value, 0.02*wanted), largest);
-        }
-    };
+    layerSpacing corrected(target);
 
     forAll(corrected.thickness, p)
     {
@@ -214,18 +227,21 @@ Foam::layerSpacing Foam::correctedAim
 
         correct
         (
-            thickness, asked.thickness[p], reached.thickness[p],
-            uniform.thickness[p]
+            asked.thickness[p], reached.thickness[p], uniform.thickness[p],
+            thickness
         );
         correct
         (
-            first, asked.firstThickness[p], reached.firstThickness[p],
-            uniform.firstThickness[p]
+            asked.firstThickness[p], reached.firstThickness[p],
+            uniform.firstThickness[p], first
         );
 
         if (n > 1)
         {
-            first = min(first, thickness/(1 + 0.1*n));
+            first = min
+            (
+                first, thickness/(1 + conductivityControls::leastExcess*n)
+            );
             corrected.ratio[p] = fittedRatio(n, first, thickness);
         }
     }
