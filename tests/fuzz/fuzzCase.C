@@ -91,9 +91,9 @@ static void mesh
 
     tell("stage", "checks");
 
-    if (m.noField.size())
+    if (m.fields.failure.size())
     {
-        tell("noField", oneLine(m.noField));
+        tell("noField", oneLine(m.fields.failure));
     }
 
     const std::string fault(findMeshFault(wall, m.made.layers));

@@ -271,7 +271,7 @@ void Foam::prismCase::writeAll
             m.made.causes
         )
     );
-    report.noField = m.noField;
+    report.noField = m.fields.failure;
     report.points = countKinds(m.pointKinds);
     report.nFurtherColumns = m.front.extraColumnPoints().size();
     report.nRetreats = m.made.nRetreats;

@@ -45,7 +45,7 @@ bool Foam::hasLevelSetReport(const prismLayerMesh& mesh)
 {
     const layerSpacing& request = mesh.request;
 
-    return mesh.noField.empty()
+    return mesh.fields.failure.empty()
         && max(request.thickness) <= min(request.thickness)*(1 + SMALL)
         && max(request.firstThickness)
         <= min(request.firstThickness)*(1 + SMALL);
@@ -66,7 +66,7 @@ Foam::levelSetReport Foam::makeLevelSetReport(const prismLayerMesh& mesh)
     (
         samplingEnergies
         (
-            mesh.background, mesh.field, mesh.visibility.axes(),
+            mesh.fields.background, mesh.field, mesh.visibility.axes(),
             mesh.pointKinds, uniform
         )
     );
@@ -74,12 +74,13 @@ Foam::levelSetReport Foam::makeLevelSetReport(const prismLayerMesh& mesh)
     (
         levelSetSpacing
         (
-            mesh.background, mesh.field, mesh.visibility, energies, uniform
+            mesh.fields.background, mesh.field, mesh.visibility, energies,
+            uniform
         )
     );
     const criticalPoints critical
     (
-        findCriticalPoints(mesh.background, mesh.field)
+        findCriticalPoints(mesh.fields.background, mesh.field)
     );
 
     levelSetReport report;

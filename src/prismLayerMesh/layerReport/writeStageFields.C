@@ -43,7 +43,8 @@ static vtkGrid envelopeGrid(const prismLayerMesh& mesh)
     faceList triangles;
     levelSetTriangles
     (
-        mesh.background, mesh.field, envelopeLevel, grid.points, triangles
+        mesh.fields.background, mesh.field, envelopeLevel, grid.points,
+        triangles
     );
 
     for (const face& f : triangles)
@@ -57,7 +58,7 @@ static vtkGrid envelopeGrid(const prismLayerMesh& mesh)
 
 static vtkGrid backgroundGrid(const prismLayerMesh& mesh)
 {
-    const backgroundMesh& background = mesh.background;
+    const backgroundMesh& background = mesh.fields.background;
 
     vtkGrid grid;
     grid.points = background.points;
@@ -67,10 +68,10 @@ static vtkGrid backgroundGrid(const prismLayerMesh& mesh)
         grid.addCell(vtkCell::tetra, tet);
     }
 
-    grid.pointFields.add("HIsotropic", mesh.isotropic);
+    grid.pointFields.add("HIsotropic", mesh.fields.isotropic);
     grid.pointFields.add("H", mesh.field);
     grid.pointFields.add("gradH", pointGradients(background, mesh.field));
-    grid.pointFields.add("T", mesh.tensors);
+    grid.pointFields.add("T", mesh.fields.tensors);
     grid.pointFields.add("gap", background.gaps);
 
     return grid;
@@ -243,7 +244,7 @@ void Foam::writeStageFields
 {
     mkDir(folder);
 
-    if (mesh.noField.empty())
+    if (mesh.fields.failure.empty())
     {
         writeVtk(folder/"envelope.vtk", envelopeGrid(mesh));
         writeVtk(folder/"backgroundMesh.vtk", backgroundGrid(mesh));

@@ -13,14 +13,16 @@ License
 #include "levelSets.H"
 #include "localConductivity.H"
 #include "stageText.H"
+#include "throwingErrors.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
 
-//- How often local tensors aim at local heights
+//- How often local conductivities aim at local heights
 static const label nAims = 5;
+
 
 static void requireHomeomorphic
 (
@@ -40,120 +42,40 @@ static void requireHomeomorphic
 }
 
 
-//- Sets noField where a stage of the field fails. Its line in the log ends with
-//  sizes, or with why it failed.
-template<class Stage, class Sizes>
+//- Make a stage unless one has failed. If this one fails, there are no fields,
+//  and its line in the log says why.
+template<class Stage>
 static void attempt
 (
     const char* name,
     const stageObserver& observer,
-    prismLayerMesh& m,
-    const Stage& stage,
-    const Sizes& sizes
+    wallFields& fields,
+    const Stage& stage
 )
 {
-    if (m.noField.size())
+    if (fields.failure.size())
     {
         return;
     }
 
     observer.begin(name);
-    const bool throwing = FatalError.throwExceptions(true);
+    string sizes;
 
     try
     {
-        stage();
+        const throwingErrors throwing;
+        sizes = stage();
     }
     catch (const Foam::error& e)
     {
-        m.noField = e.message();
-        m.background = backgroundMesh();
-        m.isotropic.clear();
-        m.tensors.clear();
-        m.field.clear();
+        const offsetEnvelope envelope(std::move(fields.envelope));
+        fields = wallFields();
+        fields.envelope = envelope;
+        fields.failure = e.message();
+        sizes = fields.failure;
     }
 
-    FatalError.throwExceptions(throwing);
-    observer.end(m.noField.size() ? m.noField : sizes());
-}
-
-
-//- The spacing of the level sets of the field, which local tensors move to
-//  where other heights are asked for
-static void makeLevelSets
-(
-    const wallSearch& search,
-    const prismLayerControls& controls,
-    const scalarField& weights,
-    const stageObserver& observer,
-    prismLayerMesh& m
-)
-{
-    if (m.noField.size())
-    {
-        FatalErrorInFunction
-            << "marchingDistances levelSets needs a field, but there is none: "
-            << m.noField.c_str() << exit(FatalError);
-    }
-
-    observer.begin("levelSets");
-    const layerSpacing uniform(uniformSpacing(m.spacing));
-    const scalarField energies
-    (
-        samplingEnergies
-        (
-            m.background, m.field, m.visibility.axes(), m.pointKinds, uniform
-        )
-    );
-    const bool local =
-        min(m.spacing.thickness) < uniform.thickness[0]
-     || min(m.spacing.firstThickness) < uniform.firstThickness[0];
-    const auto reached = [&]()
-    {
-        return levelSetSpacing
-        (
-            m.background, m.field, m.visibility, energies, uniform
-        );
-    };
-
-    // Tensors for what is asked for do not reach it where the mesh is coarse
-    layerSpacing aim(m.spacing);
-    const List<wallSearch::foot> feet
-    (
-        local
-      ? feetOfPoints(m.background, search) : List<wallSearch::foot>()
-    );
-
-    for (label k = 0; local && k < nAims; ++k)
-    {
-        if (k > 0)
-        {
-            aim = correctedTarget(aim, m.spacing, reached(), uniform);
-        }
-
-        m.field = makeHarmonicField
-        (
-            m.background,
-            weights*localWeightFactors
-            (
-                m.background, feet, energies, uniform, aim
-            ),
-            controls.field
-        );
-    }
-
-    m.spacing = gradedSpacing
-    (
-        reached(), m.addressing, controls.layers.transitionRatio
-    );
-    observer.end
-    (
-        text
-        (
-            "energies ", energies.first(), " to ", energies.last(),
-            local ? ", local tensors" : ""
-        )
-    );
+    observer.end(sizes);
 }
 
 } // End namespace Foam
@@ -161,90 +83,143 @@ static void makeLevelSets
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::layerSpacing Foam::fieldSpacing
-(
-    const prismLayerControls& controls,
-    const layerSpacing& spacing
-)
-{
-    return controls.layers.onLevelSets ? uniformSpacing(spacing) : spacing;
-}
-
-
-void Foam::makeField
+Foam::wallFields Foam::makeFields
 (
     const wallSurface& wall,
+    const wallAddressing& addressing,
     const wallSearch& search,
+    const wallVisibility& visibility,
+    const scalarField& radius,
     const prismLayerControls& controls,
-    const stageObserver& observer,
-    prismLayerMesh& m
+    const stageObserver& observer
 )
 {
+    wallFields f;
+
     observer.begin("offsetEnvelope");
-    m.envelope = makeOffsetEnvelope
+    f.envelope = makeOffsetEnvelope
     (
-        wall, m.addressing, search, m.visibility,
-        min
-        (
-            controls.envelope.scale*fieldSpacing(controls, m.spacing).thickness,
-            m.front.smallest(m.clearance)
-        ),
-        controls.backgroundMesh
+        wall, addressing, search, visibility, radius, controls.backgroundMesh
     );
-    observer.end
-    (
-        text(m.envelope.nEnvelope, " points, ",
-            m.envelope.points.size() - m.envelope.nEnvelope,
-            " on sheets between")
-    );
+    observer.end(sizesOf(f.envelope));
 
-    attempt("backgroundMesh", observer, m, [&]()
+    attempt("backgroundMesh", observer, f, [&]()
     {
-        m.background =
-            makeBackgroundMesh(wall, search, m.visibility, m.envelope);
-        m.topology = wallLevelSetTopology(m.background);
-        requireHomeomorphic(m.topology, wallTopology(wall, m.addressing));
-    },
-    [&]()
-    {
-        return text(m.background.tets.size(), " tetrahedra; components ",
-            m.topology.nComponents, ", Euler characteristic ",
-            m.topology.eulerCharacteristic, " as the wall's");
+        f.background = makeBackgroundMesh(wall, search, visibility, f.envelope);
+        f.topology = wallLevelSetTopology(f.background);
+        requireHomeomorphic(f.topology, wallTopology(wall, addressing));
+
+        return sizesOf(f.background, f.topology);
     });
 
-    attempt("isotropicField", observer, m, [&]()
+    attempt("isotropicField", observer, f, [&]()
     {
-        m.isotropic = makeHarmonicField
+        f.isotropic = makeHarmonicField
         (
-            m.background, cotangentWeights(m.background), controls.field
+            f.background, cotangentWeights(f.background), controls.field
         );
-    },
-    [&]()
-    {
-        return text(findIndices(m.background.free, true).size(), " unknowns");
+
+        return text(findIndices(f.background.free, true).size(), " unknowns");
     });
 
-    const autoPtr<diffusionTensor> tensor
-    (
-        diffusionTensor::New(controls.field.tensor, controls.field.tensorCoeffs)
-    );
-    scalarField weights;
+    attempt("anisotropicField", observer, f, [&]()
+    {
+        const autoPtr<diffusionTensor> tensor
+        (
+            diffusionTensor::New
+            (
+                controls.field.tensor, controls.field.tensorCoeffs
+            )
+        );
+        f.tensors = tensor->tensors(f.background, f.isotropic);
+        f.edgeWeights = tensor->edgeWeights(f.background, f.tensors);
+        f.anisotropic =
+            makeHarmonicField(f.background, f.edgeWeights, controls.field);
 
-    attempt("anisotropicField", observer, m, [&]()
-    {
-        m.tensors = tensor->tensors(m.background, m.isotropic);
-        weights = tensor->edgeWeights(m.background, m.tensors);
-        m.field = makeHarmonicField(m.background, weights, controls.field);
-    },
-    [&]()
-    {
         return text("tensor model ", controls.field.tensor);
     });
 
-    if (controls.layers.onLevelSets)
+    return f;
+}
+
+
+Foam::levelSetLayers Foam::makeLevelSets
+(
+    const wallFields& fields,
+    const wallAddressing& addressing,
+    const wallSearch& search,
+    const wallVisibility& visibility,
+    const List<pointKind>& kinds,
+    const layerSpacing& asked,
+    const prismLayerControls& controls,
+    const stageObserver& observer
+)
+{
+    if (fields.failure.size())
     {
-        makeLevelSets(search, controls, weights, observer, m);
+        FatalErrorInFunction
+            << "marchingDistances levelSets needs a field, but there is none: "
+            << fields.failure.c_str() << exit(FatalError);
     }
+
+    observer.begin("levelSets");
+    const backgroundMesh& mesh = fields.background;
+    const layerSpacing uniform(uniformSpacing(asked));
+    levelSetLayers result;
+    result.field = fields.anisotropic;
+
+    const scalarField energies
+    (
+        samplingEnergies
+        (
+            mesh, result.field, visibility.axes(), kinds, uniform
+        )
+    );
+    const auto reached = [&]()
+    {
+        return levelSetSpacing
+        (
+            mesh, result.field, visibility, energies, uniform
+        );
+    };
+
+    const bool local =
+        min(asked.thickness) < uniform.thickness[0]
+     || min(asked.firstThickness) < uniform.firstThickness[0];
+    const List<wallSearch::foot> feet
+    (
+        local ? feetOfPoints(mesh, search) : List<wallSearch::foot>()
+    );
+    layerSpacing target(asked);
+
+    for (label k = 0; local && k < nAims; ++k)
+    {
+        if (k > 0)
+        {
+            target = correctedTarget(target, asked, reached(), uniform);
+        }
+
+        const scalarField factors
+        (
+            localWeightFactors(mesh, feet, energies, uniform, target)
+        );
+        result.field = makeHarmonicField
+        (
+            mesh, fields.edgeWeights*factors, controls.field
+        );
+    }
+
+    result.spacing = gradedSpacing
+    (
+        reached(), addressing, controls.layers.transitionRatio
+    );
+    observer.end
+    (
+        text("energies ", energies.first(), " to ", energies.last(),
+            local ? ", local tensors" : "")
+    );
+
+    return result;
 }
 
 

@@ -8,141 +8,200 @@ License
 \*---------------------------------------------------------------------------*/
 
 #include "prismLayerMesh.H"
-#include "fieldStages.H"
+#include "levelSets.H"
 #include "makeFarFieldMesh.H"
-#include "makePrismLayers.H"
 #include "nameCauses.H"
-#include "wallClearance.H"
 #include "stageText.H"
 #include "unitConversion.H"
+#include "wallClearance.H"
+#include "wallPointsError.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
 
-//- " flat 8, convex 2"
-static string numbersOf(const FixedList<label, nPointKinds>& counts)
+namespace
 {
-    string numbers;
 
-    for (label kind = 0; kind < nPointKinds; ++kind)
-    {
-        numbers += text(kind ? ", " : " ", name(pointKind(kind)), ' ',
-            counts[kind]);
-    }
+class pipeline
+{
+    const wallSurface& wall_;
+    const prismLayerControls& controls_;
+    const stageObserver& observer_;
+    const wallSearch search_;
 
-    return numbers;
+    prismLayerMesh m_;
+
+    //- The thickness [m] that clearance and envelope are for: on level sets the
+    //  same for all of the wall
+    scalarField thickness() const;
+
+    void makeHeights(const localHeights& local);
+    void makeCones();
+
+    //- The front with multiple normals at angles below one [deg], and the room
+    //  in front of it
+    void makeFront(scalar angle);
+
+    void makeField();
+    void makeColumns();
+
+    //- Certified layers
+    void makeLayers();
+
+    //- Make from the front on what a member makes; if no layers are possible
+    //  with the multiple normals that were chosen, with those that are needed
+    template<class Make>
+    void withFewerNormals(const Make& make);
+
+public:
+
+    pipeline
+    (
+        const wallSurface& wall,
+        const prismLayerControls& controls,
+        const stageObserver& observer
+    )
+    :
+        wall_(wall),
+        controls_(controls),
+        observer_(observer),
+        search_(wall)
+    {}
+
+    prismLayerMesh run(const localHeights& local);
+};
+
+
+scalarField pipeline::thickness() const
+{
+    return controls_.layers.onLevelSets
+      ? uniformSpacing(m_.graded).thickness : m_.graded.thickness;
 }
 
 
-//- From the request to the room for it
-static void makeRoom
-(
-    const wallSurface& wall,
-    const wallSearch& search,
-    const prismLayerControls& controls,
-    const localHeights& local,
-    const stageObserver& observer,
-    prismLayerMesh& m
-)
+void pipeline::makeHeights(const localHeights& local)
 {
-    observer.begin("layerSpacing");
-    m.addressing = makeWallAddressing(wall);
-    m.request = makeLayerSpacing(wall, m.addressing, controls.layers, local);
-    m.spacing = gradedSpacing
+    observer_.begin("layerSpacing");
+    m_.addressing = makeWallAddressing(wall_);
+    m_.request =
+        makeLayerSpacing(wall_, m_.addressing, controls_.layers, local);
+    m_.graded = gradedSpacing
     (
-        m.request, m.addressing, controls.layers.transitionRatio
+        m_.request, m_.addressing, controls_.layers.transitionRatio
     );
-    observer.end
+    observer_.end
     (
-        text
+        text(m_.graded.nLayers, " layers\n",
+            describe(m_.request, wall_, controls_.layers).c_str())
+    );
+}
+
+
+void pipeline::makeCones()
+{
+    observer_.begin("wallVisibility");
+    m_.visibility = makeWallVisibility(wall_, m_.addressing);
+    m_.pointKinds = kindsOfPoints(wall_, m_.addressing, m_.visibility);
+    observer_.end(sizesOf(m_.pointKinds));
+}
+
+
+void pipeline::makeFront(const scalar angle)
+{
+    observer_.begin("layerFront");
+    m_.front = makeLayerFront
+    (
+        wall_, m_.addressing, m_.visibility, degToRad(angle)
+    );
+    observer_.end(sizesOf(m_.front));
+
+    observer_.begin("wallClearance");
+    m_.clearance = makeWallClearance
+    (
+        m_.front.surface, search_, m_.front.visibility,
+        2*controls_.envelope.scale*m_.front.ofColumns(thickness())
+    );
+    observer_.end(text("room from ", min(m_.clearance), " m"));
+}
+
+
+void pipeline::makeField()
+{
+    m_.fields = makeFields
+    (
+        wall_, m_.addressing, search_, m_.visibility,
+        min
         (
-            m.spacing.nLayers, " layers\n",
-            describe(m.request, wall, controls.layers).c_str()
-        )
+            controls_.envelope.scale*thickness(),
+            m_.front.smallest(m_.clearance)
+        ),
+        controls_, observer_
     );
 
-    observer.begin("wallVisibility");
-    m.visibility = makeWallVisibility(wall, m.addressing);
-    m.pointKinds = kindsOfPoints(wall, m.addressing, m.visibility);
-    observer.end
-    (
-        text("cones of points:", numbersOf(countKinds(m.pointKinds)).c_str())
-    );
-
-    observer.begin("layerFront");
-    m.front = makeLayerFront
-    (
-        wall, m.addressing, m.visibility,
-        degToRad(controls.layers.multipleNormalsAngle)
-    );
-    observer.end
-    (
-        text(m.front.wallPoints.size(), " columns, ",
-            m.front.extraColumnPoints().size(), " by multiple normals")
-    );
-
-    observer.begin("wallClearance");
-    m.clearance = makeWallClearance
-    (
-        m.front.surface, search, m.front.visibility,
-        2*controls.envelope.scale
-       *m.front.ofColumns(fieldSpacing(controls, m.spacing).thickness)
-    );
-    observer.end(text("room from ", min(m.clearance), " m"));
+    if (controls_.layers.onLevelSets)
+    {
+        const levelSetLayers onSets
+        (
+            makeLevelSets
+            (
+                m_.fields, m_.addressing, search_, m_.visibility,
+                m_.pointKinds, m_.graded, controls_, observer_
+            )
+        );
+        m_.field = onSets.field;
+        m_.spacing = onSets.spacing;
+    }
+    else
+    {
+        m_.field = m_.fields.anisotropic;
+        m_.spacing = m_.graded;
+    }
 }
 
 
-//- From the field to certified layers
-static void makeLayers
-(
-    const prismLayerControls& controls,
-    const stageObserver& observer,
-    prismLayerMesh& m
-)
+void pipeline::makeColumns()
 {
-    const layerFront& front = m.front;
-    const layerSpacing spacing(m.spacing.at(front.wallPoints));
-
-    observer.begin("layerColumns");
+    observer_.begin("layerColumns");
+    const layerFront& front = m_.front;
+    const layerSpacing spacing(m_.spacing.at(front.wallPoints));
     const scalarField heights(requestedHeights(spacing));
     const vectorField axes(front.visibility.axes());
-    m.lines = m.noField.size()
+
+    m_.lines = m_.fields.failure.size()
       ? makeStraightLines(front.surface.points, axes, heights)
       : makeGradientLines
         (
-            m.background, m.field, front.wallPoints, axes, heights
+            m_.fields.background, m_.field, front.wallPoints, axes, heights
         );
-    m.columns = makeLayerColumns
+    m_.columns = makeLayerColumns
     (
-        front, m.clearance, spacing, m.lines, controls.layers
+        front, m_.clearance, spacing, m_.lines, controls_.layers
     );
-    observer.end(text(m.columns.room.size(), " columns"));
+    observer_.end(text(front.wallPoints.size(), " columns"));
+}
 
-    observer.begin("prismLayers");
-    m.made = makePrismLayers(front, spacing, m.columns);
+
+void pipeline::makeLayers()
+{
+    const layerFront& front = m_.front;
+    const layerSpacing spacing(m_.spacing.at(front.wallPoints));
+
+    observer_.begin("prismLayers");
+    m_.made = makePrismLayers(front, spacing, m_.columns);
     nameCauses
     (
-        front, m.pointKinds, m.request.at(front.wallPoints), spacing,
-        m.columns, m.made
+        front, m_.pointKinds, m_.request.at(front.wallPoints), spacing,
+        m_.columns, m_.made
     );
-    const prismLayers& layers = m.made.layers;
-    observer.end
-    (
-        text(layers.faces.size()*layers.nLayers, " cells; columns ",
-            "retreated ", m.made.nRetreats, " times")
-    );
+    observer_.end(sizesOf(m_.made));
 
-    observer.begin("prismQuality");
-    m.certificate = certify(layers);
-    observer.end
-    (
-        text(m.certificate.nStacksNotPositive, " stacks not positive, ",
-            m.certificate.nIntersectingPairs, " intersecting pairs")
-    );
+    observer_.begin("prismQuality");
+    m_.certificate = certify(m_.made.layers);
+    observer_.end(sizesOf(m_.certificate));
 
-    if (!m.certificate.valid())
+    if (!m_.certificate.valid())
     {
         FatalErrorInFunction
             << "The layers could not be certified" << exit(FatalError);
@@ -150,57 +209,52 @@ static void makeLayers
 }
 
 
-static void makeAll
-(
-    const wallSurface& wall,
-    const wallSearch& search,
-    const prismLayerControls& controls,
-    const localHeights& local,
-    const stageObserver& observer,
-    prismLayerMesh& m
-)
+template<class Make>
+void pipeline::withFewerNormals(const Make& make)
 {
-    makeRoom(wall, search, controls, local, observer, m);
-    makeField(wall, search, controls, observer, m);
-    makeLayers(controls, observer, m);
-}
-
-
-//- False, and said in the log, where layers are not possible with the multiple
-//  normals that were chosen rather than needed
-static bool tryAll
-(
-    const wallSurface& wall,
-    const wallSearch& search,
-    const prismLayerControls& controls,
-    const localHeights& local,
-    const stageObserver& observer,
-    prismLayerMesh& m
-)
-{
-    const bool throwing = FatalError.throwExceptions(true);
-    bool made = true;
+    const scalar angle = controls_.layers.multipleNormalsAngle;
 
     try
     {
-        makeAll(wall, search, controls, local, observer, m);
+        make(angle);
     }
-    catch (const Foam::error& e)
+    catch (const wallPointsError& e)
     {
-        made = false;
-        observer.end
+        if (angle <= 0)
+        {
+            throw;
+        }
+
+        observer_.end
         (
-            "Not with multipleNormalsAngle "
-          + name(controls.layers.multipleNormalsAngle)
-          + ", now with 0. " + e.message()
+            text("Not with multipleNormalsAngle ", angle, ", now with 0. ",
+                e.message().c_str())
         );
+        make(0);
     }
-
-    FatalError.throwExceptions(throwing);
-
-    return made;
 }
 
+
+prismLayerMesh pipeline::run(const localHeights& local)
+{
+    makeHeights(local);
+    makeCones();
+    withFewerNormals([&](const scalar angle) { makeFront(angle); });
+    makeField();
+    withFewerNormals([&](const scalar angle)
+    {
+        if (angle != controls_.layers.multipleNormalsAngle)
+        {
+            makeFront(angle);
+        }
+        makeColumns();
+        makeLayers();
+    });
+
+    return std::move(m_);
+}
+
+} // End anonymous namespace
 } // End namespace Foam
 
 
@@ -214,25 +268,7 @@ Foam::prismLayerMesh Foam::makePrismLayerMesh
     const stageObserver& observer
 )
 {
-    const wallSearch search(wall);
-
-    if (controls.layers.multipleNormalsAngle > 0)
-    {
-        prismLayerMesh m;
-
-        if (tryAll(wall, search, controls, local, observer, m))
-        {
-            return m;
-        }
-    }
-
-    prismLayerControls needed(controls);
-    needed.layers.multipleNormalsAngle = 0;
-
-    prismLayerMesh m;
-    makeAll(wall, search, needed, local, observer, m);
-
-    return m;
+    return pipeline(wall, controls, observer).run(local);
 }
 
 
@@ -250,12 +286,7 @@ void Foam::addFarField
         m.made.layers, m.front.addressing, domain.boundary, controls,
         domain.bounds
     );
-    observer.end
-    (
-        text(m.farField.tets.size(), " tetrahedra on ",
-            m.farField.outerTriangles.size(), " triangles of the layers and ",
-            m.farField.boundaryTriangles.size(), " of the far boundary")
-    );
+    observer.end(sizesOf(m.farField));
 }
 
 

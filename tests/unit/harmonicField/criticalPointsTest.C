@@ -102,8 +102,11 @@ TEST(findCriticalPoints, noneInFieldsAroundBodies)
             controls.field.tolerance = 1e-12;
 
             const prismLayerMesh m(testSurfaces::layeredMesh(wall, controls));
-            EXPECT_EQ(m.noField, "");
-            EXPECT_TRUE(findCriticalPoints(m.background, m.field).none());
+            EXPECT_EQ(m.fields.failure, "");
+            EXPECT_TRUE
+            (
+                findCriticalPoints(m.fields.background, m.field).none()
+            );
             EXPECT_GE(min(m.field), 0);
             EXPECT_LE(max(m.field), 1);
         }

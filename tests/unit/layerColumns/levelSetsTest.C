@@ -113,7 +113,7 @@ TEST(levelSets, haveTheHeightsAskedForOnASphere)
     const wallSurface wall(testSurfaces::sphere(16));
     const prismLayerMesh m(testSurfaces::layeredMesh(wall, onLevelSets()));
 
-    ASSERT_EQ(m.noField, "");
+    ASSERT_EQ(m.fields.failure, "");
     EXPECT_TRUE(m.columns.onLevelSets);
 
     const faceHeights heights(makeFaceHeights(wall, m.request, m.made.layers));
@@ -137,7 +137,7 @@ TEST(levelSets, energiesDescend)
     (
         samplingEnergies
         (
-            m.background, m.field, m.visibility.axes(), m.pointKinds,
+            m.fields.background, m.field, m.visibility.axes(), m.pointKinds,
             uniformSpacing(m.request)
         )
     );

@@ -50,7 +50,7 @@ TEST(makePrismLayerMesh, layersOnASphereAreCertified)
 
     EXPECT_TRUE(m.certificate.valid());
     EXPECT_EQ(m.certificate.nCells, 5*wall.faces.size());
-    EXPECT_EQ(m.topology.eulerCharacteristic, 2);
+    EXPECT_EQ(m.fields.topology.eulerCharacteristic, 2);
 }
 
 
@@ -122,7 +122,7 @@ TEST(makePrismLayerMesh, powersOfTwoScaleEverything)
             layeredMesh(scaled(wall, factor), 5, 0.1*factor)
         );
 
-        EXPECT_EQ(other.background.tets, m.background.tets);
+        EXPECT_EQ(other.fields.background.tets, m.fields.background.tets);
         EXPECT_EQ(countCauses(other.made), countCauses(m.made));
         EXPECT_LT
         (

@@ -1,0 +1,243 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+-------------------------------------------------------------------------------
+License
+    This file is part of harmonicPrismMesh, free software under the GNU
+    General Public License, version 3 or later; see COPYING.
+
+Application
+    moveNumbers
+
+Description
+    What half and double of the tuned numbers of the moves do to the layers.
+
+    Reads the wall and system/harmonicPrismMeshDict of the case, makes all that
+    stands before the moves once, and then the layers with each of the numbers
+    halved and doubled; of shares and ratios near 1 their distance from 1 is. Prints a line, between tabs, for each: number, factor,
+    share of the wall's area at full thickness [%], mean thickness over the
+    request, share of faces with a first height within 1 % [%], worst scaled
+    Jacobian, internal faces beyond 70 degrees, seconds of the moves.
+
+Usage
+    moveNumbers [-numbers '(name ...)'] [-factors '(0.5 2)']
+
+\*---------------------------------------------------------------------------*/
+
+#include "argList.H"
+#include "throwingErrors.H"
+#include "cpuTime.H"
+#include "faceHeights.H"
+#include "memoryMesh.H"
+#include "polyMeshTools.H"
+#include "prismLayerMesh.H"
+#include "readPrismLayerControls.H"
+#include "readWallSurface.H"
+#include "Time.H"
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- A tuned number, a scalar or a label
+struct tunedNumber
+{
+    const char* name;
+    scalar layerMoveControls::* value;
+    label layerMoveControls::* count;
+
+    //- Whether its distance from 1 is what counts
+    bool fromOne;
+
+    void scale(layerMoveControls& controls, const scalar factor) const
+    {
+        if (count)
+        {
+            controls.*count = label(factor*(controls.*count) + 0.5);
+        }
+        else if (fromOne)
+        {
+            controls.*value = 1 + factor*(controls.*value - 1);
+        }
+        else
+        {
+            controls.*value *= factor;
+        }
+    }
+};
+
+
+static const std::initializer_list<tunedNumber> numbers =
+{
+    {"minJacobian", &layerMoveControls::minJacobian, nullptr, false},
+    {"certifyJacobian", &layerMoveControls::certifyJacobian, nullptr, false},
+    {"improveJacobian", &layerMoveControls::improveJacobian, nullptr, false},
+    {"centreJacobian", &layerMoveControls::centreJacobian, nullptr, false},
+    {"maxCentreTries", nullptr, &layerMoveControls::maxCentreTries, false},
+    {"retreatFactor", &layerMoveControls::retreatFactor, nullptr, true},
+    {"straightenShare", &layerMoveControls::straightenShare, nullptr, false},
+    {"gainShare", &layerMoveControls::gainShare, nullptr, false},
+    {"shortShare", &layerMoveControls::shortShare, nullptr, false},
+    {"tallShare", &layerMoveControls::tallShare, nullptr, true},
+    {"hopelessShare", &layerMoveControls::hopelessShare, nullptr, false},
+    {"maxTurns", nullptr, &layerMoveControls::maxTurns, false},
+    {"turnShare", &layerMoveControls::turnShare, nullptr, true},
+    {"maxLeans", nullptr, &layerMoveControls::maxLeans, false},
+    {"vainLean", nullptr, &layerMoveControls::vainLean, false},
+    {"leanGain", &layerMoveControls::leanGain, nullptr, true},
+    {"leanSize", &layerMoveControls::leanSize, nullptr, false},
+    {"nLeanSides", nullptr, &layerMoveControls::nLeanSides, false},
+    {"maxRounds", nullptr, &layerMoveControls::maxRounds, false},
+    {"enoughShare", &layerMoveControls::enoughShare, nullptr, false},
+    {"growthFactor", &layerMoveControls::growthFactor, nullptr, true},
+    {"heightTolerance", &layerMoveControls::heightTolerance, nullptr, false},
+    {"largeTolerance", &layerMoveControls::largeTolerance, nullptr, false},
+    {"thicknessTolerance", &layerMoveControls::thicknessTolerance, nullptr, false},
+    {"thicknessReach", &layerMoveControls::thicknessReach, nullptr, false},
+    {"nRings", nullptr, &layerMoveControls::nRings, false},
+    {"maxDisplacement", &layerMoveControls::maxDisplacement, nullptr, false},
+    {"maxLowerings", nullptr, &layerMoveControls::maxLowerings, false},
+    {"leftOutShare", &layerMoveControls::leftOutShare, nullptr, false},
+    {"damping", &layerMoveControls::damping, nullptr, false},
+    {"maxExcess", &layerMoveControls::maxExcess, nullptr, true},
+    {"maxHeightJump", &layerMoveControls::maxHeightJump, nullptr, true},
+    {"maxLimits", nullptr, &layerMoveControls::maxLimits, false},
+    {"maxSweeps", nullptr, &layerMoveControls::maxSweeps, false},
+    {"leastForExcess", &layerMoveControls::leastForExcess, nullptr, false},
+    {"leastForJump", &layerMoveControls::leastForJump, nullptr, true},
+    {"leastOverNeighbour", &layerMoveControls::leastOverNeighbour, nullptr, true},
+    {"slack", &layerMoveControls::slack, nullptr, false}
+};
+
+
+static label nSteepFaces(const prismLayers& layers)
+{
+    const memoryMesh memory(layers);
+    const polyMesh& mesh = memory();
+    const scalarField cosines
+    (
+        polyMeshTools::faceOrthogonality
+        (
+            mesh, mesh.faceAreas(), mesh.cellCentres()
+        )
+    );
+
+    label nSteep = 0;
+    for (label facei = 0; facei < mesh.nInternalFaces(); ++facei)
+    {
+        nSteep += cosines[facei] < ::cos(70*constant::mathematical::pi/180);
+    }
+
+    return nSteep;
+}
+
+
+static void measure
+(
+    const wallSurface& wall,
+    const prismLayerMesh& m,
+    const layerMoveControls& controls,
+    const string& what
+)
+{
+    Info<< what.c_str();
+
+    try
+    {
+        const cpuTime time;
+        const madeLayers made
+        (
+            makePrismLayers
+            (
+                m.front, m.spacing.at(m.front.wallPoints), m.columns, controls
+            )
+        );
+        const scalar seconds = time.elapsedCpuTime();
+
+        const faceHeights heights(makeFaceHeights(wall, m.request, made.layers));
+        const label n = wall.faces.size();
+        scalar full = 0, mean = 0;
+        label nExact = 0;
+
+        forAll(wall.faces, facei)
+        {
+            const scalar total = heights.totalOverRequest[facei];
+            full += total >= 0.99 ? heights.areas[facei] : 0;
+            mean += total*heights.areas[facei];
+            nExact += mag(heights.firstOverRequest[facei] - 1) < 0.01;
+        }
+
+        const scalar area = sum(heights.areas);
+        Info<< '\t' << 100*full/area << '\t' << mean/area << '\t'
+            << 100.0*nExact/n << '\t' << min(certify(made.layers).worstJacobian)
+            << '\t' << nSteepFaces(made.layers) << '\t' << seconds << endl;
+    }
+    catch (const Foam::error&)
+    {
+        Info<< "\tno layers" << endl;
+    }
+}
+
+
+int main(int argc, char *argv[])
+{
+    argList::noParallel();
+    argList::noBanner();
+    argList::addOption("numbers", "list", "Only these");
+    argList::addOption("factors", "list", "Instead of 0.5 and 2");
+
+    #include "setRootCase.H"
+    #include "createTime.H"
+
+    const IOdictionary dict
+    (
+        IOobject
+        (
+            "harmonicPrismMeshDict", runTime.system(), runTime,
+            IOobject::MUST_READ, IOobject::NO_WRITE
+        )
+    );
+    const prismLayerControls controls(readPrismLayerControls(dict));
+    wallReading reading;
+    const wallSurface wall
+    (
+        readWallSurface(controls.surface.file, controls.surface, reading)
+    );
+    const throwingErrors throwing;
+    const prismLayerMesh m
+    (
+        makePrismLayerMesh
+        (
+            wall, controls, localHeights(),
+            stageObserver{[](const word&) {}, [](const string&) {}}
+        )
+    );
+    const wordList only(args.getOrDefault("numbers", wordList()));
+
+    measure(wall, m, layerMoveControls(), "as they are\t1");
+
+    for (const tunedNumber& number : numbers)
+    {
+        for
+        (
+            const scalar factor
+          : args.getOrDefault("factors", scalarList({0.5, 2}))
+        )
+        {
+            if (only.empty() || only.found(number.name))
+            {
+                layerMoveControls changed;
+                number.scale(changed, factor);
+                measure
+                (
+                    wall, m, changed,
+                    string(number.name) + '\t' + name(factor)
+                );
+            }
+        }
+    }
+
+    return 0;
+}
+
+
+// ************************************************************************* //
