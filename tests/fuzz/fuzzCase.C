@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "fuzzCase.H"
@@ -337,10 +333,7 @@ bool Foam::writeSurface(const fuzzCase& one, const fileName& file)
 
             for (const point& p : wall.points)
             {
-                std::fprintf
-                (
-                    out, "v %.17g %.17g %.17g\n", p.x(), p.y(), p.z()
-                );
+                std::fprintf(out, "v %.17g %.17g %.17g\n", p.x(), p.y(), p.z());
             }
 
             forAll(wall.faces, i)

@@ -1,10 +1,7 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
 -------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
 Application
     checkPrismLayers
 
@@ -62,10 +59,7 @@ static void addOptions()
         "cells are positive, wall and outer surface do not intersect, layers"
         " are complete."
     );
-    argList::addOption
-    (
-        "region", "name", "Check the mesh of that region"
-    );
+    argList::addOption("region", "name", "Check the mesh of that region");
     argList::addOption
     (
         "walls",
@@ -195,6 +189,35 @@ static void end(const bool certified)
 }
 
 
+static labelList wallPatches
+(
+    const argList& args,
+    const polyBoundaryMesh& patches
+)
+{
+    return patchesOf
+    (
+        args, "walls", patches,
+        patches.findPatchIDs<wallPolyPatch>().sortedToc()
+    );
+}
+
+
+static labelList outerPatches
+(
+    const argList& args,
+    const polyBoundaryMesh& patches
+)
+{
+    const label outeri = patches.findPatchID(layerOuterName);
+
+    return patchesOf
+    (
+        args, "outer", patches, labelList(outeri < 0 ? 0 : 1, outeri)
+    );
+}
+
+
 int main(int argc, char *argv[])
 {
     addOptions();
@@ -212,23 +235,8 @@ int main(int argc, char *argv[])
         )
     );
 
-    const polyBoundaryMesh& patches = mesh.boundaryMesh();
-    const label outeri = patches.findPatchID(layerOuterName);
-    const labelList walls
-    (
-        patchesOf
-        (
-            args, "walls", patches,
-            patches.findPatchIDs<wallPolyPatch>().sortedToc()
-        )
-    );
-    const labelList outer
-    (
-        patchesOf
-        (
-            args, "outer", patches, labelList(outeri < 0 ? 0 : 1, outeri)
-        )
-    );
+    const labelList walls(wallPatches(args, mesh.boundaryMesh()));
+    const labelList outer(outerPatches(args, mesh.boundaryMesh()));
     checkApart(mesh, walls, outer);
 
     const polyhedralMesh cells

@@ -1,10 +1,7 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
 -------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
 Application
     harmonicPrismMesh
 
@@ -79,14 +76,8 @@ static void addOptions()
     (
         "dict", "file", "Alternative to system/harmonicPrismMeshDict"
     );
-    argList::addOption
-    (
-        "region", "name", "Write the mesh of that region"
-    );
-    argList::addBoolOption
-    (
-        "overwrite", "Replace a mesh that is there already"
-    );
+    argList::addOption("region", "name", "Write the mesh of that region");
+    argList::addBoolOption("overwrite", "Replace a mesh that is there already");
     argList::addBoolOption
     (
         "checkSurface", "Say what is wrong with the surface, write nothing"

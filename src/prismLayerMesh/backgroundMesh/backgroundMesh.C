@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "backgroundMesh.H"
@@ -16,10 +12,10 @@ License
 #include <array>
 #include <cstdint>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Points inside the bodies, one behind the largest face of each component
 static pointField bodySeeds(const wallSurface& wall, const wallSearch& search)
@@ -187,15 +183,10 @@ static void setEdges(backgroundMesh& mesh)
     mesh.edges.transfer(edges);
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::List<Foam::FixedList<Foam::label, 4>> Foam::tetNeighbours
-(
-    const tetCellList& tets
-)
+List<FixedList<label, 4>> tetNeighbours(const tetCellList& tets)
 {
     // Points of a face in ascending order, and 4*tet + the opposite point
     typedef std::pair<std::array<label, 3>, label> keyed;
@@ -229,14 +220,14 @@ Foam::List<Foam::FixedList<Foam::label, 4>> Foam::tetNeighbours
 }
 
 
-void Foam::setAddressing(backgroundMesh& mesh)
+void setAddressing(backgroundMesh& mesh)
 {
     setEdges(mesh);
     mesh.neighbours = tetNeighbours(mesh.tets);
 }
 
 
-Foam::backgroundMesh Foam::makeBackgroundMesh
+backgroundMesh makeBackgroundMesh
 (
     const wallSurface& wall,
     const wallSearch& search,
@@ -279,5 +270,6 @@ Foam::backgroundMesh Foam::makeBackgroundMesh
     return mesh;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

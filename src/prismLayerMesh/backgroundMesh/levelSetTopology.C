@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "levelSetTopology.H"
@@ -12,10 +8,10 @@ License
 
 #include <algorithm>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Edges of a tetrahedron that the level set crosses, around the polygon that
 //  it cuts out; seen from the lower side counter-clockwise
@@ -74,12 +70,10 @@ static label crossedEdges
     return n;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::surfaceTopology Foam::wallTopology
+surfaceTopology wallTopology
 (
     const wallSurface& wall,
     const wallAddressing& addressing
@@ -103,7 +97,7 @@ Foam::surfaceTopology Foam::wallTopology
 }
 
 
-Foam::surfaceTopology Foam::levelSetTopology
+surfaceTopology levelSetTopology
 (
     const backgroundMesh& mesh,
     const scalarField& field,
@@ -146,13 +140,13 @@ Foam::surfaceTopology Foam::levelSetTopology
 }
 
 
-Foam::surfaceTopology Foam::wallLevelSetTopology(const backgroundMesh& mesh)
+surfaceTopology wallLevelSetTopology(const backgroundMesh& mesh)
 {
     return levelSetTopology(mesh, mesh.wallIndicator(), 0.5);
 }
 
 
-void Foam::levelSetTriangles
+void levelSetTriangles
 (
     const backgroundMesh& mesh,
     const scalarField& field,
@@ -181,10 +175,7 @@ void Foam::levelSetTriangles
                 const scalar s = (level - field[a])/(field[b] - field[a]);
 
                 edgePoint[e] = newPoints.size();
-                newPoints.append
-                (
-                    (1 - s)*mesh.points[a] + s*mesh.points[b]
-                );
+                newPoints.append((1 - s)*mesh.points[a] + s*mesh.points[b]);
             }
             crossed[i] = edgePoint[e];
         }
@@ -199,5 +190,6 @@ void Foam::levelSetTriangles
     triangles.transfer(newTriangles);
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

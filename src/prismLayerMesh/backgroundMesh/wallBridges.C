@@ -1,19 +1,15 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "wallBridges.H"
 #include "splitTets.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Edges and triangles of the wall
 static simplexSet simplicesOf(const faceList& wallTriangles)
@@ -87,12 +83,10 @@ static simplexSet findBridges
     return bridges;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::label Foam::splitWallBridges
+label splitWallBridges
 (
     const faceList& wallTriangles,
     const vectorField& axes,
@@ -135,5 +129,6 @@ Foam::label Foam::splitWallBridges
     return bridges.simplices().size();
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

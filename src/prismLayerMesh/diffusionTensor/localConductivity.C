@@ -1,18 +1,15 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "localConductivity.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
 namespace
 {
 
@@ -131,12 +128,10 @@ static void correct
     }
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::List<Foam::wallSearch::foot> Foam::feetOfPoints
+List<wallSearch::foot> feetOfPoints
 (
     const backgroundMesh& mesh,
     const wallSearch& search
@@ -152,7 +147,7 @@ Foam::List<Foam::wallSearch::foot> Foam::feetOfPoints
 }
 
 
-Foam::scalarField Foam::localWeightFactors
+scalarField localWeightFactors
 (
     const backgroundMesh& mesh,
     const List<wallSearch::foot>& feet,
@@ -209,7 +204,7 @@ Foam::scalarField Foam::localWeightFactors
 }
 
 
-Foam::layerSpacing Foam::correctedTarget
+layerSpacing correctedTarget
 (
     const layerSpacing& target,
     const layerSpacing& asked,
@@ -249,5 +244,6 @@ Foam::layerSpacing Foam::correctedTarget
     return corrected;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

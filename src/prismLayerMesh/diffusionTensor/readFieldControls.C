@@ -1,19 +1,16 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "readFieldControls.H"
 #include "controlEntries.H"
 #include "diffusionTensor.H"
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+namespace Foam
+{
 
-Foam::fieldControls Foam::readFieldControls(const dictionary& dict)
+fieldControls readFieldControls(const dictionary& dict)
 {
     const wordList models
     (
@@ -44,5 +41,6 @@ Foam::fieldControls Foam::readFieldControls(const dictionary& dict)
     return controls;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

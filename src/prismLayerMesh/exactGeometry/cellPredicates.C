@@ -1,19 +1,15 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "cellPredicates.H"
 #include "tetSigns.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- The twelve tetrahedra on four of six points: the three subsets that span a
 //  side are left out. Six are the corners, six have one edge below, another
@@ -53,12 +49,10 @@ static bool checkPrism
     return true;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-bool Foam::isPositivePrism(const point* const* p)
+bool isPositivePrism(const point* const* p)
 {
     const tetSigns positive(p, 6);
 
@@ -66,7 +60,7 @@ bool Foam::isPositivePrism(const point* const* p)
 }
 
 
-bool Foam::isPositiveCollapsedPrism(const point* const* p)
+bool isPositiveCollapsedPrism(const point* const* p)
 {
     const tetSigns positive(p, 6);
 
@@ -84,7 +78,7 @@ bool Foam::isPositiveCollapsedPrism(const point* const* p)
 }
 
 
-bool Foam::isPositiveLyingPrism(const point* const* p)
+bool isPositiveLyingPrism(const point* const* p)
 {
     const tetSigns positive(p, 6);
     bool any = false;
@@ -101,5 +95,6 @@ bool Foam::isPositiveLyingPrism(const point* const* p)
     ) && any;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

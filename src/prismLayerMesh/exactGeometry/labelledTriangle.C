@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -12,10 +8,10 @@ License
 
 #include "labelledTriangle.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel Kernel;
 typedef Kernel::Point_3 Point3;
@@ -210,18 +206,10 @@ static bool intersectElsewhere
      && CGAL::do_intersect(triangle3(a), triangle3(b));
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-int Foam::orientation
-(
-    const point& a,
-    const point& b,
-    const point& c,
-    const point& d
-)
+int orientation(const point& a, const point& b, const point& c, const point& d)
 {
     return CGAL::orientation
     (
@@ -230,13 +218,13 @@ int Foam::orientation
 }
 
 
-bool Foam::isCollinear(const point& a, const point& b, const point& c)
+bool isCollinear(const point& a, const point& b, const point& c)
 {
     return CGAL::collinear(toPoint3(a), toPoint3(b), toPoint3(c));
 }
 
 
-std::vector<Foam::labelledTriangle> Foam::labelledTriangles
+std::vector<labelledTriangle> labelledTriangles
 (
     const UList<face>& triangles,
     const pointField& points,
@@ -260,7 +248,7 @@ std::vector<Foam::labelledTriangle> Foam::labelledTriangles
 }
 
 
-bool Foam::intersect(const labelledTriangle& a, const labelledTriangle& b)
+bool intersect(const labelledTriangle& a, const labelledTriangle& b)
 {
     // The number of common points, their last corners, and the sums of their
     // corners: the sum of two of the corners 0, 1, 2 tells the third
@@ -290,5 +278,6 @@ bool Foam::intersect(const labelledTriangle& a, const labelledTriangle& b)
     }
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include <CGAL/Bbox_3.h>
@@ -14,10 +10,10 @@ License
 
 #include "labelledTriangle.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 typedef CGAL::Box_intersection_d::Box_with_info_d
 <
@@ -58,12 +54,9 @@ static std::vector<triangleBox> boxes
 }
 
 
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void Foam::addIntersections
+void addIntersections
 (
     const std::vector<labelledTriangle>& first,
     const std::vector<labelledTriangle>& second,
@@ -117,5 +110,6 @@ void Foam::addIntersections
     pairs.setSize(std::unique(pairs.begin(), pairs.end()) - pairs.begin());
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

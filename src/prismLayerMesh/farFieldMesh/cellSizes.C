@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "cellSizes.H"
@@ -13,10 +9,10 @@ License
 #include "treeBoundBox.H"
 #include "treeDataPoint.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Centre of one of the eight parts of a cube, octant as of treeBoundBox
 static point partCentre
@@ -36,12 +32,32 @@ static point partCentre
     return c;
 }
 
-} // End namespace Foam
+
+//- Search tree of points, in a box around them and another box
+static autoPtr<indexedOctree<treeDataPoint>> searchTree
+(
+    const pointField& points,
+    const boundBox& box
+)
+{
+    boundBox around(points, false);
+    around.add(box);
+    around.inflate(farFieldTuned.treeMargin);
+
+    return autoPtr<indexedOctree<treeDataPoint>>::New
+    (
+        treeDataPoint(points),
+        treeBoundBox(around),
+        farFieldTuned.treeLevels,
+        farFieldTuned.treeLeafSize,
+        farFieldTuned.treeDuplicity
+    );
+}
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::cellSizes::cellSizes
+cellSizes::cellSizes
 (
     const pointField& points,
     const scalarField& sizes,
@@ -59,17 +75,7 @@ Foam::cellSizes::cellSizes
 {
     corner_ = box.midpoint() - point::uniform(0.5*width_);
 
-    boundBox around(points_, false);
-    around.add(box);
-    around.inflate(farFieldTuned.treeMargin);
-    const indexedOctree<treeDataPoint> tree
-    (
-        treeDataPoint(points_),
-        treeBoundBox(around),
-        farFieldTuned.treeLevels,
-        farFieldTuned.treeLeafSize,
-        farFieldTuned.treeDuplicity
-    );
+    const auto tree(searchTree(points_, box));
 
     // One generation of cubes after the other
     pointField centres(1, box.midpoint());
@@ -85,7 +91,7 @@ Foam::cellSizes::cellSizes
         {
             cube& c = cubes_[cubei];
             const point& centre = centres[cubei - first];
-            c.source = tree.findNearest(centre, sqr(GREAT)).index();
+            c.source = tree->findNearest(centre, sqr(GREAT)).index();
             c.bound = limits[cubei - first];
 
             complete_ = complete_ && end + parts.size() <= maxCubes;
@@ -113,7 +119,7 @@ Foam::cellSizes::cellSizes
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::cellSizes::addCubes
+void cellSizes::addCubes
 (
     const label cubei,
     const point& centre,
@@ -141,7 +147,7 @@ void Foam::cellSizes::addCubes
 }
 
 
-Foam::scalar Foam::cellSizes::operator()(const point& x) const
+scalar cellSizes::operator()(const point& x) const
 {
     label cubei = 0;
     point centre(corner_ + point::uniform(0.5*width_));
@@ -161,10 +167,7 @@ Foam::scalar Foam::cellSizes::operator()(const point& x) const
 }
 
 
-Foam::scalar Foam::cellSizes::nCubes
-(
-    const std::function<bool(const point&)>& inside
-) const
+scalar cellSizes::nCubes(const std::function<bool(const point&)>& inside) const
 {
     scalar n = 0;
     addCubes(0, corner_ + point::uniform(0.5*width_), width_, inside, n);
@@ -172,5 +175,6 @@ Foam::scalar Foam::cellSizes::nCubes
     return n;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,19 +1,16 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "farBoundary.H"
 #include "labelledTriangle.H"
 #include "wallSearch.H"
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+namespace Foam
+{
 
-void Foam::checkFarBoundary(const wallSurface& outer, const wallSurface& far)
+void checkFarBoundary(const wallSurface& outer, const wallSurface& far)
 {
     const label n = outer.faces.size();
     std::vector<labelledTriangle> farTriangles
@@ -65,5 +62,6 @@ void Foam::checkFarBoundary(const wallSurface& outer, const wallSurface& far)
     }
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

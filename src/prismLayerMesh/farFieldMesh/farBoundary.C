@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "farBoundary.H"
@@ -16,10 +12,10 @@ License
 #include "ListOps.H"
 #include "Map.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
 {
@@ -176,10 +172,7 @@ static wallSurface readSurface
     asWall.scale = controls.scale;
 
     wallReading reading;
-    wallSurface surface
-    (
-        readWallSurface(file(controls.file), asWall, reading)
-    );
+    wallSurface surface(readWallSurface(file(controls.file), asWall, reading));
     const List<wallDefect> defects(findWallDefects(surface));
 
     if (defects.size())
@@ -244,12 +237,10 @@ static void setPatches(const List<farPatch>& wanted, farBoundary& boundary)
     boundary.patchTypes.transfer(types);
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::farBoundary Foam::makeFarBoundary
+farBoundary makeFarBoundary
 (
     const farBoundaryControls& controls,
     const std::function<fileName(const fileName&)>& file
@@ -282,5 +273,6 @@ Foam::farBoundary Foam::makeFarBoundary
     return boundary;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

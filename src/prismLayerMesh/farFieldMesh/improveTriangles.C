@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "refineSurface.H"
@@ -15,10 +11,10 @@ License
 #include "mathematicalConstants.H"
 #include "triPointRef.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 static scalar angleAt(const point& x, const point& a, const point& b)
 {
@@ -212,12 +208,10 @@ static void smoothOnce
     }
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void Foam::flipEdges(wallSurface& surface, const bool inPlane)
+void flipEdges(wallSurface& surface, const bool inPlane)
 {
     for
     (
@@ -229,7 +223,7 @@ void Foam::flipEdges(wallSurface& surface, const bool inPlane)
 }
 
 
-void Foam::smoothPoints
+void smoothPoints
 (
     wallSurface& surface,
     const std::function<point(const point&)>& project
@@ -242,5 +236,6 @@ void Foam::smoothPoints
     }
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "makeFarFieldMesh.H"
@@ -20,10 +16,10 @@ License
 
 #include <functional>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- The triangles of the outer surface of the layers, and their front faces
 static wallSurface outerSurface(const prismLayers& layers, labelList& faces)
@@ -223,12 +219,10 @@ static void improve(const prismLayers& layers, farFieldMesh& mesh)
     }
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::farFieldMesh Foam::makeFarFieldMesh
+farFieldMesh makeFarFieldMesh
 (
     const prismLayers& layers,
     const wallAddressing& frontAddressing,
@@ -288,5 +282,6 @@ Foam::farFieldMesh Foam::makeFarFieldMesh
     return mesh;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

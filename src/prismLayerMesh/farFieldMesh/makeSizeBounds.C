@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "makeSizeBounds.H"
@@ -12,13 +8,10 @@ License
 
 #include <memory>
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+namespace Foam
+{
 
-Foam::sizeBounds Foam::makeSizeBounds
-(
-    const farFieldControls& controls,
-    const Time& time
-)
+sizeBounds makeSizeBounds(const farFieldControls& controls, const Time& time)
 {
     const label n = controls.regions.size();
     const auto searches = std::make_shared<PtrList<regionSearch>>(n);
@@ -48,5 +41,6 @@ Foam::sizeBounds Foam::makeSizeBounds
     };
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "improveTets.H"
@@ -14,10 +10,10 @@ License
 #include "ListOps.H"
 #include "triangleIndex.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
 {
@@ -238,12 +234,10 @@ bool pointMover::move(const label p)
 
 } // End anonymous namespace
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void Foam::movePoorPoints
+void movePoorPoints
 (
     const pointField& layerCentres,
     const scalar poorAngle,
@@ -264,5 +258,6 @@ void Foam::movePoorPoints
     }
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

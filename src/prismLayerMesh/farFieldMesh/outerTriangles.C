@@ -1,20 +1,16 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "outerTriangles.H"
 #include "labelledTriangle.H"
 #include "ListOps.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Six times the volume between the fan from corner k of a face and its fan
 //  from corner 0
@@ -58,16 +54,9 @@ static label highestFan(const pointField& points, const face& f)
 }
 
 
-} // End namespace Foam
-
-
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::faceList Foam::outerTriangles
-(
-    const wallSurface& outer,
-    labelList& triangleFace
-)
+faceList outerTriangles(const wallSurface& outer, labelList& triangleFace)
 {
     wallSurface cut(outer);
     boolList changed(outer.faces.size(), false);
@@ -110,5 +99,6 @@ Foam::faceList Foam::outerTriangles
     return triangles;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

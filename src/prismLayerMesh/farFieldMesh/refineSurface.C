@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "refineSurface.H"
@@ -12,10 +8,10 @@ License
 #include "DynamicList.H"
 #include "EdgeMap.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- The longest edge; of equally long ones the same from both sides
 static edge longestEdge(const pointField& points, const face& f)
@@ -130,12 +126,10 @@ static void divide
     divide(points, marked, face({a, middle, c}), patchi, faces, patchIDs);
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void Foam::refineSurface
+void refineSurface
 (
     wallSurface& surface,
     const std::function<scalar(const point&)>& size,
@@ -179,5 +173,6 @@ void Foam::refineSurface
     smoothPoints(surface, project);
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

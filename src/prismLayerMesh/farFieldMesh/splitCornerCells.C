@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "improveTets.H"
@@ -12,10 +8,10 @@ License
 #include "splitTets.H"
 #include "triangleIndex.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Returns the edge or face at which a tetrahedron with two or three faces on
 //  the boundary is to be split: the edge opposite to two such faces, or a face
@@ -61,12 +57,10 @@ static simplex cornerSplit
     return sortedSimplex(onBoundary ? other : -1, opposite[0], opposite[1]);
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void Foam::splitCornerCells(farFieldMesh& mesh)
+void splitCornerCells(farFieldMesh& mesh)
 {
     const triangleIndex triangles(makeTriangleIndex(mesh.boundaryTriangles));
     boolList onBoundary(mesh.points.size(), false);
@@ -108,5 +102,6 @@ void Foam::splitCornerCells(farFieldMesh& mesh)
     splitTets(simplices, nPoints, mesh.tets);
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "criticalPoints.H"
@@ -12,10 +8,10 @@ License
 #include "DynamicList.H"
 #include "ListOps.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
 {
@@ -30,16 +26,16 @@ struct linkParts
 } // End anonymous namespace
 
 
-static linkParts partsOfLink
+//- The edges of tetrahedra that are opposite to a point, by positions in a list
+//  of their points
+static List<labelPair> edgesOfLink
 (
     const backgroundMesh& mesh,
-    const scalarField& field,
     const labelUList& tets,
-    const label p
+    const label p,
+    DynamicList<label>& link
 )
 {
-    // Positions of the link's points
-    DynamicList<label> link;
     const auto position = [&](const label q)
     {
         const label i = link.find(q);
@@ -51,31 +47,42 @@ static linkParts partsOfLink
 
         return i < 0 ? link.size() - 1 : i;
     };
-    const auto larger = [&](const label q)
-    {
-        return field[q] > field[p] || (field[q] == field[p] && q > p);
-    };
 
     DynamicList<labelPair> sides;
     for (const label t : tets)
     {
         const tetCell& tet = mesh.tets[t];
 
-        for (label i = 0; i < 4; ++i)
+        for (label i = 0; i < 6; ++i)
         {
-            for (label j = i + 1; j < 4; ++j)
+            const edge e(tet.tetEdge(i));
+
+            if (!e.found(p))
             {
-                if (tet[i] != p && tet[j] != p)
-                {
-                    sides.append
-                    (
-                        labelPair(position(tet[i]), position(tet[j]))
-                    );
-                }
+                sides.append(labelPair(position(e[0]), position(e[1])));
             }
         }
     }
 
+    return List<labelPair>(std::move(sides));
+}
+
+
+static linkParts partsOfLink
+(
+    const backgroundMesh& mesh,
+    const scalarField& field,
+    const labelUList& tets,
+    const label p
+)
+{
+    const auto larger = [&](const label q)
+    {
+        return field[q] > field[p] || (field[q] == field[p] && q > p);
+    };
+
+    DynamicList<label> link;
+    const List<labelPair> sides(edgesOfLink(mesh, tets, p, link));
     disjointSets parts(link.size());
     for (const labelPair& side : sides)
     {
@@ -97,12 +104,10 @@ static linkParts partsOfLink
     return result;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::criticalPoints Foam::findCriticalPoints
+criticalPoints findCriticalPoints
 (
     const backgroundMesh& mesh,
     const scalarField& field
@@ -141,5 +146,6 @@ Foam::criticalPoints Foam::findCriticalPoints
     };
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

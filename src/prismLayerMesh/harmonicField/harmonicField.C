@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include <Eigen/SparseCore>
@@ -13,10 +9,10 @@ License
 #include "harmonicField.H"
 #include "ListOps.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 typedef Eigen::SparseMatrix<double, Eigen::RowMajor> sparseMatrix;
 
@@ -198,12 +194,10 @@ static void iterate
         << mag(energy - previous) << exit(FatalError);
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::tetAreas::tetAreas(const tetPointRef& tet)
+tetAreas::tetAreas(const tetPointRef& tet)
 {
     const vector ab = tet.b() - tet.a();
     const vector ac = tet.c() - tet.a();
@@ -222,13 +216,13 @@ Foam::tetAreas::tetAreas(const tetPointRef& tet)
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::scalarField Foam::cotangentWeights(const backgroundMesh& mesh)
+scalarField cotangentWeights(const backgroundMesh& mesh)
 {
     return cotangentWeights(mesh, scalarField(mesh.tets.size(), 1));
 }
 
 
-Foam::scalarField Foam::cotangentWeights
+scalarField cotangentWeights
 (
     const backgroundMesh& mesh,
     const scalarField& conductivities
@@ -255,7 +249,7 @@ Foam::scalarField Foam::cotangentWeights
 }
 
 
-Foam::scalarField Foam::makeHarmonicField
+scalarField makeHarmonicField
 (
     const backgroundMesh& mesh,
     const scalarField& edgeWeights,
@@ -277,7 +271,7 @@ Foam::scalarField Foam::makeHarmonicField
 }
 
 
-Foam::scalar Foam::harmonicEnergy
+scalar harmonicEnergy
 (
     const backgroundMesh& mesh,
     const scalarField& edgeWeights,
@@ -296,11 +290,7 @@ Foam::scalar Foam::harmonicEnergy
 }
 
 
-Foam::vectorField Foam::tetGradients
-(
-    const backgroundMesh& mesh,
-    const scalarField& field
-)
+vectorField tetGradients(const backgroundMesh& mesh, const scalarField& field)
 {
     vectorField gradients(mesh.tets.size());
 
@@ -319,11 +309,7 @@ Foam::vectorField Foam::tetGradients
 }
 
 
-Foam::vectorField Foam::pointGradients
-(
-    const backgroundMesh& mesh,
-    const scalarField& field
-)
+vectorField pointGradients(const backgroundMesh& mesh, const scalarField& field)
 {
     const vectorField tetGradient(tetGradients(mesh, field));
 
@@ -357,5 +343,6 @@ Foam::vectorField Foam::pointGradients
     return gradients;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "isolatedProcess.H"
@@ -18,10 +14,10 @@ License
 #include <sys/wait.h>
 #include <unistd.h>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 [[noreturn]] static void runChild
 (
@@ -65,12 +61,10 @@ namespace Foam
     ::_exit(status);
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::processEnd Foam::isolatedProcess
+processEnd isolatedProcess
 (
     const std::function<void(std::FILE*)>& work,
     const std::function<bool(std::FILE*)>& read,
@@ -111,5 +105,6 @@ Foam::processEnd Foam::isolatedProcess
       ? processEnd::complete : processEnd::failed;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "gradientLines.H"
@@ -12,10 +8,10 @@ License
 #include "ListOps.H"
 #include "harmonicField.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 typedef FixedList<scalar, 4> barycentrics;
 
@@ -219,12 +215,10 @@ public:
 };
 
 } // End anonymous namespace
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::gradientLines Foam::makeGradientLines
+gradientLines makeGradientLines
 (
     const backgroundMesh& mesh,
     const scalarField& field,
@@ -256,7 +250,7 @@ Foam::gradientLines Foam::makeGradientLines
 }
 
 
-Foam::gradientLines Foam::makeStraightLines
+gradientLines makeStraightLines
 (
     const pointField& starts,
     const vectorField& directions,
@@ -277,5 +271,6 @@ Foam::gradientLines Foam::makeStraightLines
     return lines;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "layerColumns.H"
@@ -14,10 +10,10 @@ License
 
 #include <algorithm>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Unit directions from the wall to the samples of layer i
 static vectorField lineDirections
@@ -128,16 +124,10 @@ static void setOffsets
     }
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalar Foam::layerColumns::stretch
-(
-    const label c,
-    const scalar height
-) const
+scalar layerColumns::stretch(const label c, const scalar height) const
 {
     // The length is height*(maxStretch + ...), which always grows with it
     const scalar excess =
@@ -148,7 +138,7 @@ Foam::scalar Foam::layerColumns::stretch
 }
 
 
-Foam::vector Foam::layerColumns::axisOffset
+vector layerColumns::axisOffset
 (
     const wallVisibility& visibility,
     const label c,
@@ -161,11 +151,7 @@ Foam::vector Foam::layerColumns::axisOffset
 }
 
 
-Foam::label Foam::layerColumns::layerAt
-(
-    const label c,
-    const scalar height
-) const
+label layerColumns::layerAt(const label c, const scalar height) const
 {
     const scalar* first = heights.cdata() + c*nLayers;
 
@@ -173,7 +159,7 @@ Foam::label Foam::layerColumns::layerAt
 }
 
 
-Foam::vector Foam::layerColumns::interpolated
+vector layerColumns::interpolated
 (
     const vectorField& values,
     const label c,
@@ -196,7 +182,7 @@ Foam::vector Foam::layerColumns::interpolated
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::vector Foam::columnOffset
+vector columnOffset
 (
     const wallVisibility& visibility,
     const label c,
@@ -225,7 +211,7 @@ Foam::vector Foam::columnOffset
 }
 
 
-bool Foam::isStretched
+bool isStretched
 (
     const wallVisibility& visibility,
     const label c,
@@ -238,7 +224,7 @@ bool Foam::isStretched
 }
 
 
-Foam::layerColumns Foam::makeLayerColumns
+layerColumns makeLayerColumns
 (
     const layerFront& front,
     const scalarField& clearance,
@@ -259,5 +245,6 @@ Foam::layerColumns Foam::makeLayerColumns
     return columns;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

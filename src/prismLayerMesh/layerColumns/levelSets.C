@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "levelSets.H"
@@ -14,10 +10,10 @@ License
 
 #include <algorithm>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 static scalar median(DynamicField<scalar>& values)
 {
@@ -81,12 +77,10 @@ static scalar heightOf
     return height;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::layerSpacing Foam::uniformSpacing(const layerSpacing& spacing)
+layerSpacing uniformSpacing(const layerSpacing& spacing)
 {
     const label n = spacing.nLayers;
     const scalar first = max(spacing.firstThickness);
@@ -101,7 +95,7 @@ Foam::layerSpacing Foam::uniformSpacing(const layerSpacing& spacing)
 }
 
 
-Foam::scalarField Foam::samplingEnergies
+scalarField samplingEnergies
 (
     const backgroundMesh& mesh,
     const scalarField& field,
@@ -141,7 +135,7 @@ Foam::scalarField Foam::samplingEnergies
 }
 
 
-Foam::layerSpacing Foam::levelSetSpacing
+layerSpacing levelSetSpacing
 (
     const backgroundMesh& mesh,
     const scalarField& field,
@@ -153,18 +147,19 @@ Foam::layerSpacing Foam::levelSetSpacing
     const label n = uniform.nLayers;
     const scalar first = uniform.firstThickness[0];
     const scalar thickness = uniform.thickness[0];
-    const vectorField directions(visibility.axes());
+    const scalarField lengths
+    (
+        arcLengths
+        (
+            columnControls::shortest*first, columnControls::longest*thickness,
+            mesh.nWallPoints
+        )
+    );
     const gradientLines lines
     (
         makeGradientLines
         (
-            mesh, field, identity(mesh.nWallPoints), directions,
-            arcLengths
-            (
-                columnControls::shortest*first,
-                columnControls::longest*thickness,
-                mesh.nWallPoints
-            )
+            mesh, field, identity(mesh.nWallPoints), visibility.axes(), lengths
         )
     );
     layerSpacing spacing(uniform);
@@ -181,28 +176,22 @@ Foam::layerSpacing Foam::levelSetSpacing
             );
         };
 
+        scalar& h1 = spacing.firstThickness[p];
         spacing.thickness[p] = heightAt(n - 1);
+        h1 = spacing.thickness[p];
 
         if (n > 1)
         {
-            spacing.firstThickness[p] = min
-            (
-                heightAt(0),
-                spacing.thickness[p]/(1 + columnControls::leastExcess*n)
-            );
-            spacing.ratio[p] = fittedRatio
-            (
-                n, spacing.firstThickness[p], spacing.thickness[p]
-            );
-        }
-        else
-        {
-            spacing.firstThickness[p] = spacing.thickness[p];
+            const scalar largest =
+                spacing.thickness[p]/(1 + columnControls::leastExcess*n);
+            h1 = min(heightAt(0), largest);
+            spacing.ratio[p] = fittedRatio(n, h1, spacing.thickness[p]);
         }
     }
 
     return spacing;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

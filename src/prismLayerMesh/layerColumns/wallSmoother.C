@@ -1,17 +1,16 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "wallSmoother.H"
 
+namespace Foam
+{
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::wallSmoother::wallSmoother
+wallSmoother::wallSmoother
 (
     const wallSurface& wall,
     const wallAddressing& addressing
@@ -40,5 +39,6 @@ Foam::wallSmoother::wallSmoother
     }
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,17 +1,16 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "layerFront.H"
 
+namespace Foam
+{
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalarField Foam::layerFront::smallest(const scalarField& values) const
+scalarField layerFront::smallest(const scalarField& values) const
 {
     scalarField result(wallPoints.size() - extraColumnPoints().size(), GREAT);
 
@@ -25,7 +24,7 @@ Foam::scalarField Foam::layerFront::smallest(const scalarField& values) const
 }
 
 
-Foam::labelList Foam::layerFront::extraColumnPoints() const
+labelList layerFront::extraColumnPoints() const
 {
     // Each first column stands on the point of its own label
     label nFirst = 0;
@@ -37,5 +36,6 @@ Foam::labelList Foam::layerFront::extraColumnPoints() const
     return SubList<label>(wallPoints, wallPoints.size() - nFirst, nFirst);
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,20 +1,16 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "layerFront.H"
 #include "normalSectors.H"
 #include "wallPointsError.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Points of which the cone is empty or narrow
 static boolList narrowCones
@@ -356,12 +352,10 @@ public:
 };
 
 } // End anonymous namespace
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::layerFront Foam::makeLayerFront
+layerFront makeLayerFront
 (
     const wallSurface& wall,
     const wallAddressing& addressing,
@@ -386,5 +380,6 @@ Foam::layerFront Foam::makeLayerFront
     return front;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "normalSectors.H"
@@ -13,10 +9,10 @@ License
 
 #include <algorithm>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 static scalar volume(const vector& a, const vector& b, const vector& c)
 {
@@ -339,12 +335,10 @@ public:
 };
 
 } // End anonymous namespace
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::label Foam::normalSectors::sector(const label i) const
+label normalSectors::sector(const label i) const
 {
     // Faces before the first start are of the last sector
     const label s =
@@ -356,7 +350,7 @@ Foam::label Foam::normalSectors::sector(const label i) const
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::normalSectors Foam::makeNormalSectors
+normalSectors makeNormalSectors
 (
     const wallSurface& wall,
     const wallAddressing& addressing,
@@ -368,5 +362,6 @@ Foam::normalSectors Foam::makeNormalSectors
     return sectorSearch(wall, addressing, visibility, middles, p).best();
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

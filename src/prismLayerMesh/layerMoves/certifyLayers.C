@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "certifyLayers.H"
@@ -14,10 +10,10 @@ License
 #include "wallPointsError.H"
 #include "HashSet.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 static labelList columnsOf(const faceList& faces, const labelUList& some)
 {
@@ -94,11 +90,7 @@ static scalarField gainsOfRetreats(layerEditor& editor, const label facei)
 
 //- The columns of stacks by whose retreat their worst cells gain most; the tall
 //  ones if none does
-static labelList columnsInTheWay
-(
-    layerEditor& editor,
-    const labelUList& stacks
-)
+static labelList columnsInTheWay(layerEditor& editor, const labelUList& stacks)
 {
     labelHashSet columns;
     DynamicList<labelPair> others;
@@ -144,6 +136,10 @@ class certification
 
     label nRetreats_ = 0;
 
+    //- Stacks below what is attainable, and those that were not judged further
+    labelHashSet below_;
+    labelHashSet unjudged_;
+
     //- Times of the journal up to which cells and overlaps were judged
     label cellsJudged_ = 0;
     label overlapsJudged_ = 0;
@@ -158,6 +154,10 @@ class certification
         squeezeCause cause,
         const char* whatFails
     );
+
+    //- Stacks that have a fault now. Those below what is attainable come first;
+    //  the rest is judged once there are none.
+    labelList faultyStacks();
 
     //- Until all cells are positive and good enough
     void makePositive();
@@ -235,57 +235,52 @@ void certification::retreat
 }
 
 
+labelList certification::faultyStacks()
+{
+    const labelList moved(editor_.touchedSince(cellsJudged_));
+    cellsJudged_ = editor_.now();
+    unjudged_.insert(moved);
+    below_.unset(moved);
+    below_.insert
+    (
+        judge_.findBelowAttainable(moved, editor_.controls().minJacobian)
+    );
+
+    if (below_.size())
+    {
+        return below_.sortedToc();
+    }
+
+    const List<faultyStack> faults
+    (
+        judge_.findFaults
+        (
+            unjudged_.sortedToc(),
+            stackFault::notPositive, stackFault::centreOutside
+        )
+    );
+    judge_.useCentreTries(faults);
+
+    labelList faulty(faults.size());
+    forAll(faults, i)
+    {
+        faulty[i] = faults[i].facei;
+    }
+    unjudged_ = labelHashSet(faulty);
+
+    return faulty;
+}
+
+
 void certification::makePositive()
 {
-    labelHashSet below, unjudged;
-
-    while (true)
+    for
+    (
+        labelList faulty(faultyStacks());
+        faulty.size();
+        faulty = faultyStacks()
+    )
     {
-        const labelList moved(editor_.touchedSince(cellsJudged_));
-        cellsJudged_ = editor_.now();
-        unjudged.insert(moved);
-        below.unset(moved);
-
-        for
-        (
-            const faultyStack& stack
-          : judge_.findFaults
-            (
-                moved,
-                stackFault::belowAttainable, stackFault::belowAttainable
-            )
-        )
-        {
-            below.insert(stack.facei);
-        }
-
-        labelList faulty(below.sortedToc());
-
-        if (faulty.empty())
-        {
-            const List<faultyStack> faults
-            (
-                judge_.findFaults
-                (
-                    unjudged.sortedToc(),
-                    stackFault::notPositive, stackFault::centreOutside
-                )
-            );
-
-            if (faults.empty())
-            {
-                return;
-            }
-
-            judge_.useCentreTries(faults);
-            unjudged.clear();
-            for (const faultyStack& stack : faults)
-            {
-                faulty.append(stack.facei);
-            }
-            unjudged.insert(faulty);
-        }
-
         const labelList moving(columnsOf(editor_.layers().faces, faulty));
 
         if (!turnColumns(editor_, moving, nTurns_) && !lean(moving))
@@ -335,15 +330,14 @@ label certification::run()
 
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::label Foam::certifyLayers(layerEditor& editor, layerJudge& judge)
+label certifyLayers(layerEditor& editor, layerJudge& judge)
 {
     return certification(editor, judge).run();
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

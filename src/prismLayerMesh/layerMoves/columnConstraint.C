@@ -1,17 +1,16 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "columnConstraint.H"
 
+namespace Foam
+{
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::columnConstraint Foam::columnConstraint::inPlane
+columnConstraint columnConstraint::inPlane
 (
     const point& origin,
     const vector& normal
@@ -26,10 +25,7 @@ Foam::columnConstraint Foam::columnConstraint::inPlane
 }
 
 
-Foam::columnConstraint Foam::columnConstraint::onSurface
-(
-    const nearestPoint& nearest
-)
+columnConstraint columnConstraint::onSurface(const nearestPoint& nearest)
 {
     columnConstraint constraint;
     constraint.kind_ = kind::onSurface;
@@ -39,7 +35,7 @@ Foam::columnConstraint Foam::columnConstraint::onSurface
 }
 
 
-Foam::columnConstraint Foam::columnConstraint::fixed()
+columnConstraint columnConstraint::fixed()
 {
     columnConstraint constraint;
     constraint.kind_ = kind::fixed;
@@ -48,7 +44,7 @@ Foam::columnConstraint Foam::columnConstraint::fixed()
 }
 
 
-Foam::vector Foam::columnConstraint::allowed(const vector& direction) const
+vector columnConstraint::allowed(const vector& direction) const
 {
     return kind_ == kind::inPlane
       ? direction - (direction & normal_)*normal_
@@ -56,12 +52,13 @@ Foam::vector Foam::columnConstraint::allowed(const vector& direction) const
 }
 
 
-Foam::point Foam::columnConstraint::allowedPoint(const point& x) const
+point columnConstraint::allowedPoint(const point& x) const
 {
     return kind_ == kind::inPlane ? x - ((x - origin_) & normal_)*normal_
       : kind_ == kind::onSurface ? nearest_(x)
       : x;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "fitHeights.H"
@@ -12,10 +8,10 @@ License
 
 #include <algorithm>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
 {
@@ -193,30 +189,36 @@ static scalar excessOf
 }
 
 
-//- Lower the mobilities of columns that go too far at a level. False if none
-//  does.
-static bool lowerMobilities
+//- Lower the mobilities of columns that go too far at a level, a few times, and
+//  give the fit what they are
+static void fitMobilities
 (
     const layerEditor& editor,
-    const vectorField& displacements,
+    const scalarField& lacking,
     const label level,
+    heightFit& heights,
     scalarField& mobilities
 )
 {
-    bool any = false;
+    bool lowered = true;
 
-    forAll(mobilities, c)
+    for (label k = 0; k < editor.controls().maxLowerings && lowered; ++k)
     {
-        const scalar excess = excessOf(editor, c, displacements[c], level);
+        heights.setMobilities(mobilities);
+        const vectorField displacements(heights.displacements(lacking));
+        lowered = false;
 
-        if (excess > 1)
+        forAll(mobilities, c)
         {
-            mobilities[c] /= sqr(excess);
-            any = true;
+            const scalar excess = excessOf(editor, c, displacements[c], level);
+
+            if (excess > 1)
+            {
+                mobilities[c] /= sqr(excess);
+                lowered = true;
+            }
         }
     }
-
-    return any;
 }
 
 
@@ -280,7 +282,6 @@ static labelList levelsOf
 static void fit(layerEditor& editor, const fitTarget& target)
 {
     const layerFront& front = editor.front();
-    const layerMoveControls& controls = editor.controls();
     const vectorField normals(front.surface.faceNormals());
     const auto lacking = [&](const labelUList& faces, const label level)
     {
@@ -302,20 +303,13 @@ static void fit(layerEditor& editor, const fitTarget& target)
     (
         front.surface,
         mobileFaces(front.surface.faces, fitted, mobilities),
-        controls.damping
+        editor.controls().damping
     );
     const labelList& faces = heights.faces();
-    const scalarField ofLevel(lacking(faces, target.level));
-    bool lowered = true;
-
-    for (label k = 0; k < controls.maxLowerings && lowered; ++k)
-    {
-        heights.setMobilities(mobilities);
-        lowered = lowerMobilities
-        (
-            editor, heights.displacements(ofLevel), target.level, mobilities
-        );
-    }
+    fitMobilities
+    (
+        editor, lacking(faces, target.level), target.level, heights, mobilities
+    );
 
     forAll(mobilities, c)
     {
@@ -339,12 +333,10 @@ static void fit(layerEditor& editor, const fitTarget& target)
     }
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void Foam::fitFirstHeights
+void fitFirstHeights
 (
     layerEditor& editor,
     const boolList& wanted,
@@ -368,7 +360,7 @@ void Foam::fitFirstHeights
 }
 
 
-void Foam::fitThickness(layerEditor& editor)
+void fitThickness(layerEditor& editor)
 {
     const layerMoveControls& controls = editor.controls();
     const auto isWrong = [&](const face&, const scalar lacking)
@@ -387,5 +379,6 @@ void Foam::fitThickness(layerEditor& editor)
     fit(editor, {editor.spacing().nLayers, isWrong, share});
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,20 +1,16 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "growColumns.H"
 
 #include <algorithm>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Thickness that columns on one point may have, by what was proposed and by
 //  the bound on its gradient
@@ -69,18 +65,16 @@ static bool anyAtFault
     return false;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-bool Foam::isLowered(const layerEditor& editor, const label c)
+bool isLowered(const layerEditor& editor, const label c)
 {
     return editor.thickness()[c] < editor.proposed().room[c];
 }
 
 
-bool Foam::growColumns
+bool growColumns
 (
     layerEditor& editor,
     const labelUList& columnsOnPoint,
@@ -132,5 +126,6 @@ bool Foam::growColumns
     return !stays;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

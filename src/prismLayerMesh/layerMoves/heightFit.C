@@ -1,20 +1,16 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include <Eigen/SparseCholesky>
 
 #include "heightFit.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 typedef Eigen::SparseMatrix<double> sparseMatrix;
 
@@ -61,12 +57,10 @@ static sparseMatrix damped(const sparseMatrix& a, const scalar lambda)
     return a*sparseMatrix(a.transpose()) + lambda*identity;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Private Classes * * * * * * * * * * * * * * * //
 
-struct Foam::heightFit::factors
+struct heightFit::factors
 {
     scalarField mobilities;
     sparseMatrix a;
@@ -76,7 +70,7 @@ struct Foam::heightFit::factors
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::heightFit::heightFit
+heightFit::heightFit
 (
     const wallSurface& wall,
     const labelUList& faces,
@@ -90,12 +84,12 @@ Foam::heightFit::heightFit
 {}
 
 
-Foam::heightFit::~heightFit() = default;
+heightFit::~heightFit() = default;
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::heightFit::setMobilities(const scalarField& mobilities)
+void heightFit::setMobilities(const scalarField& mobilities)
 {
     const bool first = factors_->mobilities.empty();
     factors_->mobilities = mobilities;
@@ -111,16 +105,10 @@ void Foam::heightFit::setMobilities(const scalarField& mobilities)
 }
 
 
-Foam::vectorField Foam::heightFit::displacements
-(
-    const scalarField& lacking
-) const
+vectorField heightFit::displacements(const scalarField& lacking) const
 {
     const Eigen::Map<const Eigen::VectorXd> r(lacking.cdata(), lacking.size());
-    const Eigen::VectorXd d
-    (
-        factors_->a.transpose()*factors_->inverse.solve(r)
-    );
+    const Eigen::VectorXd d(factors_->a.transpose()*factors_->inverse.solve(r));
 
     vectorField result(d.size()/3);
     forAll(result, c)
@@ -132,5 +120,6 @@ Foam::vectorField Foam::heightFit::displacements
     return result;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,20 +1,16 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "heightLimits.H"
 #include "DynamicList.H"
 #include "labelList.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
 {
@@ -102,12 +98,7 @@ void heightSweeps::setFaceHeight(const label facei)
 }
 
 
-bool heightSweeps::lower
-(
-    const label c,
-    const scalar factor,
-    const scalar least
-)
+bool heightSweeps::lower(const label c, const scalar factor, const scalar least)
 {
     const scalar lowered = max(factors_[c]*factor, least);
 
@@ -230,12 +221,10 @@ bool heightSweeps::sweep()
 
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::scalarField Foam::heightLimits::factors
+scalarField heightLimits::factors
 (
     const label nColumns,
     const layerMoveControls& controls
@@ -249,5 +238,6 @@ Foam::scalarField Foam::heightLimits::factors
     return sweeps.factors();
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

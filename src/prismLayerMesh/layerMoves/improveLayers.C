@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "improveLayers.H"
@@ -13,10 +9,10 @@ License
 #include "leanColumns.H"
 #include "limitHeightJumps.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Penalty of a stack that must not be
 static const scalar forbidden = 1e3;
@@ -291,12 +287,10 @@ void improvement::fitAll()
 
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void Foam::improveLayers(layerEditor& editor, const layerJudge& judge)
+void improveLayers(layerEditor& editor, const layerJudge& judge)
 {
     improvement better(editor, judge);
     better.leanAndGrow();
@@ -309,5 +303,6 @@ void Foam::improveLayers(layerEditor& editor, const layerJudge& judge)
     }
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,19 +1,15 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "layerEditor.H"
 #include "geometricHeights.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Colours of columns such that those on one face differ
 static labelList columnColours
@@ -47,12 +43,10 @@ static labelList columnColours
     return colours;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void Foam::layerEditor::updateHeights(const label c)
+void layerEditor::updateHeights(const label c)
 {
     const label n = spacing_.nLayers;
     SubList<scalar> heights(heights_, n + 1, c*(n + 1));
@@ -68,11 +62,7 @@ void Foam::layerEditor::updateHeights(const label c)
 }
 
 
-Foam::vector Foam::layerEditor::standing
-(
-    const label c,
-    const scalar height
-) const
+vector layerEditor::standing(const label c, const scalar height) const
 {
     const scalar s = straightened_[c];
 
@@ -81,7 +71,7 @@ Foam::vector Foam::layerEditor::standing
 }
 
 
-Foam::vector Foam::layerEditor::allowedOffset
+vector layerEditor::allowedOffset
 (
     const label c,
     const label i,
@@ -113,7 +103,7 @@ Foam::vector Foam::layerEditor::allowedOffset
 }
 
 
-void Foam::layerEditor::build(const label c, const label lowest)
+void layerEditor::build(const label c, const label lowest)
 {
     const scalar* heights = this->heights(c);
 
@@ -129,7 +119,7 @@ void Foam::layerEditor::build(const label c, const label lowest)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::layerEditor::layerEditor
+layerEditor::layerEditor
 (
     const layerFront& front,
     const layerSpacing& spacing,
@@ -172,7 +162,7 @@ Foam::layerEditor::layerEditor
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::labelList Foam::layerEditor::columnsBeside(const label c) const
+labelList layerEditor::columnsBeside(const label c) const
 {
     DynamicList<label> columns;
     columns.append(c);
@@ -196,11 +186,7 @@ Foam::labelList Foam::layerEditor::columnsBeside(const label c) const
 }
 
 
-Foam::vector Foam::layerEditor::straightenedOffset
-(
-    const label c,
-    const label i
-) const
+vector layerEditor::straightenedOffset(const label c, const label i) const
 {
     const scalar s = straightened_[c];
 
@@ -212,7 +198,7 @@ Foam::vector Foam::layerEditor::straightenedOffset
 }
 
 
-Foam::scalar Foam::layerEditor::turnShare(const label c, const label i) const
+scalar layerEditor::turnShare(const label c, const label i) const
 {
     const label n = spacing_.nLayers;
 
@@ -220,7 +206,7 @@ Foam::scalar Foam::layerEditor::turnShare(const label c, const label i) const
 }
 
 
-Foam::columnState Foam::layerEditor::state(const label c) const
+columnState layerEditor::state(const label c) const
 {
     const label n = spacing_.nLayers;
 
@@ -235,7 +221,7 @@ Foam::columnState Foam::layerEditor::state(const label c) const
 }
 
 
-void Foam::layerEditor::setThickness
+void layerEditor::setThickness
 (
     const label c,
     const scalar thickness,
@@ -252,7 +238,7 @@ void Foam::layerEditor::setThickness
 }
 
 
-void Foam::layerEditor::setDirections
+void layerEditor::setDirections
 (
     const label c,
     const vectorField& directions,
@@ -280,12 +266,7 @@ void Foam::layerEditor::setDirections
 }
 
 
-void Foam::layerEditor::setPoint
-(
-    const label c,
-    const label i,
-    const point& x
-)
+void layerEditor::setPoint(const label c, const label i, const point& x)
 {
     if (!isFixed(c))
     {
@@ -294,7 +275,7 @@ void Foam::layerEditor::setPoint
 }
 
 
-void Foam::layerEditor::setCause(const label c, const squeezeCause cause)
+void layerEditor::setCause(const label c, const squeezeCause cause)
 {
     if (!isFixed(c))
     {
@@ -302,5 +283,6 @@ void Foam::layerEditor::setCause(const label c, const squeezeCause cause)
     }
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

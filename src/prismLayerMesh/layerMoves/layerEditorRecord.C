@@ -1,18 +1,17 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "layerEditor.H"
 #include "limitGradient.H"
 
+namespace Foam
+{
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::layerEditor::restore(const label c, const columnState& before)
+void layerEditor::restore(const label c, const columnState& before)
 {
     const label n = spacing_.nLayers;
 
@@ -29,7 +28,7 @@ void Foam::layerEditor::restore(const label c, const columnState& before)
 }
 
 
-void Foam::layerEditor::accept(const label c, const columnState& before)
+void layerEditor::accept(const label c, const columnState& before)
 {
     if (recording_)
     {
@@ -39,7 +38,7 @@ void Foam::layerEditor::accept(const label c, const columnState& before)
 }
 
 
-Foam::labelList Foam::layerEditor::lower
+labelList layerEditor::lower
 (
     const labelUList& columns,
     const scalar share,
@@ -101,7 +100,7 @@ Foam::labelList Foam::layerEditor::lower
 }
 
 
-void Foam::layerEditor::remember(const label c)
+void layerEditor::remember(const label c)
 {
     if (recording_ && !before_.found(c))
     {
@@ -110,43 +109,41 @@ void Foam::layerEditor::remember(const label c)
 }
 
 
-void Foam::layerEditor::touch(const label c)
+void layerEditor::touch(const label c)
 {
     journal_.append(front_.addressing.pointFaces[c]);
 }
 
 
-Foam::labelList Foam::layerEditor::touchedSince(const label then) const
+labelList layerEditor::touchedSince(const label then) const
 {
-    labelList touched
-    (
-        SubList<label>(journal_, journal_.size() - then, then)
-    );
+    labelList touched(SubList<label>(journal_, journal_.size() - then, then));
     inplaceUniqueSort(touched);
 
     return touched;
 }
 
 
-void Foam::layerEditor::record()
+void layerEditor::record()
 {
     recording_ = true;
     before_.clear();
 }
 
 
-void Foam::layerEditor::keep()
+void layerEditor::keep()
 {
     before_.clear();
 }
 
 
-void Foam::layerEditor::rollBack(const label c)
+void layerEditor::rollBack(const label c)
 {
     restore(c, before_[c]);
     before_.erase(c);
     touch(c);
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

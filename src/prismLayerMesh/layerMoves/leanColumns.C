@@ -1,19 +1,15 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "leanColumns.H"
 #include "mathematicalConstants.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Directions [n] in which a column might stand
 static List<vectorField> trialDirections
@@ -163,12 +159,10 @@ static bool lean
     return true;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::labelList Foam::leanColumns
+labelList leanColumns
 (
     layerEditor& editor,
     const labelUList& columns,
@@ -218,5 +212,6 @@ Foam::labelList Foam::leanColumns
     return labelList(std::move(leaned));
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

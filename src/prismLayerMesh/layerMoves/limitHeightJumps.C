@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "limitHeightJumps.H"
@@ -13,10 +9,10 @@ License
 #include "heightLimits.H"
 #include "stackHeights.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- First heights of the faces of the wall by their columns, and the limits
 static heightLimits firstHeights
@@ -103,15 +99,10 @@ static void lowerFirst(layerEditor& editor, const label c, const scalar factor)
     }
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::List<Foam::labelPair> Foam::neighboursOnWall
-(
-    const layerFront& front
-)
+List<labelPair> neighboursOnWall(const layerFront& front)
 {
     EdgeMap<label> firstFaces;
     DynamicList<labelPair> neighbours(2*front.nWallFaces);
@@ -143,11 +134,7 @@ Foam::List<Foam::labelPair> Foam::neighboursOnWall
 }
 
 
-bool Foam::limitHeightJumps
-(
-    layerEditor& editor,
-    const List<labelPair>& neighbours
-)
+bool limitHeightJumps(layerEditor& editor, const List<labelPair>& neighbours)
 {
     const scalarField factors
     (
@@ -177,5 +164,6 @@ bool Foam::limitHeightJumps
     return any;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

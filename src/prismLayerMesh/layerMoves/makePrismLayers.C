@@ -1,19 +1,16 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "makePrismLayers.H"
 #include "certifyLayers.H"
 #include "improveLayers.H"
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+namespace Foam
+{
 
-Foam::madeLayers Foam::makePrismLayers
+madeLayers makePrismLayers
 (
     const layerFront& front,
     const layerSpacing& spacing,
@@ -38,5 +35,6 @@ Foam::madeLayers Foam::makePrismLayers
     return made;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "nameCauses.H"
@@ -12,10 +8,10 @@ License
 
 #include <algorithm>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- What a face has of the thickness and of the first height that are asked for
 //  at least, for its columns to be without cause
@@ -129,12 +125,10 @@ static bool isLower
         || graded.firstThickness[c] < asked.firstThickness[c];
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void Foam::nameCauses
+void nameCauses
 (
     const layerFront& front,
     const List<pointKind>& kinds,
@@ -168,5 +162,6 @@ void Foam::nameCauses
     }
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

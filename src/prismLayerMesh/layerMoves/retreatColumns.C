@@ -1,18 +1,15 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "retreatColumns.H"
 #include "scaledJacobian.H"
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+namespace Foam
+{
 
-void Foam::retreatColumns
+void retreatColumns
 (
     layerEditor& editor,
     const labelUList& columns,
@@ -40,12 +37,7 @@ void Foam::retreatColumns
 }
 
 
-Foam::scalar Foam::jacobianOfRetreat
-(
-    layerEditor& editor,
-    const label facei,
-    const label c
-)
+scalar jacobianOfRetreat(layerEditor& editor, const label facei, const label c)
 {
     const layerMoveControls& controls = editor.controls();
     const columnState before(editor.state(c));
@@ -63,5 +55,6 @@ Foam::scalar Foam::jacobianOfRetreat
     return worst;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,18 +1,46 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "turnColumns.H"
 #include "HashSet.H"
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+namespace Foam
+{
 
-bool Foam::turnColumns
+//- Directions [n] of columns, nearer to the mean of those around them
+static List<vectorField> turnedDirections
+(
+    const layerEditor& editor,
+    const labelUList& columns
+)
+{
+    const label n = editor.spacing().nLayers;
+    List<vectorField> directions(columns.size());
+
+    #pragma omp parallel for schedule(static, 64) if (columns.size() > 64)
+    forAll(columns, k)
+    {
+        const label c = columns[k];
+        directions[k].setSize(n);
+
+        for (label i = 0; i < n; ++i)
+        {
+            const vector& own = editor.offset(c, i);
+            const scalar share =
+                editor.controls().turnShare*editor.turnShare(c, i);
+
+            directions[k][i] =
+                own + share*(editor.neighboursOffset(c, i) - own);
+        }
+    }
+
+    return directions;
+}
+
+
+bool turnColumns
 (
     layerEditor& editor,
     const labelUList& columns,
@@ -37,25 +65,8 @@ bool Foam::turnColumns
         return false;
     }
 
-    const label n = editor.spacing().nLayers;
     const labelList turning(all.sortedToc());
-    List<vectorField> directions(turning.size());
-
-    #pragma omp parallel for schedule(static, 64) if (turning.size() > 64)
-    forAll(turning, k)
-    {
-        const label c = turning[k];
-        directions[k].setSize(n);
-
-        for (label i = 0; i < n; ++i)
-        {
-            const vector& own = editor.offset(c, i);
-            const scalar share = controls.turnShare*editor.turnShare(c, i);
-
-            directions[k][i] =
-                own + share*(editor.neighboursOffset(c, i) - own);
-        }
-    }
+    const List<vectorField> directions(turnedDirections(editor, turning));
 
     for (const label c : turning)
     {
@@ -78,5 +89,6 @@ bool Foam::turnColumns
     return true;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

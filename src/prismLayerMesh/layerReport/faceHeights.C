@@ -1,18 +1,15 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "faceHeights.H"
 #include "stackHeights.H"
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+namespace Foam
+{
 
-Foam::faceHeights Foam::makeFaceHeights
+faceHeights makeFaceHeights
 (
     const wallSurface& wall,
     const layerSpacing& request,
@@ -56,7 +53,7 @@ Foam::faceHeights Foam::makeFaceHeights
 }
 
 
-Foam::scalarField Foam::changesOverEdges
+scalarField changesOverEdges
 (
     const wallAddressing& addressing,
     const scalarField& ofFaces
@@ -75,5 +72,6 @@ Foam::scalarField Foam::changesOverEdges
     return changes;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "farFieldReport.H"
@@ -16,10 +12,10 @@ License
 #include <iomanip>
 #include <sstream>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- What checkMesh accepts: non-orthogonality [deg] and skewness
 static const scalar goodAngle = 70;
@@ -111,12 +107,10 @@ static void write
     os  << line.str().c_str() << nl;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::farFieldReport Foam::makeFarFieldReport(const polyMesh& mesh)
+farFieldReport makeFarFieldReport(const polyMesh& mesh)
 {
     const label nLayerCells = mesh.cellZones()[boundaryLayerName].size();
     const vectorField& centres = mesh.faceCentres();
@@ -168,7 +162,7 @@ Foam::farFieldReport Foam::makeFarFieldReport(const polyMesh& mesh)
 }
 
 
-Foam::dictionary Foam::toDictionary(const farFieldReport& report)
+dictionary toDictionary(const farFieldReport& report)
 {
     dictionary patches;
     forAll(report.patches, patchi)
@@ -188,7 +182,7 @@ Foam::dictionary Foam::toDictionary(const farFieldReport& report)
 }
 
 
-void Foam::write(Ostream& os, const farFieldReport& report)
+void write(Ostream& os, const farFieldReport& report)
 {
     std::ostringstream volumes;
     volumes.precision(3);
@@ -204,5 +198,6 @@ void Foam::write(Ostream& os, const farFieldReport& report)
     write(os, "in the far field", report.farField);
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "layerReport.H"
@@ -21,10 +17,11 @@ License
 #include <string>
 #include <sys/resource.h>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
 namespace
 {
 
@@ -44,11 +41,7 @@ struct wallSample
 };
 
 
-void wallSample::addPoints
-(
-    const labelUList& faces,
-    patchReport& patch
-) const
+void wallSample::addPoints(const labelUList& faces, patchReport& patch) const
 {
     bitSet points;
 
@@ -72,11 +65,7 @@ void wallSample::addPoints
 }
 
 
-patchReport wallSample::report
-(
-    const word& name,
-    const labelUList& faces
-) const
+patchReport wallSample::report(const word& name, const labelUList& faces) const
 {
     patchReport patch;
     patch.name = name;
@@ -117,12 +106,10 @@ patchReport wallSample::report
 }
 
 } // End anonymous namespace
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::scalar Foam::peakMemory()
+scalar peakMemory()
 {
     // In units of 1024 bytes. Children: TetGen runs in a process of its own
     rusage children;
@@ -146,7 +133,7 @@ Foam::scalar Foam::peakMemory()
 }
 
 
-Foam::percentiles Foam::makePercentiles(scalarField values)
+percentiles makePercentiles(scalarField values)
 {
     percentiles result;
 
@@ -181,7 +168,7 @@ Foam::percentiles Foam::makePercentiles(scalarField values)
 }
 
 
-Foam::layerReport Foam::makeLayerReport
+layerReport makeLayerReport
 (
     const wallSurface& wall,
     const wallAddressing& addressing,
@@ -232,7 +219,7 @@ Foam::layerReport Foam::makeLayerReport
 }
 
 
-void Foam::writeReport(const fileName& file, const dictionary& report)
+void writeReport(const fileName& file, const dictionary& report)
 {
     OFstream os(file);
     IOobject::writeBanner(os);
@@ -246,5 +233,6 @@ void Foam::writeReport(const fileName& file, const dictionary& report)
     }
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

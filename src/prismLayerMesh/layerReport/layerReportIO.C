@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "layerReport.H"
@@ -15,10 +11,10 @@ License
 #include <numeric>
 #include <sstream>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 static dictionary toDictionary(const MinMax<scalar>& range)
 {
@@ -215,12 +211,10 @@ static void addCounts(std::ostream& os, const layerReport& report)
     os  << "; further columns on them " << report.nFurtherColumns << '\n';
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::dictionary Foam::toDictionary(const percentiles& spread)
+dictionary toDictionary(const percentiles& spread)
 {
     dictionary dict;
     dict.add("mean", spread.mean);
@@ -236,7 +230,7 @@ Foam::dictionary Foam::toDictionary(const percentiles& spread)
 }
 
 
-Foam::dictionary Foam::toDictionary(const layerReport& report)
+dictionary toDictionary(const layerReport& report)
 {
     dictionary wall;
     wall.add("faces", report.nWallFaces);
@@ -272,7 +266,7 @@ Foam::dictionary Foam::toDictionary(const layerReport& report)
 }
 
 
-void Foam::write(Ostream& os, const layerReport& report)
+void write(Ostream& os, const layerReport& report)
 {
     std::ostringstream text;
 
@@ -304,5 +298,6 @@ void Foam::write(Ostream& os, const layerReport& report)
     os  << text.str().c_str();
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

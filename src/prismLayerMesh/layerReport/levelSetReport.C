@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "levelSetReport.H"
@@ -14,10 +10,10 @@ License
 
 #include <algorithm>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 static List<percentiles> spreadsByKind
 (
@@ -36,12 +32,10 @@ static List<percentiles> spreadsByKind
     return spreads;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-bool Foam::hasLevelSetReport(const prismLayerMesh& mesh)
+bool hasLevelSetReport(const prismLayerMesh& mesh)
 {
     const layerSpacing& request = mesh.request;
 
@@ -52,7 +46,7 @@ bool Foam::hasLevelSetReport(const prismLayerMesh& mesh)
 }
 
 
-Foam::levelSetReport Foam::makeLevelSetReport(const prismLayerMesh& mesh)
+levelSetReport makeLevelSetReport(const prismLayerMesh& mesh)
 {
     if (!hasLevelSetReport(mesh))
     {
@@ -106,7 +100,7 @@ Foam::levelSetReport Foam::makeLevelSetReport(const prismLayerMesh& mesh)
 }
 
 
-Foam::dictionary Foam::toDictionary(const levelSetReport& report)
+dictionary toDictionary(const levelSetReport& report)
 {
     dictionary dict;
     dict.add("firstEnergy", report.firstEnergy);
@@ -117,10 +111,7 @@ Foam::dictionary Foam::toDictionary(const levelSetReport& report)
     for (label kind = 0; kind < nPointKinds; ++kind)
     {
         dictionary heights;
-        heights.add
-        (
-            "firstOverRequest", toDictionary(report.firstOfKind[kind])
-        );
+        heights.add("firstOverRequest", toDictionary(report.firstOfKind[kind]));
         heights.add("lastOverRequest", toDictionary(report.lastOfKind[kind]));
         dict.add(name(pointKind(kind)), heights);
     }
@@ -128,5 +119,6 @@ Foam::dictionary Foam::toDictionary(const levelSetReport& report)
     return dict;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "writeStageFields.H"
@@ -16,10 +12,10 @@ License
 #include "unitConversion.H"
 #include "writeVtk.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- A level of the field that is near to the envelope
 static const scalar envelopeLevel = 0.02;
@@ -89,10 +85,7 @@ static vtkGrid columnGrid(const prismLayerMesh& mesh)
     scalarField energies(layers.points.size());
     for (label c = 0; c < layers.nColumns(); ++c)
     {
-        grid.addCell
-        (
-            vtkCell::polyLine, identity(n + 1, layers.index(c, 0))
-        );
+        grid.addCell(vtkCell::polyLine, identity(n + 1, layers.index(c, 0)));
 
         energies[layers.index(c, 0)] = 1;
         for (label i = 1; i <= n; ++i)
@@ -230,12 +223,10 @@ static vtkGrid wallGrid(const wallSurface& wall, const prismLayerMesh& mesh)
     return grid;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void Foam::writeStageFields
+void writeStageFields
 (
     const fileName& folder,
     const wallSurface& wall,
@@ -270,5 +261,6 @@ void Foam::writeStageFields
     writeVtk(folder/"wall.vtk", onWall);
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

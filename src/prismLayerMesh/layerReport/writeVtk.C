@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "writeVtk.H"
@@ -17,10 +13,10 @@ License
 #include <fstream>
 #include <iterator>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Write values as Numbers, big-endian: what legacy VTK files have. OpenFOAM's
 //  own writer of such files makes doubles floats, too coarse for thin layers
@@ -111,24 +107,22 @@ static void checkSizes
     }
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::vtkFields::add(const word& name, const UList<scalar>& field)
+void vtkFields::add(const word& name, const UList<scalar>& field)
 {
     fields.append(namedValues{name, 1, scalarField(field)});
 }
 
 
-void Foam::vtkFields::add(const word& name, const UList<vector>& field)
+void vtkFields::add(const word& name, const UList<vector>& field)
 {
     fields.append(namedValues{name, 3, componentsOf(field)});
 }
 
 
-void Foam::vtkFields::add(const word& name, const UList<symmTensor>& field)
+void vtkFields::add(const word& name, const UList<symmTensor>& field)
 {
     const List<tensor> full(field.begin(), field.end());
     fields.append(namedValues{name, 9, componentsOf(full)});
@@ -137,7 +131,7 @@ void Foam::vtkFields::add(const word& name, const UList<symmTensor>& field)
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void Foam::writeVtk(const fileName& file, const vtkGrid& grid)
+void writeVtk(const fileName& file, const vtkGrid& grid)
 {
     const label nCells = grid.cellTypes.size();
 
@@ -157,10 +151,7 @@ void Foam::writeVtk(const fileName& file, const vtkGrid& grid)
     writeNumbers<int32_t>(os, grid.cells);
     os << "CELL_TYPES " << nCells << '\n';
     writeNumbers<int32_t>(os, grid.cellTypes);
-    writeFields
-    (
-        os, "POINT_DATA", grid.points.size(), grid.pointFields.fields
-    );
+    writeFields(os, "POINT_DATA", grid.points.size(), grid.pointFields.fields);
     writeFields(os, "CELL_DATA", nCells, grid.cellFields.fields);
 
     os.close();
@@ -172,5 +163,6 @@ void Foam::writeVtk(const fileName& file, const vtkGrid& grid)
     }
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

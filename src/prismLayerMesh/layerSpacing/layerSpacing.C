@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "layerSpacing.H"
@@ -14,10 +10,10 @@ License
 
 #include <algorithm>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- "1e-05", or "1e-05 to 3e-05"
 template<class Type>
@@ -59,12 +55,10 @@ static std::string yPlusLine
     return os.str();
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::layerSpacing Foam::layerSpacing::at(const labelUList& points) const
+layerSpacing layerSpacing::at(const labelUList& points) const
 {
     return layerSpacing
     {
@@ -79,7 +73,7 @@ Foam::layerSpacing Foam::layerSpacing::at(const labelUList& points) const
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::layerSpacing Foam::gradedSpacing
+layerSpacing gradedSpacing
 (
     const layerSpacing& asked,
     const wallAddressing& addressing,
@@ -113,7 +107,7 @@ Foam::layerSpacing Foam::gradedSpacing
 }
 
 
-Foam::scalarField Foam::requestedHeights(const layerSpacing& spacing)
+scalarField requestedHeights(const layerSpacing& spacing)
 {
     const label n = spacing.nLayers;
     scalarField heights(spacing.thickness.size()*n);
@@ -136,7 +130,7 @@ Foam::scalarField Foam::requestedHeights(const layerSpacing& spacing)
 }
 
 
-Foam::string Foam::describe
+string describe
 (
     const layerSpacing& asked,
     const wallSurface& wall,
@@ -179,5 +173,6 @@ Foam::string Foam::describe
     return text;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "limitGradient.H"
@@ -12,10 +8,10 @@ License
 
 #include <queue>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Lower values to bound(from, to) > values[from] of their neighbours, from
 //  some points on. Returns the values that were lowered, as they were.
@@ -107,12 +103,10 @@ static auto gradientBound
     };
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::labelList Foam::limitGradient
+labelList limitGradient
 (
     const wallSurface& wall,
     const wallAddressing& addressing,
@@ -127,7 +121,7 @@ Foam::labelList Foam::limitGradient
 }
 
 
-Foam::Map<Foam::scalar> Foam::limitGradientFrom
+Map<scalar> limitGradientFrom
 (
     const labelUList& points,
     const wallSurface& wall,
@@ -143,7 +137,7 @@ Foam::Map<Foam::scalar> Foam::limitGradientFrom
 }
 
 
-Foam::labelList Foam::limitRatio
+labelList limitRatio
 (
     const wallAddressing& addressing,
     const scalar ratio,
@@ -158,5 +152,6 @@ Foam::labelList Foam::limitRatio
     );
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

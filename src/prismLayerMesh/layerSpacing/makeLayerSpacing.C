@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "layerSpacing.H"
@@ -13,10 +9,10 @@ License
 
 #include <algorithm>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Share of the area of the wall on which an automatic number of layers is
 //  enough for the last of them to be as high as asked for
@@ -134,12 +130,10 @@ static scalar ratioOfMore(const label n, const heightSeries& fewer)
       : min(fewer.expansionRatio, scalar(1));
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::scalarField Foam::localEdgeLengths
+scalarField localEdgeLengths
 (
     const wallSurface& wall,
     const wallAddressing& addressing,
@@ -153,7 +147,7 @@ Foam::scalarField Foam::localEdgeLengths
 }
 
 
-Foam::layerSpacing Foam::makeLayerSpacing
+layerSpacing makeLayerSpacing
 (
     const wallSurface& wall,
     const wallAddressing& addressing,
@@ -211,5 +205,6 @@ Foam::layerSpacing Foam::makeLayerSpacing
     return spacing;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

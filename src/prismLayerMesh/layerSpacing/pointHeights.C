@@ -1,19 +1,15 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "pointHeights.H"
 #include "FlatOutput.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- The entry for each patch, or null
 static List<const heightEntries*> patchEntries
@@ -81,21 +77,16 @@ static bool thinner(const heightSeries& a, const heightSeries& b)
       : h1 < b.firstLayerThickness;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::scalar Foam::pointHeights::unit(const label p) const
+scalar pointHeights::unit(const label p) const
 {
     return units_.size() ? units_[p] : 1;
 }
 
 
-Foam::heightEntries Foam::pointHeights::generalEntries
-(
-    const label p
-) const
+heightEntries pointHeights::generalEntries(const label p) const
 {
     const bool hasFirst = local_.firstThickness.size();
     const bool hasTotal = local_.thickness.size();
@@ -108,7 +99,7 @@ Foam::heightEntries Foam::pointHeights::generalEntries
 }
 
 
-Foam::heightSeries Foam::pointHeights::patchHeights(const label p) const
+heightSeries pointHeights::patchHeights(const label p) const
 {
     const heightSeries general
     (
@@ -142,7 +133,7 @@ Foam::heightSeries Foam::pointHeights::patchHeights(const label p) const
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::pointHeights::pointHeights
+pointHeights::pointHeights
 (
     const wallSurface& wall,
     const wallAddressing& addressing,
@@ -164,7 +155,7 @@ Foam::pointHeights::pointHeights
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::heightSeries Foam::pointHeights::of(const label p) const
+heightSeries pointHeights::of(const label p) const
 {
     heightSeries heights;
 
@@ -193,5 +184,6 @@ Foam::heightSeries Foam::pointHeights::of(const label p) const
     return heights;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

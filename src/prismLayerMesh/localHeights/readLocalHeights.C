@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "readLocalHeights.H"
@@ -13,10 +9,10 @@ License
 #include "boundBox.H"
 #include "OStringStream.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Largest distance of a point of the wall from the surface with values, over
 //  the diagonal of the wall's bounding box
@@ -96,12 +92,10 @@ static scalarField readHeights
     return heights;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::localHeights Foam::readLocalHeights
+localHeights readLocalHeights
 (
     const wallSurface& wall,
     const prismLayerControls& controls,
@@ -141,5 +135,6 @@ Foam::localHeights Foam::readLocalHeights
     return local;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceValues.H"
@@ -18,10 +14,10 @@ License
 #include <algorithm>
 #include <map>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- The smallest value of the faces around each point and around other points at
 //  the same place
@@ -168,12 +164,10 @@ static void checkAsciiVtk(const fileName& file)
     }
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::surfaceValues Foam::readVtkValues
+surfaceValues readVtkValues
 (
     const fileName& file,
     const word& field,
@@ -223,7 +217,7 @@ Foam::surfaceValues Foam::readVtkValues
 }
 
 
-Foam::surfaceValues Foam::readListValues
+surfaceValues readListValues
 (
     const fileName& file,
     const fileName& surfaceFile,
@@ -260,5 +254,6 @@ Foam::surfaceValues Foam::readListValues
     return result;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,17 +1,16 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "regionSearch.H"
 
+namespace Foam
+{
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::regionSearch::regionSearch
+regionSearch::regionSearch
 (
     const geometryRegion& region,
     const Time& time
@@ -52,7 +51,7 @@ Foam::regionSearch::regionSearch
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::boolList Foam::regionSearch::inside(const pointField& points) const
+boolList regionSearch::inside(const pointField& points) const
 {
     List<volumeType> types;
     surface_->getVolumeType(points, types);
@@ -67,10 +66,7 @@ Foam::boolList Foam::regionSearch::inside(const pointField& points) const
 }
 
 
-Foam::scalarField Foam::regionSearch::distancesFromSurface
-(
-    const pointField& points
-) const
+scalarField regionSearch::distancesFromSurface(const pointField& points) const
 {
     List<pointIndexHit> hits;
     surface_->findNearest(points, scalarField(points.size(), sqr(GREAT)), hits);
@@ -85,7 +81,7 @@ Foam::scalarField Foam::regionSearch::distancesFromSurface
 }
 
 
-Foam::boolList Foam::regionSearch::contains(const pointField& points) const
+boolList regionSearch::contains(const pointField& points) const
 {
     const bool near = region_.mode == geometryRegion::modes::distance;
     boolList in(near ? boolList(points.size()) : inside(points));
@@ -111,7 +107,7 @@ Foam::boolList Foam::regionSearch::contains(const pointField& points) const
 }
 
 
-Foam::scalarField Foam::regionSearch::distances(const pointField& points) const
+scalarField regionSearch::distances(const pointField& points) const
 {
     const boolList in(contains(points));
     scalarField distances(distancesFromSurface(points));
@@ -124,5 +120,6 @@ Foam::scalarField Foam::regionSearch::distances(const pointField& points) const
     return distances;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

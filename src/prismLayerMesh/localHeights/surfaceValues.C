@@ -1,19 +1,15 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceValues.H"
 #include "triSurfaceSearch.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 static barycentric2D coordinates
 (
@@ -32,12 +28,10 @@ static barycentric2D coordinates
        .pointToBarycentric((x - origin)/length);
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::scalar Foam::interpolate
+scalar interpolate
 (
     const surfaceValues& source,
     const pointField& points,
@@ -73,5 +67,6 @@ Foam::scalar Foam::interpolate
     return farthest;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

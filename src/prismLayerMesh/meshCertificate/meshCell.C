@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "meshCell.H"
@@ -13,9 +9,12 @@ License
 
 #include <algorithm>
 
+namespace Foam
+{
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::meshCell::meshCell(const polyhedralMesh& mesh, const boolList& onWall)
+meshCell::meshCell(const polyhedralMesh& mesh, const boolList& onWall)
 :
     mesh_(mesh),
     onWall_(onWall)
@@ -24,7 +23,7 @@ Foam::meshCell::meshCell(const polyhedralMesh& mesh, const boolList& onWall)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::meshCell::set(const label celli)
+void meshCell::set(const label celli)
 {
     labels_.clear();
     starts_.clear();
@@ -50,7 +49,7 @@ void Foam::meshCell::set(const label celli)
 }
 
 
-bool Foam::meshCell::closes(const faceCorner* c, const label n)
+bool meshCell::closes(const faceCorner* c, const label n)
 {
     for (label i = 0; i < n; ++i)
     {
@@ -71,7 +70,7 @@ bool Foam::meshCell::closes(const faceCorner* c, const label n)
 }
 
 
-bool Foam::meshCell::lies(const label* p) const
+bool meshCell::lies(const label* p) const
 {
     bool onSide = false;
     label n = 0;
@@ -86,7 +85,7 @@ bool Foam::meshCell::lies(const label* p) const
 }
 
 
-void Foam::meshCell::collectCorners()
+void meshCell::collectCorners()
 {
     corners_.clear();
     points_.clear();
@@ -120,7 +119,7 @@ void Foam::meshCell::collectCorners()
 }
 
 
-bool Foam::meshCell::isPositiveAt
+bool meshCell::isPositiveAt
 (
     const tetSigns& positive,
     const faceCorner* c,
@@ -143,7 +142,7 @@ bool Foam::meshCell::isPositiveAt
 }
 
 
-Foam::meshCellVerdict Foam::meshCell::cornersVerdict()
+meshCellVerdict meshCell::cornersVerdict()
 {
     collectCorners();
 
@@ -183,7 +182,7 @@ Foam::meshCellVerdict Foam::meshCell::cornersVerdict()
 }
 
 
-Foam::meshCellVerdict Foam::meshCell::operator()(const label celli)
+meshCellVerdict meshCell::operator()(const label celli)
 {
     set(celli);
 
@@ -212,5 +211,6 @@ Foam::meshCellVerdict Foam::meshCell::operator()(const label celli)
       : meshCellVerdict{meshCellShape::prism, isPositivePrism(points)};
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

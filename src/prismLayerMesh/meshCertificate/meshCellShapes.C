@@ -1,17 +1,16 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "meshCell.H"
 
+namespace Foam
+{
+
 // * * * * * * * * * * * * * * * * Static Data * * * * * * * * * * * * * * * //
 
-const Foam::Enum<Foam::meshCellShape> Foam::meshCellShapeName
+const Enum<meshCellShape> meshCellShapeName
 ({
     {meshCellShape::prism, "prism"},
     {meshCellShape::lyingPrism, "lyingPrism"},
@@ -24,7 +23,7 @@ const Foam::Enum<Foam::meshCellShape> Foam::meshCellShapeName
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::label Foam::meshCell::faceOf(const label n, label i) const
+label meshCell::faceOf(const label n, label i) const
 {
     while (nPoints(i) != n)
     {
@@ -35,7 +34,7 @@ Foam::label Foam::meshCell::faceOf(const label n, label i) const
 }
 
 
-bool Foam::meshCell::isTriangle
+bool meshCell::isTriangle
 (
     const label i,
     const label a,
@@ -55,12 +54,7 @@ bool Foam::meshCell::isTriangle
 }
 
 
-bool Foam::meshCell::readSide
-(
-    const label i,
-    label* p,
-    label* above
-) const
+bool meshCell::readSide(const label i, label* p, label* above) const
 {
     for (label k = 0; k < 3; ++k)
     {
@@ -85,7 +79,7 @@ bool Foam::meshCell::readSide
 }
 
 
-bool Foam::meshCell::asPrism(label* p) const
+bool meshCell::asPrism(label* p) const
 {
     if (nFaces() != 5 || nTriangles_ != 2 || nQuads_ != 3)
     {
@@ -127,7 +121,7 @@ bool Foam::meshCell::asPrism(label* p) const
 }
 
 
-bool Foam::meshCell::asWedge(label* p) const
+bool meshCell::asWedge(label* p) const
 {
     if (nFaces() != 4 || nTriangles_ != 2 || nQuads_ != 2)
     {
@@ -171,5 +165,6 @@ bool Foam::meshCell::asWedge(label* p) const
     return false;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "meshCertificate.H"
@@ -12,10 +8,10 @@ License
 
 #include <cmath>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 static bool isFinite(const point& p)
 {
@@ -127,12 +123,10 @@ static boolList pointsOf(const polyhedralMesh& mesh, const labelUList& faces)
     return found;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::List<Foam::labelPair> Foam::findIntersections
+List<labelPair> findIntersections
 (
     const polyhedralMesh& mesh,
     const labelUList& wallFaces,
@@ -156,7 +150,7 @@ Foam::List<Foam::labelPair> Foam::findIntersections
 }
 
 
-Foam::meshCertificate Foam::certifyMesh
+meshCertificate certifyMesh
 (
     const polyhedralMesh& mesh,
     const labelUList& wallFaces,
@@ -200,5 +194,6 @@ Foam::meshCertificate Foam::certifyMesh
     return certificate;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,19 +1,15 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "polyhedralMesh.H"
 #include "HashSet.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Number of the faces of each cell
 static labelList nFacesOfCells
@@ -36,12 +32,10 @@ static labelList nFacesOfCells
     return labelList(std::move(n));
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::polyhedralMesh::polyhedralMesh
+polyhedralMesh::polyhedralMesh
 (
     const pointField& points,
     const faceList& faces,
@@ -70,11 +64,7 @@ Foam::polyhedralMesh::polyhedralMesh
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::label Foam::polyhedralMesh::beyond
-(
-    const label facei,
-    const label celli
-) const
+label polyhedralMesh::beyond(const label facei, const label celli) const
 {
     if (facei >= neighbour_.size())
     {
@@ -85,11 +75,7 @@ Foam::label Foam::polyhedralMesh::beyond
 }
 
 
-Foam::label Foam::polyhedralMesh::opposite
-(
-    const label facei,
-    const label celli
-) const
+label polyhedralMesh::opposite(const label facei, const label celli) const
 {
     label found = -1;
 
@@ -116,7 +102,7 @@ Foam::label Foam::polyhedralMesh::opposite
 }
 
 
-Foam::point Foam::polyhedralMesh::centre(const label celli) const
+point polyhedralMesh::centre(const label celli) const
 {
     labelHashSet labels;
     point sum(Zero);
@@ -135,5 +121,6 @@ Foam::point Foam::polyhedralMesh::centre(const label celli) const
     return sum/max(labels.size(), 1);
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,19 +1,15 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "offsetEnvelope.H"
 #include "sparsePoints.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Mean length of the edges at each point
 static scalarField edgeLengths
@@ -150,12 +146,10 @@ static void append
     envelope.gaps.append(scalarField(UIndirectList<scalar>(s.gaps, kept)));
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::offsetEnvelope Foam::makeOffsetEnvelope
+offsetEnvelope makeOffsetEnvelope
 (
     const wallSurface& wall,
     const wallAddressing& addressing,
@@ -205,5 +199,6 @@ Foam::offsetEnvelope Foam::makeOffsetEnvelope
     return envelope;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

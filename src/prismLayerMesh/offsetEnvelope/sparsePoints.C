@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "sparsePoints.H"
@@ -14,10 +10,11 @@ License
 #include <set>
 #include <unordered_map>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
 namespace
 {
 
@@ -122,16 +119,10 @@ public:
 };
 
 } // End anonymous namespace
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::labelList Foam::sparsePoints
-(
-    const pointField& points,
-    const scalarField& distances
-)
+labelList sparsePoints(const pointField& points, const scalarField& distances)
 {
     pointGrids grids(points.size());
     DynamicList<label> kept(points.size());
@@ -169,5 +160,6 @@ Foam::labelList Foam::sparsePoints
     return labelList(std::move(kept));
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "controlEntries.H"
@@ -12,10 +8,10 @@ License
 #include "label.H"
 #include "scalar.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Number of letters to insert, delete or replace to turn a into b
 static label editDistance(const std::string& a, const std::string& b)
@@ -76,12 +72,10 @@ static string joined(const wordList& words)
     return text;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::OSstream& Foam::entryError(const dictionary& dict, const word& key)
+OSstream& entryError(const dictionary& dict, const word& key)
 {
     label line = dict.startLineNumber();
 
@@ -100,7 +94,7 @@ Foam::OSstream& Foam::entryError(const dictionary& dict, const word& key)
 }
 
 
-void Foam::missingEntry(const dictionary& dict, const word& key)
+void missingEntry(const dictionary& dict, const word& key)
 {
     entryError(dict, key)
         << "The entry " << key << " of " << dict.dictName() << " is missing"
@@ -110,7 +104,7 @@ void Foam::missingEntry(const dictionary& dict, const word& key)
 }
 
 
-void Foam::checkKeys(const dictionary& dict, const wordList& validKeys)
+void checkKeys(const dictionary& dict, const wordList& validKeys)
 {
     for (const entry& e : dict)
     {
@@ -128,11 +122,7 @@ void Foam::checkKeys(const dictionary& dict, const wordList& validKeys)
 }
 
 
-const Foam::dictionary& Foam::optionalDict
-(
-    const dictionary& dict,
-    const word& key
-)
+const dictionary& optionalDict(const dictionary& dict, const word& key)
 {
     if (!dict.found(key, keyType::LITERAL))
     {
@@ -150,11 +140,7 @@ const Foam::dictionary& Foam::optionalDict
 }
 
 
-const Foam::dictionary& Foam::mandatoryDict
-(
-    const dictionary& dict,
-    const word& key
-)
+const dictionary& mandatoryDict(const dictionary& dict, const word& key)
 {
     if (!dict.found(key, keyType::LITERAL))
     {
@@ -168,7 +154,7 @@ const Foam::dictionary& Foam::mandatoryDict
 
 
 template<class Type>
-bool Foam::readBounded
+bool readBounded
 (
     const dictionary& dict,
     const word& key,
@@ -199,7 +185,7 @@ bool Foam::readBounded
 }
 
 
-Foam::scalar Foam::readMandatory
+scalar readMandatory
 (
     const dictionary& dict,
     const word& key,
@@ -218,7 +204,7 @@ Foam::scalar Foam::readMandatory
 }
 
 
-bool Foam::readChoice
+bool readChoice
 (
     const dictionary& dict,
     const word& key,
@@ -248,17 +234,18 @@ bool Foam::readChoice
 }
 
 
-template bool Foam::readBounded
+template bool readBounded
 (
     const dictionary&, const word&,
     const scalar&, const scalar&, scalar&
 );
 
-template bool Foam::readBounded
+template bool readBounded
 (
     const dictionary&, const word&,
     const label&, const label&, label&
 );
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,18 +1,14 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "geometricHeights.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- log((exp(n x) - 1)/(exp(x) - 1)), the logarithm of 1 + alpha + ... +
 //  alpha^(n-1) for alpha = exp(x), and its derivative
@@ -37,12 +33,10 @@ static scalar logGeometricSum(const label n, const scalar x, scalar& slope)
       + (x > 0 ? (n - 1)*x : 0);
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::scalar Foam::totalThickness
+scalar totalThickness
 (
     const label n,
     const scalar firstThickness,
@@ -56,7 +50,7 @@ Foam::scalar Foam::totalThickness
 }
 
 
-Foam::scalar Foam::fittedRatio
+scalar fittedRatio
 (
     const label n,
     const scalar firstThickness,
@@ -95,7 +89,7 @@ Foam::scalar Foam::fittedRatio
 }
 
 
-void Foam::layerHeights
+void layerHeights
 (
     const label n,
     const scalar firstThickness,
@@ -132,5 +126,6 @@ void Foam::layerHeights
     heights[n] = min(room, asked);
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

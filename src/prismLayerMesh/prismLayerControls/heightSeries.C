@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "heightSeries.H"
@@ -12,10 +8,10 @@ License
 
 #include <sstream>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 template<class... Items>
 [[noreturn]] static void fail(const word& key, const Items&... items)
@@ -169,12 +165,10 @@ static void checkDetermined
     );
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-std::string Foam::givenKeys(const heightEntries& given)
+std::string givenKeys(const heightEntries& given)
 {
     std::string keys;
 
@@ -197,7 +191,7 @@ std::string Foam::givenKeys(const heightEntries& given)
 }
 
 
-Foam::heightSeries Foam::changedHeights
+heightSeries changedHeights
 (
     const heightSeries& before,
     const heightEntries& given,
@@ -254,5 +248,6 @@ Foam::heightSeries Foam::changedHeights
     return heights;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

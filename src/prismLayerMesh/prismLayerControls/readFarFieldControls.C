@@ -1,19 +1,15 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "readFarFieldControls.H"
 #include "readRegions.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Keys of all kinds of boundary
 static const wordList boundaryKeys
@@ -139,12 +135,10 @@ static sizeRegion readSizeRegion(const keyType&, const dictionary& dict)
     };
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::farFieldControls Foam::readFarFieldControls
+farFieldControls readFarFieldControls
 (
     const dictionary& dict,
     const bool fluidOutside
@@ -187,5 +181,6 @@ Foam::farFieldControls Foam::readFarFieldControls
     return controls;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

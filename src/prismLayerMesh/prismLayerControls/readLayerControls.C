@@ -1,20 +1,16 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "readLayerControls.H"
 #include "readRegions.H"
 #include "readLayerHeights.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Number of layers of a patch or region; 0 if it is the general number
 static label readNumber(const dictionary& dict, const layerControls& general)
@@ -54,10 +50,7 @@ static heightEntries readPart
     const layerControls& general
 )
 {
-    heightEntries given
-    (
-        readLayerHeights(dict, general.heights.relativeSizes)
-    );
+    heightEntries given(readLayerHeights(dict, general.heights.relativeSizes));
     given.nSurfaceLayers = readNumber(dict, general);
 
     if (general.automatic())
@@ -207,12 +200,10 @@ static void readGeneralHeights(const dictionary& dict, layerControls& controls)
     });
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::layerControls Foam::readLayerControls(const dictionary& dict)
+layerControls readLayerControls(const dictionary& dict)
 {
     wordList keys(layerHeightKeys);
     keys.append
@@ -271,5 +262,6 @@ Foam::layerControls Foam::readLayerControls(const dictionary& dict)
     return controls;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

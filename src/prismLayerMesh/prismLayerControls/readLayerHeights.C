@@ -1,19 +1,18 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "readLayerHeights.H"
 #include "controlEntries.H"
 #include "Switch.H"
 
+namespace Foam
+{
+
 // * * * * * * * * * * * * * * * * Static Data * * * * * * * * * * * * * * * //
 
-const Foam::wordList Foam::layerHeightKeys
+const wordList layerHeightKeys
 ({
     "nSurfaceLayers",
     "firstLayerThickness",
@@ -26,9 +25,6 @@ const Foam::wordList Foam::layerHeightKeys
 
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
 
 static void readYPlus(const dictionary& dict, heightEntries& given)
 {
@@ -44,16 +40,10 @@ static void readYPlus(const dictionary& dict, heightEntries& given)
     given.Re = U*L/nu;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::heightEntries Foam::readLayerHeights
-(
-    const dictionary& dict,
-    const bool relativeSizes
-)
+heightEntries readLayerHeights(const dictionary& dict, const bool relativeSizes)
 {
     heightEntries given;
 
@@ -103,11 +93,7 @@ Foam::heightEntries Foam::readLayerHeights
 }
 
 
-void Foam::atEntriesOf
-(
-    const dictionary& dict,
-    const std::function<void()>& call
-)
+void atEntriesOf(const dictionary& dict, const std::function<void()>& call)
 {
     try
     {
@@ -122,7 +108,7 @@ void Foam::atEntriesOf
 }
 
 
-Foam::scalar Foam::flatPlateThickness
+scalar flatPlateThickness
 (
     const scalar yPlus,
     const scalar U,
@@ -136,5 +122,6 @@ Foam::scalar Foam::flatPlateThickness
     return 2*yPlus*nu/frictionVelocity;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

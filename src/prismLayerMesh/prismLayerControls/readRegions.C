@@ -1,23 +1,22 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "readRegions.H"
 #include "Enum.H"
 
+namespace Foam
+{
+
 // * * * * * * * * * * * * * * * * Static Data * * * * * * * * * * * * * * * //
 
-const Foam::wordList Foam::geometryRegionKeys
+const wordList geometryRegionKeys
 ({
     "geometry", "mode", "distance"
 });
 
-static const Foam::Enum<Foam::geometryRegion::modes> modeNames
+static const Enum<geometryRegion::modes> modeNames
 ({
     {Foam::geometryRegion::modes::inside, "inside"},
     {Foam::geometryRegion::modes::outside, "outside"},
@@ -27,7 +26,7 @@ static const Foam::Enum<Foam::geometryRegion::modes> modeNames
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::geometryRegion Foam::readGeometryRegion(const dictionary& dict)
+geometryRegion readGeometryRegion(const dictionary& dict)
 {
     geometryRegion region;
     region.name = dict.dictName();
@@ -51,5 +50,6 @@ Foam::geometryRegion Foam::readGeometryRegion(const dictionary& dict)
     return region;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "fieldStages.H"
@@ -15,10 +11,10 @@ License
 #include "stageText.H"
 #include "throwingErrors.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- How often local conductivities aim at local heights
 static const label nAims = 5;
@@ -38,6 +34,28 @@ static void requireHomeomorphic
             << wall.nComponents << ", Euler characteristic "
             << levelSets.eulerCharacteristic << " for "
             << wall.eulerCharacteristic << exit(FatalError);
+    }
+}
+
+
+static bool isLowerSomewhere
+(
+    const layerSpacing& asked,
+    const layerSpacing& uniform
+)
+{
+    return min(asked.thickness) < uniform.thickness[0]
+        || min(asked.firstThickness) < uniform.firstThickness[0];
+}
+
+
+static void requireField(const wallFields& fields)
+{
+    if (fields.failure.size())
+    {
+        FatalErrorInFunction
+            << "marchingDistances levelSets needs a field, but there is none: "
+            << fields.failure.c_str() << exit(FatalError);
     }
 }
 
@@ -78,12 +96,10 @@ static void attempt
     observer.end(sizes);
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::wallFields Foam::makeFields
+wallFields makeFields
 (
     const wallSurface& wall,
     const wallAddressing& addressing,
@@ -143,7 +159,7 @@ Foam::wallFields Foam::makeFields
 }
 
 
-Foam::levelSetLayers Foam::makeLevelSets
+levelSetLayers makeLevelSets
 (
     const wallFields& fields,
     const wallAddressing& addressing,
@@ -155,58 +171,40 @@ Foam::levelSetLayers Foam::makeLevelSets
     const stageObserver& observer
 )
 {
-    if (fields.failure.size())
-    {
-        FatalErrorInFunction
-            << "marchingDistances levelSets needs a field, but there is none: "
-            << fields.failure.c_str() << exit(FatalError);
-    }
-
+    requireField(fields);
     observer.begin("levelSets");
     const backgroundMesh& mesh = fields.background;
     const layerSpacing uniform(uniformSpacing(asked));
-    levelSetLayers result;
-    result.field = fields.anisotropic;
+    levelSetLayers result{fields.anisotropic, asked};
 
     const scalarField energies
     (
-        samplingEnergies
-        (
-            mesh, result.field, visibility.axes(), kinds, uniform
-        )
+        samplingEnergies(mesh, result.field, visibility.axes(), kinds, uniform)
     );
     const auto reached = [&]()
     {
-        return levelSetSpacing
-        (
-            mesh, result.field, visibility, energies, uniform
-        );
+        const scalarField& field = result.field;
+        return levelSetSpacing(mesh, field, visibility, energies, uniform);
     };
 
-    const bool local =
-        min(asked.thickness) < uniform.thickness[0]
-     || min(asked.firstThickness) < uniform.firstThickness[0];
-    const List<wallSearch::foot> feet
-    (
-        local ? feetOfPoints(mesh, search) : List<wallSearch::foot>()
-    );
-    layerSpacing target(asked);
+    const bool local = isLowerSomewhere(asked, uniform);
 
-    for (label k = 0; local && k < nAims; ++k)
+    if (local)
     {
-        if (k > 0)
-        {
-            target = correctedTarget(target, asked, reached(), uniform);
-        }
+        const List<wallSearch::foot> feet(feetOfPoints(mesh, search));
+        layerSpacing target(asked);
 
-        const scalarField factors
-        (
-            localWeightFactors(mesh, feet, energies, uniform, target)
-        );
-        result.field = makeHarmonicField
-        (
-            mesh, fields.edgeWeights*factors, controls.field
-        );
+        for (label k = 0; k < nAims; ++k)
+        {
+            target = k > 0
+              ? correctedTarget(target, asked, reached(), uniform) : target;
+            const scalarField factors
+            (
+                localWeightFactors(mesh, feet, energies, uniform, target)
+            );
+            const scalarField weights(factors*fields.edgeWeights);
+            result.field = makeHarmonicField(mesh, weights, controls.field);
+        }
     }
 
     result.spacing = gradedSpacing
@@ -222,5 +220,6 @@ Foam::levelSetLayers Foam::makeLevelSets
     return result;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

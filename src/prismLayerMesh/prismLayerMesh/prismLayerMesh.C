@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "prismLayerMesh.H"
@@ -16,10 +12,10 @@ License
 #include "wallClearance.H"
 #include "wallPointsError.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
 {
@@ -255,12 +251,10 @@ prismLayerMesh pipeline::run(const localHeights& local)
 }
 
 } // End anonymous namespace
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::prismLayerMesh Foam::makePrismLayerMesh
+prismLayerMesh makePrismLayerMesh
 (
     const wallSurface& wall,
     const prismLayerControls& controls,
@@ -272,7 +266,7 @@ Foam::prismLayerMesh Foam::makePrismLayerMesh
 }
 
 
-void Foam::addFarField
+void addFarField
 (
     const farFieldControls& controls,
     const farFieldDomain& domain,
@@ -289,5 +283,6 @@ void Foam::addFarField
     observer.end(sizesOf(m.farField));
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

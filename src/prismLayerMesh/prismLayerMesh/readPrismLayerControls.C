@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "readPrismLayerControls.H"
@@ -13,10 +9,10 @@ License
 #include "readFarFieldControls.H"
 #include "readLayerControls.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 static wallSurfaceControls readSurface(const dictionary& dict)
 {
@@ -73,12 +69,10 @@ static backgroundMeshControls readBackgroundMesh
     return controls;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::prismLayerControls Foam::readPrismLayerControls(const dictionary& dict)
+prismLayerControls readPrismLayerControls(const dictionary& dict)
 {
     checkKeys
     (
@@ -111,5 +105,6 @@ Foam::prismLayerControls Foam::readPrismLayerControls(const dictionary& dict)
     return controls;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,17 +1,14 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "stageText.H"
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+namespace Foam
+{
 
-Foam::string Foam::sizesOf(const List<pointKind>& kinds)
+string sizesOf(const List<pointKind>& kinds)
 {
     const FixedList<label, nPointKinds> counts(countKinds(kinds));
     string sizes("cones of points:");
@@ -26,25 +23,21 @@ Foam::string Foam::sizesOf(const List<pointKind>& kinds)
 }
 
 
-Foam::string Foam::sizesOf(const layerFront& front)
+string sizesOf(const layerFront& front)
 {
     return text(front.wallPoints.size(), " columns, ",
         front.extraColumnPoints().size(), " by multiple normals");
 }
 
 
-Foam::string Foam::sizesOf(const offsetEnvelope& envelope)
+string sizesOf(const offsetEnvelope& envelope)
 {
     return text(envelope.nEnvelope, " points, ",
         envelope.points.size() - envelope.nEnvelope, " on sheets between");
 }
 
 
-Foam::string Foam::sizesOf
-(
-    const backgroundMesh& mesh,
-    const surfaceTopology& levelSets
-)
+string sizesOf(const backgroundMesh& mesh, const surfaceTopology& levelSets)
 {
     return text(mesh.tets.size(), " tetrahedra; components ",
         levelSets.nComponents, ", Euler characteristic ",
@@ -52,26 +45,27 @@ Foam::string Foam::sizesOf
 }
 
 
-Foam::string Foam::sizesOf(const madeLayers& made)
+string sizesOf(const madeLayers& made)
 {
     return text(made.layers.faces.size()*made.layers.nLayers,
         " cells; columns retreated ", made.nRetreats, " times");
 }
 
 
-Foam::string Foam::sizesOf(const layerCertificate& certificate)
+string sizesOf(const layerCertificate& certificate)
 {
     return text(certificate.nStacksNotPositive, " stacks not positive, ",
         certificate.nIntersectingPairs, " intersecting pairs");
 }
 
 
-Foam::string Foam::sizesOf(const farFieldMesh& far)
+string sizesOf(const farFieldMesh& far)
 {
     return text(far.tets.size(), " tetrahedra on ", far.outerTriangles.size(),
         " triangles of the layers and ", far.boundaryTriangles.size(),
         " of the far boundary");
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

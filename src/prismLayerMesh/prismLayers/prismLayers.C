@@ -1,17 +1,16 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "prismLayers.H"
 
+namespace Foam
+{
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::label Foam::prismLayers::root(const label c) const
+label prismLayers::root(const label c) const
 {
     const label further = c - nWallPoints();
 
@@ -19,7 +18,7 @@ Foam::label Foam::prismLayers::root(const label c) const
 }
 
 
-Foam::label Foam::prismLayers::pointLabel(const label c, const label i) const
+label prismLayers::pointLabel(const label c, const label i) const
 {
     const label further = extraColumnPoints.size() ? c - nWallPoints() : -1;
 
@@ -30,7 +29,7 @@ Foam::label Foam::prismLayers::pointLabel(const label c, const label i) const
 }
 
 
-Foam::pointField Foam::prismLayers::meshPoints() const
+pointField prismLayers::meshPoints() const
 {
     pointField result(points);
 
@@ -47,7 +46,7 @@ Foam::pointField Foam::prismLayers::meshPoints() const
 }
 
 
-Foam::pointField Foam::prismLayers::outerPoints() const
+pointField prismLayers::outerPoints() const
 {
     pointField outer(nColumns());
     forAll(outer, c)
@@ -58,5 +57,6 @@ Foam::pointField Foam::prismLayers::outerPoints() const
     return outer;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "prismPolyMesh.H"
@@ -13,10 +9,10 @@ License
 
 #include <algorithm>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- The labels in the mesh of the points of the far field
 static labelList meshLabels
@@ -165,12 +161,10 @@ static void addTetFaces
     }
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::polyMeshTopology Foam::joinFarField
+polyMeshTopology joinFarField
 (
     const prismLayers& layers,
     const polyMeshTopology& prisms,
@@ -222,5 +216,6 @@ Foam::polyMeshTopology Foam::joinFarField
     return mesh;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,27 +1,23 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "prismPolyMesh.H"
 #include "HashSet.H"
 
+namespace Foam
+{
+
 // * * * * * * * * * * * * * * * * Static Data * * * * * * * * * * * * * * * //
 
-const Foam::word Foam::layerOuterName("layerOuter");
-const Foam::word Foam::layerSidesName("layerSides");
-const Foam::word Foam::boundaryLayerName("boundaryLayer");
-const Foam::word Foam::farFieldName("farField");
+const word layerOuterName("layerOuter");
+const word layerSidesName("layerSides");
+const word boundaryLayerName("boundaryLayer");
+const word farFieldName("farField");
 
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace Foam
-{
 
 static void addPatches
 (
@@ -99,12 +95,10 @@ static void addCellZones(const label nLayerCells, polyMesh& mesh)
     );
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::wordList Foam::prismPatchNames(const wordList& wallPatchNames)
+wordList prismPatchNames(const wordList& wallPatchNames)
 {
     wordHashSet taken;
     taken.insert(layerOuterName);
@@ -126,7 +120,7 @@ Foam::wordList Foam::prismPatchNames(const wordList& wallPatchNames)
 }
 
 
-Foam::autoPtr<Foam::polyMesh> Foam::makePrismPolyMesh
+autoPtr<polyMesh> makePrismPolyMesh
 (
     prismLayers& layers,
     farFieldMesh& far,
@@ -179,5 +173,6 @@ Foam::autoPtr<Foam::polyMesh> Foam::makePrismPolyMesh
     return mesh;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

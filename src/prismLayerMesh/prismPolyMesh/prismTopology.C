@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 
@@ -14,10 +10,10 @@ License
 
 #include <algorithm>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 static void badEdge
 (
@@ -238,16 +234,10 @@ static void addOpenSides
     }
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::polyMeshTopology::reserve
-(
-    const label nFaces,
-    const label nInternal
-)
+void polyMeshTopology::reserve(const label nFaces, const label nInternal)
 {
     faces.reserve(nFaces);
     owner.reserve(nFaces);
@@ -255,7 +245,7 @@ void Foam::polyMeshTopology::reserve
 }
 
 
-void Foam::polyMeshTopology::append
+void polyMeshTopology::append
 (
     face&& f,
     const label ownerCell,
@@ -276,7 +266,7 @@ void Foam::polyMeshTopology::append
 }
 
 
-void Foam::polyMeshTopology::startPatch()
+void polyMeshTopology::startPatch()
 {
     patchStarts.append(faces.size());
     patchSizes.append(0);
@@ -285,7 +275,7 @@ void Foam::polyMeshTopology::startPatch()
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::polyMeshTopology Foam::makePrismTopology(const prismLayers& layers)
+polyMeshTopology makePrismTopology(const prismLayers& layers)
 {
     const labelPairLookup faceOf(facesOfEdges(layers));
     label nOpen = 0;
@@ -312,5 +302,6 @@ Foam::polyMeshTopology Foam::makePrismTopology(const prismLayers& layers)
     return mesh;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

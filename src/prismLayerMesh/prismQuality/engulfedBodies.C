@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "engulfedBodies.H"
@@ -15,10 +11,10 @@ License
 #include "DynamicList.H"
 #include "Map.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- A body: a component of the front
 struct frontBody
@@ -189,15 +185,10 @@ static bool isInStack
     return false;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::List<Foam::labelPair> Foam::findEngulfedBodies
-(
-    const prismLayers& layers
-)
+List<labelPair> findEngulfedBodies(const prismLayers& layers)
 {
     const List<frontBody> bodies(findBodies(layers));
     DynamicList<labelPair> pairs;
@@ -230,5 +221,6 @@ Foam::List<Foam::labelPair> Foam::findEngulfedBodies
     return List<labelPair>(std::move(pairs));
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

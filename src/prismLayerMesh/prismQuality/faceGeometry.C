@@ -1,17 +1,16 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "faceGeometry.H"
 
+namespace Foam
+{
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::faceGeometry::faceGeometry(const UList<point>& points)
+faceGeometry::faceGeometry(const UList<point>& points)
 {
     const label n = points.size();
 
@@ -50,5 +49,6 @@ Foam::faceGeometry::faceGeometry(const UList<point>& points)
     centre = sumA > VSMALL ? sumAc/(3*sumA) : middle;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,19 +1,15 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "faceGeometry.H"
 #include "prismQuality.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Whether the centre of a cell is on the inner side of all its faces. Those
 //  are given with area vectors outwards; which is as in
@@ -54,12 +50,10 @@ static bool hasPositivePyramids(const UList<faceGeometry>& faces)
     return true;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-bool Foam::hasPositivePyramids(const prismLayers& layers, const label facei)
+bool hasPositivePyramids(const prismLayers& layers, const label facei)
 {
     const face& f = layers.faces[facei];
     const label n = f.size();
@@ -98,5 +92,7 @@ bool Foam::hasPositivePyramids(const prismLayers& layers, const label facei)
 
     return true;
 }
+
+} // End namespace Foam
 
 // ************************************************************************* //

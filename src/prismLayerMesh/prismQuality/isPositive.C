@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "cellPredicates.H"
@@ -12,10 +8,10 @@ License
 #include "prismQuality.H"
 #include "tetSigns.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- A prism; in layer 1 on a triangle without area one of which two or three
 //  lower points are one
@@ -83,17 +79,10 @@ static bool hasPositiveCorners(const layerCell& cell)
     return true;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-bool Foam::isPositive
-(
-    const prismLayers& layers,
-    const label facei,
-    const label i
-)
+bool isPositive(const prismLayers& layers, const label facei, const label i)
 {
     const layerCell cell(layers, facei, i);
     const bool hasArea = i > 1 || facei < layers.nWallFaces();
@@ -106,5 +95,6 @@ bool Foam::isPositive
     return hasArea ? hasPositiveCorners(cell) : isPositiveOnEdge(cell);
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,19 +1,15 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "layerJudge.H"
 #include "prismQuality.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- The items of a list for which a test holds, in their order. Many threads
 //  make the test at once.
@@ -33,12 +29,10 @@ static labelList selected(const labelUList& items, const Test& test)
     return labelList(UIndirectList<label>(items, held));
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-bool Foam::layerJudge::isCentreOutside(const label facei) const
+bool layerJudge::isCentreOutside(const label facei) const
 {
     const bool isPrism = layers_.faces[facei].size() == 3;
     const scalar surelyInside =
@@ -52,7 +46,7 @@ bool Foam::layerJudge::isCentreOutside(const label facei) const
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::layerJudge::layerJudge
+layerJudge::layerJudge
 (
     const prismLayers& layers,
     const wallSurface& front,
@@ -69,11 +63,7 @@ Foam::layerJudge::layerJudge
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::layerJudge::isBelowAttainable
-(
-    const label facei,
-    const scalar share
-) const
+bool layerJudge::isBelowAttainable(const label facei, const scalar share) const
 {
     const scalar smallest = share*attainable_[facei];
 
@@ -81,7 +71,7 @@ bool Foam::layerJudge::isBelowAttainable
 }
 
 
-Foam::stackFault Foam::layerJudge::faultOf
+stackFault layerJudge::faultOf
 (
     const label facei,
     const stackFault first,
@@ -105,7 +95,7 @@ Foam::stackFault Foam::layerJudge::faultOf
 }
 
 
-Foam::List<Foam::faultyStack> Foam::layerJudge::findFaults
+List<faultyStack> layerJudge::findFaults
 (
     const labelUList& faces,
     const stackFault first,
@@ -133,7 +123,7 @@ Foam::List<Foam::faultyStack> Foam::layerJudge::findFaults
 }
 
 
-Foam::labelList Foam::layerJudge::findBelowAttainable
+labelList layerJudge::findBelowAttainable
 (
     const labelUList& faces,
     const scalar share
@@ -147,10 +137,7 @@ Foam::labelList Foam::layerJudge::findBelowAttainable
 }
 
 
-Foam::List<Foam::labelPair> Foam::layerJudge::findOverlapping
-(
-    const labelUList& faces
-) const
+List<labelPair> layerJudge::findOverlapping(const labelUList& faces) const
 {
     const label nFaces = layers_.faces.size();
     List<labelPair> pairs(findOverlaps(layers_, faces));
@@ -169,7 +156,7 @@ Foam::List<Foam::labelPair> Foam::layerJudge::findOverlapping
 }
 
 
-void Foam::layerJudge::useCentreTries(const UList<faultyStack>& faults)
+void layerJudge::useCentreTries(const UList<faultyStack>& faults)
 {
     for (const faultyStack& stack : faults)
     {
@@ -178,5 +165,6 @@ void Foam::layerJudge::useCentreTries(const UList<faultyStack>& faults)
     }
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

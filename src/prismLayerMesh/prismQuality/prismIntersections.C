@@ -1,20 +1,16 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "engulfedBodies.H"
 #include "labelledTriangle.H"
 #include "prismQuality.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Triangles of one level of a front face: 0 the wall, else the outer surface.
 //  Those that are degenerate are left out; true when there are such.
@@ -55,18 +51,16 @@ static bool addTriangles
     return degenerate;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::List<Foam::labelPair> Foam::findIntersections(const prismLayers& layers)
+List<labelPair> findIntersections(const prismLayers& layers)
 {
     return findIntersections(layers, identity(layers.faces.size()));
 }
 
 
-Foam::List<Foam::labelPair> Foam::findOverlaps
+List<labelPair> findOverlaps
 (
     const prismLayers& layers,
     const labelUList& outerFaces
@@ -78,7 +72,7 @@ Foam::List<Foam::labelPair> Foam::findOverlaps
 }
 
 
-Foam::List<Foam::labelPair> Foam::findIntersections
+List<labelPair> findIntersections
 (
     const prismLayers& layers,
     const labelUList& outerFaces
@@ -114,5 +108,6 @@ Foam::List<Foam::labelPair> Foam::findIntersections
     return List<labelPair>(std::move(pairs));
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

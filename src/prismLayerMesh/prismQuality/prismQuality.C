@@ -1,19 +1,16 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "prismQuality.H"
 #include "scaledJacobian.H"
 #include "stackHeights.H"
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+namespace Foam
+{
 
-bool Foam::isPositiveStack(const prismLayers& layers, const label facei)
+bool isPositiveStack(const prismLayers& layers, const label facei)
 {
     stackHeights stack(layers);
     stack.compute(facei);
@@ -35,7 +32,7 @@ bool Foam::isPositiveStack(const prismLayers& layers, const label facei)
 }
 
 
-Foam::layerCertificate Foam::certify(const prismLayers& layers)
+layerCertificate certify(const prismLayers& layers)
 {
     const label nFaces = layers.faces.size();
     boolList outlying(nFaces, false);
@@ -61,5 +58,6 @@ Foam::layerCertificate Foam::certify(const prismLayers& layers)
     return certificate;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,18 +1,14 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "scaledJacobian.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
 {
@@ -142,12 +138,10 @@ static scalar shareOfPenalty(const scalar penalty)
     return penalty < 2 ? (1 - penalty)/(2 - penalty) : -GREAT;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::scalar Foam::worstJacobian
+scalar worstJacobian
 (
     const prismLayers& layers,
     const label facei,
@@ -176,7 +170,7 @@ Foam::scalar Foam::worstJacobian
 }
 
 
-Foam::scalarField Foam::attainableJacobians
+scalarField attainableJacobians
 (
     const wallSurface& front,
     const wallVisibility& visibility
@@ -194,7 +188,7 @@ Foam::scalarField Foam::attainableJacobians
 }
 
 
-Foam::scalar Foam::jacobianPenalty
+scalar jacobianPenalty
 (
     const prismLayers& layers,
     const label facei,
@@ -211,5 +205,6 @@ Foam::scalar Foam::jacobianPenalty
     return share >= 0 ? max(1 - share, scalar(0)) : 1 - share/(1 - share);
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

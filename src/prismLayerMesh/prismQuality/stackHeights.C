@@ -1,20 +1,16 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 
 #include "stackHeights.H"
 #include "faceGeometry.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- The same of a quadrilateral, with vectors from its middle, in half the time
 static scalar quadPyramid3
@@ -78,12 +74,10 @@ static scalar volume3
     return sum;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::stackHeights::stackHeights(const prismLayers& layers)
+stackHeights::stackHeights(const prismLayers& layers)
 :
     layers_(layers),
     heights_(layers.nLayers)
@@ -92,7 +86,7 @@ Foam::stackHeights::stackHeights(const prismLayers& layers)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::stackHeights::collect
+void stackHeights::collect
 (
     const label facei,
     const label level,
@@ -108,13 +102,13 @@ void Foam::stackHeights::collect
 }
 
 
-void Foam::stackHeights::compute(const label facei)
+void stackHeights::compute(const label facei)
 {
     compute(facei, layers_.nLayers);
 }
 
 
-void Foam::stackHeights::compute(const label facei, const label nLayers)
+void stackHeights::compute(const label facei, const label nLayers)
 {
     collect(facei, 0, lower_);
     faceGeometry lowerFace(lower_);
@@ -134,5 +128,6 @@ void Foam::stackHeights::compute(const label facei, const label nLayers)
     }
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

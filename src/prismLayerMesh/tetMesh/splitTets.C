@@ -1,19 +1,15 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "splitTets.H"
 #include "boolList.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Position in the set of the first edge or face of a tetrahedron, or -1. The
 //  set has simplices on the points that inSet marks.
@@ -89,12 +85,10 @@ static void split
     }
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::simplex Foam::sortedSimplex(const label a, const label b, const label c)
+simplex sortedSimplex(const label a, const label b, const label c)
 {
     simplex s({a, b, c});
     std::sort(s.begin(), s.end());
@@ -103,7 +97,7 @@ Foam::simplex Foam::sortedSimplex(const label a, const label b, const label c)
 }
 
 
-Foam::point Foam::centreOf(const simplex& s, const pointField& points)
+point centreOf(const simplex& s, const pointField& points)
 {
     point sum(Zero);
     label n = 0;
@@ -121,7 +115,7 @@ Foam::point Foam::centreOf(const simplex& s, const pointField& points)
 }
 
 
-void Foam::splitTets
+void splitTets
 (
     const simplexSet& simplices,
     const label firstNewPoint,
@@ -148,5 +142,6 @@ void Foam::splitTets
     tets.transfer(parts);
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include <tetgen.h>
@@ -19,10 +15,10 @@ License
 #include <algorithm>
 #include <string>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
 {
@@ -303,12 +299,10 @@ static tetMesh attempts(const tetDomain& domain, const tetRun& how)
     return tetMesh();
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-bool Foam::allPositive(const pointField& x, const tetCellList& tets)
+bool allPositive(const pointField& x, const tetCellList& tets)
 {
     for (const tetCell& tet : tets)
     {
@@ -322,7 +316,7 @@ bool Foam::allPositive(const pointField& x, const tetCellList& tets)
 }
 
 
-Foam::tetMesh Foam::tetrahedralize(const tetDomain& domain)
+tetMesh tetrahedralize(const tetDomain& domain)
 {
     return attempts
     (
@@ -337,7 +331,7 @@ Foam::tetMesh Foam::tetrahedralize(const tetDomain& domain)
 }
 
 
-Foam::tetMesh Foam::tetrahedralize
+tetMesh tetrahedralize
 (
     const tetDomain& domain,
     const std::function<scalar(const point&)>& size,
@@ -357,5 +351,6 @@ Foam::tetMesh Foam::tetrahedralize
     );
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,18 +1,14 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "wallClearance.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Radius of the ball that touches the wall's faces at p, has its centre on the
 //  axis d, and passes through q: the smaller root s*cosine of
@@ -105,12 +101,10 @@ static scalar room
     return free;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::scalarField Foam::makeWallClearance
+scalarField makeWallClearance
 (
     const wallSurface& wall,
     const wallSearch& search,
@@ -130,5 +124,6 @@ Foam::scalarField Foam::makeWallClearance
     return clearance;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

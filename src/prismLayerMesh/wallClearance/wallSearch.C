@@ -1,18 +1,14 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "wallSearch.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 static triSurface triangulated(const wallSurface& wall)
 {
@@ -95,12 +91,10 @@ struct oppositeOnly
 
 } // End anonymous namespace
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::wallSearch::wallSearch(const wallSurface& wall)
+wallSearch::wallSearch(const wallSurface& wall)
 :
     surface_(triangulated(wall)),
     normals_(unitNormals(surface_)),
@@ -117,13 +111,13 @@ Foam::wallSearch::wallSearch(const wallSurface& wall)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool Foam::wallSearch::nearer(const point& x, const scalar distance) const
+bool wallSearch::nearer(const point& x, const scalar distance) const
 {
     return tree_.findNearest(x, sqr(distance)).hit();
 }
 
 
-Foam::wallSearch::foot Foam::wallSearch::footOf(const point& x) const
+wallSearch::foot wallSearch::footOf(const point& x) const
 {
     const pointIndexHit hit(tree_.findNearest(x, GREAT));
     const labelledTri& tri = surface_[hit.index()];
@@ -144,7 +138,7 @@ Foam::wallSearch::foot Foam::wallSearch::footOf(const point& x) const
 }
 
 
-Foam::pointIndexHit Foam::wallSearch::nearestOpposite
+pointIndexHit wallSearch::nearestOpposite
 (
     const point& x,
     const scalar distance,
@@ -157,5 +151,6 @@ Foam::pointIndexHit Foam::wallSearch::nearestOpposite
     );
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,19 +1,15 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "cutReflexFaces.H"
 #include "DynamicList.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Smallest cosine between the normals of a corner and of its face
 static const scalar smallestCosine = 0.5;
@@ -39,12 +35,10 @@ static bool hasReflexOrFoldedCorner(const face& f, const pointField& points)
     return false;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::label Foam::cutReflexFaces(wallSurface& wall)
+label cutReflexFaces(wallSurface& wall)
 {
     DynamicList<face> kept(wall.faces.size()), triangles;
     DynamicList<label> keptIDs(wall.faces.size()), triangleIDs;
@@ -86,5 +80,6 @@ Foam::label Foam::cutReflexFaces(wallSurface& wall)
     return nCut;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "readWallSurface.H"
@@ -17,10 +13,10 @@ License
 
 #include <cmath>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 static void checkFinite(const fileName& file, const pointField& points)
 {
@@ -239,12 +235,10 @@ static bool isOrientable(const wallSurface& wall, const wallSides& sides)
     return oriented && defects.empty();
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::wallSurface Foam::readWallSurface
+wallSurface readWallSurface
 (
     const fileName& file,
     const wallSurfaceControls& controls,
@@ -272,11 +266,7 @@ Foam::wallSurface Foam::readWallSurface
 }
 
 
-Foam::label Foam::orientWallSurface
-(
-    wallSurface& wall,
-    const bool fluidOutside
-)
+label orientWallSurface(wallSurface& wall, const bool fluidOutside)
 {
     const wallSides sides(makeWallSides(wall.faces, wall.points.size()));
 
@@ -302,5 +292,6 @@ Foam::label Foam::orientWallSurface
     return nFlipped;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceFile.H"
@@ -17,10 +13,10 @@ License
 #include <cfenv>
 #include <new>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 [[noreturn]] static void fail(const fileName& file, const string& what)
 {
@@ -135,16 +131,10 @@ static void checkLabels(const fileName& file, const wallSurface& wall)
     }
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::wallSurface Foam::readSurfaceFile
-(
-    const fileName& file,
-    bool& separateFaces
-)
+wallSurface readSurfaceFile(const fileName& file, bool& separateFaces)
 {
     const fileName plain(uncompressedName(file));
     const word extension(plain.ext());
@@ -199,5 +189,6 @@ Foam::wallSurface Foam::readSurfaceFile
     return wall;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

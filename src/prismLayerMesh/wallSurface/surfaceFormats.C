@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceFormats.H"
@@ -16,10 +12,10 @@ License
 #include <algorithm>
 #include <cstring>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
 {
@@ -216,12 +212,10 @@ static void setPatches(const surfZoneList& zones, wallSurface& wall)
     }
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void Foam::readStlSurface(const fileName& file, wallSurface& wall)
+void readStlSurface(const fileName& file, wallSurface& wall)
 {
     fileFormats::STLReader reader(file, findFormat(file));
 
@@ -257,7 +251,7 @@ void Foam::readStlSurface(const fileName& file, wallSurface& wall)
 }
 
 
-void Foam::readMeshedSurface
+void readMeshedSurface
 (
     const fileName& file,
     const word& extension,
@@ -273,15 +267,13 @@ void Foam::readMeshedSurface
         tryReader(file, extension);
     }
 
-    const autoPtr<meshedSurface> surface
-    (
-        meshedSurface::New(file, extension)
-    );
+    const autoPtr<meshedSurface> surface(meshedSurface::New(file, extension));
 
     wall.points = surface().points();
     wall.faces = surface().surfFaces();
     setPatches(surface().surfZones(), wall);
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "wallDefects.H"
@@ -15,10 +11,10 @@ License
 
 #include <algorithm>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 typedef wallDefect::kind defectKind;
 
@@ -128,18 +124,16 @@ static void findInvertedComponents
     }
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-const char* Foam::wallDefect::name() const
+const char* wallDefect::name() const
 {
     return defectNames[int(what)];
 }
 
 
-const char* Foam::wallDefect::advice() const
+const char* wallDefect::advice() const
 {
     return defectAdvice[int(what)];
 }
@@ -147,7 +141,7 @@ const char* Foam::wallDefect::advice() const
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::List<Foam::wallDefect> Foam::findWallDefects(const wallSurface& wall)
+List<wallDefect> findWallDefects(const wallSurface& wall)
 {
     const wallSides sides(makeWallSides(wall.faces, wall.points.size()));
     defectList defects(wall);
@@ -176,7 +170,7 @@ Foam::List<Foam::wallDefect> Foam::findWallDefects(const wallSurface& wall)
 }
 
 
-Foam::string Foam::describe(const List<wallDefect>& defects)
+string describe(const List<wallDefect>& defects)
 {
     OStringStream os;
 
@@ -203,5 +197,6 @@ Foam::string Foam::describe(const List<wallDefect>& defects)
     return os.str();
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

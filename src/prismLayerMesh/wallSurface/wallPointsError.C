@@ -1,17 +1,16 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "wallPointsError.H"
 
+namespace Foam
+{
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::wallPointsError::wallPointsError
+wallPointsError::wallPointsError
 (
     const wallSurface& wall,
     const labelUList& points,
@@ -38,5 +37,6 @@ Foam::wallPointsError::wallPointsError
     }
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

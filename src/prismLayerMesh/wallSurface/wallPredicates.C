@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
@@ -15,10 +11,10 @@ License
 #include "labelledTriangle.H"
 #include "ListOps.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel exactKernel;
 typedef CGAL::Surface_mesh<exactKernel::Point_3> exactMesh;
@@ -64,12 +60,10 @@ static bool isTurned
     return triangle[triangle.fcIndex(triangle.find(a))] != b;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::List<Foam::labelPair> Foam::findIntersectingFaces
+List<labelPair> findIntersectingFaces
 (
     const wallSurface& wall,
     const bitSet& skip
@@ -118,7 +112,7 @@ Foam::List<Foam::labelPair> Foam::findIntersectingFaces
 }
 
 
-Foam::bitSet Foam::findInwardComponents
+bitSet findInwardComponents
 (
     const wallSurface& wall,
     const labelUList& componentOfFace,
@@ -150,5 +144,6 @@ Foam::bitSet Foam::findInwardComponents
     return inward;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "wallSides.H"
@@ -13,10 +9,10 @@ License
 
 #include <algorithm>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Visit (low, high, face, up) of every side
 template<class Visitor>
@@ -39,16 +35,10 @@ static void visitSides(const faceList& faces, const Visitor& visit)
     }
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::wallSides Foam::makeWallSides
-(
-    const faceList& faces,
-    const label nPoints
-)
+wallSides makeWallSides(const faceList& faces, const label nPoints)
 {
     // A counting sort on low leaves runs of a few sides to be sorted by high
     labelList nSides(nPoints, Zero);
@@ -94,7 +84,7 @@ Foam::wallSides Foam::makeWallSides
 }
 
 
-Foam::label Foam::findComponents
+label findComponents
 (
     const wallSides& sides,
     const label nFaces,
@@ -127,5 +117,6 @@ Foam::label Foam::findComponents
     return nComponents;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

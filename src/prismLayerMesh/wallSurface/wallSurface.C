@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "wallSurface.H"
@@ -14,10 +10,10 @@ License
 
 #include <algorithm>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
 {
@@ -123,12 +119,10 @@ static void setEdges(const wallCorners& corners, wallAddressing& addressing)
     addressing.edgeFaces.transfer(edgeFaces);
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::vectorField Foam::wallSurface::faceNormals() const
+vectorField wallSurface::faceNormals() const
 {
     vectorField normals(faces.size());
 
@@ -145,7 +139,7 @@ Foam::vectorField Foam::wallSurface::faceNormals() const
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::wallAddressing Foam::makeWallAddressing(const wallSurface& wall)
+wallAddressing makeWallAddressing(const wallSurface& wall)
 {
     wallCorners corners(makeCorners(wall));
 
@@ -176,11 +170,7 @@ Foam::wallAddressing Foam::makeWallAddressing(const wallSurface& wall)
 }
 
 
-Foam::scalarField Foam::meanEdges
-(
-    const wallSurface& wall,
-    const wallAddressing& addressing
-)
+scalarField meanEdges(const wallSurface& wall, const wallAddressing& addressing)
 {
     scalarField means(wall.points.size(), 0);
 
@@ -198,7 +188,7 @@ Foam::scalarField Foam::meanEdges
 }
 
 
-Foam::scalar Foam::enclosedVolume(const wallSurface& wall)
+scalar enclosedVolume(const wallSurface& wall)
 {
     scalar volume = 0;
 
@@ -212,7 +202,7 @@ Foam::scalar Foam::enclosedVolume(const wallSurface& wall)
 }
 
 
-Foam::labelList Foam::largestFaces(const wallSurface& wall)
+labelList largestFaces(const wallSurface& wall)
 {
     disjointSets components(wall.points.size());
     for (const face& f : wall.faces)
@@ -242,11 +232,7 @@ Foam::labelList Foam::largestFaces(const wallSurface& wall)
 }
 
 
-Foam::faceList Foam::wallTriangles
-(
-    const wallSurface& wall,
-    labelList& triangleFace
-)
+faceList wallTriangles(const wallSurface& wall, labelList& triangleFace)
 {
     label nTriangles = 0;
 
@@ -277,7 +263,7 @@ Foam::faceList Foam::wallTriangles
 }
 
 
-Foam::triSurface Foam::toTriSurface(const wallSurface& wall)
+triSurface toTriSurface(const wallSurface& wall)
 {
     labelList triangleFace;
     const faceList triangles(wallTriangles(wall, triangleFace));
@@ -292,5 +278,6 @@ Foam::triSurface Foam::toTriSurface(const wallSurface& wall)
     return triSurface(tris, wall.points);
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

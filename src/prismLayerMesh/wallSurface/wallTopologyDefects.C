@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "wallTopologyDefects.H"
@@ -13,10 +9,10 @@ License
 
 #include <algorithm>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 static bool haveSamePoints(const face& f, const face& g)
 {
@@ -52,12 +48,10 @@ static List<DynamicList<std::pair<label, bool>>> neighbours
     return result;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void Foam::findDuplicateFaces
+void findDuplicateFaces
 (
     const wallSurface& wall,
     const wallSides& sides,
@@ -92,7 +86,7 @@ void Foam::findDuplicateFaces
 }
 
 
-bool Foam::findBadEdges(const wallSides& sides, defectList& defects)
+bool findBadEdges(const wallSides& sides, defectList& defects)
 {
     bool oriented = true;
 
@@ -120,7 +114,64 @@ bool Foam::findBadEdges(const wallSides& sides, defectList& defects)
 }
 
 
-void Foam::findFlippedFaces
+namespace
+{
+
+//- Where the walk over the faces is
+struct faceWalk
+{
+    bitSet visited, turned, flipped;
+
+    explicit faceWalk(const label nFaces)
+    :
+        visited(nFaces),
+        turned(nFaces),
+        flipped(nFaces)
+    {}
+};
+
+} // End anonymous namespace
+
+
+//- The faces that are joined to a seed. Marks those that are turned against the
+//  seed, and one of each two for which it depends on the way.
+template<class Neighbours>
+static labelList walkFrom
+(
+    const label seed,
+    const Neighbours& adjacent,
+    faceWalk& walk
+)
+{
+    DynamicList<label> component;
+    component.append(seed);
+    walk.visited.set(seed);
+
+    for (label i = 0; i < component.size(); ++i)
+    {
+        const label f = component[i];
+
+        for (const auto& next : adjacent[f])
+        {
+            const bool turn = (walk.turned.test(f) != next.second);
+
+            if (walk.visited.set(next.first))
+            {
+                walk.turned.set(next.first, turn);
+                component.append(next.first);
+            }
+            else if (walk.turned.test(next.first) != turn)
+            {
+                walk.flipped.set(max(f, next.first));
+            }
+        }
+    }
+
+    return labelList(std::move(component));
+}
+
+
+void findFlippedFaces
 (
     const wallSurface& wall,
     const wallSides& sides,
@@ -129,61 +180,40 @@ void Foam::findFlippedFaces
 {
     const label nFaces = wall.faces.size();
     const auto adjacent(neighbours(sides, nFaces));
-    bitSet visited(nFaces), turned(nFaces), flipped(nFaces);
-    DynamicList<label> component;
+    faceWalk walk(nFaces);
 
     for (label seed = 0; seed < nFaces; ++seed)
     {
-        if (visited.test(seed))
+        if (walk.visited.test(seed))
         {
             continue;
         }
 
-        component.clear();
-        component.append(seed);
-        visited.set(seed);
+        const labelList component(walkFrom(seed, adjacent, walk));
         label nTurned = 0;
-
-        for (label i = 0; i < component.size(); ++i)
+        for (const label f : component)
         {
-            const label f = component[i];
-            nTurned += turned.test(f);
-
-            for (const auto& next : adjacent[f])
-            {
-                const bool turn = (turned.test(f) != next.second);
-
-                if (visited.set(next.first))
-                {
-                    turned.set(next.first, turn);
-                    component.append(next.first);
-                }
-                else if (turned.test(next.first) != turn)
-                {
-                    flipped.set(max(f, next.first));
-                }
-            }
+            nTurned += walk.turned.test(f);
         }
 
         const bool minority = (2*nTurned <= component.size());
-
         for (const label f : component)
         {
-            if (turned.test(f) == minority)
+            if (walk.turned.test(f) == minority)
             {
-                flipped.set(f);
+                walk.flipped.set(f);
             }
         }
     }
 
-    for (const label facei : flipped)
+    for (const label facei : walk.flipped)
     {
         defects.addFace(wallDefect::kind::flippedFace, facei);
     }
 }
 
 
-void Foam::findNonManifoldPoints
+void findNonManifoldPoints
 (
     const wallSurface& wall,
     const wallSides& sides,
@@ -242,5 +272,6 @@ void Foam::findNonManifoldPoints
     }
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

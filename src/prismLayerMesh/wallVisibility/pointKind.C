@@ -1,18 +1,14 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "pointKind.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 static pointKind kindOfPoint
 (
@@ -51,12 +47,10 @@ static pointKind kindOfPoint
       : pointKind::flat;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::List<Foam::pointKind> Foam::kindsOfPoints
+List<pointKind> kindsOfPoints
 (
     const wallSurface& wall,
     const wallAddressing& addressing,
@@ -74,10 +68,7 @@ Foam::List<Foam::pointKind> Foam::kindsOfPoints
 }
 
 
-Foam::FixedList<Foam::label, Foam::nPointKinds> Foam::countKinds
-(
-    const List<pointKind>& kinds
-)
+FixedList<label, nPointKinds> countKinds(const List<pointKind>& kinds)
 {
     FixedList<label, nPointKinds> counts(Zero);
 
@@ -89,5 +80,6 @@ Foam::FixedList<Foam::label, Foam::nPointKinds> Foam::countKinds
     return counts;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -1,20 +1,16 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "wallVisibility.H"
 #include "FixedList.H"
 #include "ListOps.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
 {
@@ -143,12 +139,10 @@ static bool holdsOrigin(const supportSet& set)
     return true;
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::visibilityCone Foam::makeVisibilityCone(const UList<vector>& normals)
+visibilityCone makeVisibilityCone(const UList<vector>& normals)
 {
     const visibilityCone empty{normalised(sum(normals)), 0};
 
@@ -196,5 +190,6 @@ Foam::visibilityCone Foam::makeVisibilityCone(const UList<vector>& normals)
     return visibilityCone{axis, cosine};
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

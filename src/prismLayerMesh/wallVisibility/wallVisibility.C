@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "wallVisibility.H"
@@ -12,10 +8,10 @@ License
 #include "ListOps.H"
 #include "mathematicalConstants.H"
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Set the normals and the cone of point p
 static void setPoint
@@ -61,12 +57,10 @@ static void setPoint
     visibility.setCone(p);
 }
 
-} // End namespace Foam
-
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::wallVisibility::setCone(const label p)
+void wallVisibility::setCone(const label p)
 {
     vectorField all(cornerNormals[p]);
     all.append(polygonNormals[p]);
@@ -74,7 +68,7 @@ void Foam::wallVisibility::setCone(const label p)
 }
 
 
-Foam::vectorField Foam::wallVisibility::axes() const
+vectorField wallVisibility::axes() const
 {
     vectorField axes(cones.size());
 
@@ -87,7 +81,7 @@ Foam::vectorField Foam::wallVisibility::axes() const
 }
 
 
-Foam::labelList Foam::wallVisibility::emptyCones() const
+labelList wallVisibility::emptyCones() const
 {
     return subsetList
     (
@@ -97,7 +91,7 @@ Foam::labelList Foam::wallVisibility::emptyCones() const
 }
 
 
-Foam::vector Foam::wallVisibility::limited
+vector wallVisibility::limited
 (
     const label p,
     const vector& d,
@@ -135,7 +129,7 @@ Foam::vector Foam::wallVisibility::limited
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::vectorField Foam::polygonNormals
+vectorField polygonNormals
 (
     const wallSurface& wall,
     const label facei,
@@ -175,7 +169,7 @@ Foam::vectorField Foam::polygonNormals
 }
 
 
-Foam::wallVisibility Foam::makeWallVisibility
+wallVisibility makeWallVisibility
 (
     const wallSurface& wall,
     const wallAddressing& addressing
@@ -198,5 +192,6 @@ Foam::wallVisibility Foam::makeWallVisibility
     return visibility;
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

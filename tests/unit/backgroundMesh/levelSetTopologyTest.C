@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "levelSetTopology.H"
@@ -62,10 +58,7 @@ static backgroundMesh slitMesh()
 
 
 //- How often each side of a triangle runs from one point to another
-static std::map<std::pair<label, label>, int> sidesOf
-(
-    const faceList& triangles
-)
+static std::map<std::pair<label, label>, int> sidesOf(const faceList& triangles)
 {
     std::map<std::pair<label, label>, int> sides;
 
@@ -193,10 +186,7 @@ TEST(levelSetTriangles, areClosedAndOriented)
         for (const auto& side : sides)
         {
             EXPECT_EQ(side.second, 1);
-            EXPECT_EQ
-            (
-                sides.count({side.first.second, side.first.first}), 1u
-            );
+            EXPECT_EQ(sides.count({side.first.second, side.first.first}), 1u);
         }
     }
 }
@@ -261,10 +251,7 @@ TEST(splitWallBridges, secondTimeFindsNone)
     const stages s(testSurfaces::slitBlock(8, 0.05), 5, 0.15);
     backgroundMesh mesh(s.background());
 
-    EXPECT_EQ
-    (
-        splitWallBridges(s.wall.faces, s.visibility.axes(), mesh), 0
-    );
+    EXPECT_EQ(splitWallBridges(s.wall.faces, s.visibility.axes(), mesh), 0);
 }
 
 

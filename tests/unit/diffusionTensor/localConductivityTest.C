@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "localConductivity.H"
@@ -117,10 +113,7 @@ TEST(correctedTarget, isScaledByWhatWasReached)
 
 TEST(correctedTarget, changesByBoundedFactors)
 {
-    EXPECT_NEAR
-    (
-        correctedHalf(1), 0.5*conductivityControls::leastChange, 1e-15
-    );
+    EXPECT_NEAR(correctedHalf(1), 0.5*conductivityControls::leastChange, 1e-15);
     EXPECT_NEAR
     (
         correctedHalf(0.1), 0.5*conductivityControls::mostChange, 1e-15

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "farBoundary.H"
@@ -44,10 +40,7 @@ static farPatch patchOf(const word& name, const wordRe& sides)
 
 TEST(farBoundary, sidesOfABoxAreWhereTheirNamesSay)
 {
-    const wallSurface box
-    (
-        boxWith(patchOf("xMin", wordRe("xMin"))).surface
-    );
+    const wallSurface box(boxWith(patchOf("xMin", wordRe("xMin"))).surface);
 
     forAll(box.faces, facei)
     {
@@ -70,14 +63,8 @@ TEST(farBoundary, patchesTakeTheirSides)
     sides.type = "symmetry";
     const farBoundary boundary(boxWith(sides));
 
-    EXPECT_EQ
-    (
-        boundary.surface.patchNames, wordList({"sides", "xMin", "xMax"})
-    );
-    EXPECT_EQ
-    (
-        boundary.patchTypes, wordList({"symmetry", "patch", "patch"})
-    );
+    EXPECT_EQ(boundary.surface.patchNames, wordList({"sides", "xMin", "xMax"}));
+    EXPECT_EQ(boundary.patchTypes, wordList({"symmetry", "patch", "patch"}));
 
     // Of squares of 1 x 1: 6 on the sides of x, 3 and 2 on the others
     labelList nFaces(3, Zero);

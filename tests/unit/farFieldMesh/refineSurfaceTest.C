@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "farBoundary.H"
@@ -93,10 +89,7 @@ static scalar meanQuality(const wallSurface& surface)
 
 TEST(refineSurface, edgesAreAsShortAsTheSizes)
 {
-    wallSurface surface
-    (
-        boxOf(point(-1, -1, -1), point(9, 2, 1)).surface
-    );
+    wallSurface surface(boxOf(point(-1, -1, -1), point(9, 2, 1)).surface);
     const auto size = [](const point& x) { return 0.1 + 0.3*mag(x); };
     refineSurface(surface, size, nullptr);
 
@@ -108,10 +101,7 @@ TEST(refineSurface, edgesAreAsShortAsTheSizes)
 
 TEST(refineSurface, theSurfaceStaysWhereItIs)
 {
-    const wallSurface before
-    (
-        boxOf(point(-1, -1, -1), point(9, 2, 1)).surface
-    );
+    const wallSurface before(boxOf(point(-1, -1, -1), point(9, 2, 1)).surface);
     wallSurface surface(before);
     refineSurface(surface, [](const point&) { return 0.4; }, nullptr);
 
@@ -137,10 +127,7 @@ TEST(refineSurface, theSurfaceStaysWhereItIs)
 
 TEST(refineSurface, trianglesOfABoxAreGood)
 {
-    wallSurface surface
-    (
-        boxOf(point(0, 0, 0), point(20, 2.3, 3)).surface
-    );
+    wallSurface surface(boxOf(point(0, 0, 0), point(20, 2.3, 3)).surface);
     refineSurface(surface, [](const point&) { return 0.5; }, nullptr);
     EXPECT_GT(worstQuality(surface), 0.6);
 }

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "criticalPoints.H"
@@ -19,11 +15,7 @@ using namespace Foam;
 using testSurfaces::shellMesh;
 using testSurfaces::tubeMesh;
 
-static scalarField solve
-(
-    const backgroundMesh& mesh,
-    const scalarField& weights
-)
+static scalarField solve(const backgroundMesh& mesh, const scalarField& weights)
 {
     fieldControls controls;
     controls.tolerance = 1e-12;

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "criticalPoints.H"
@@ -48,10 +44,7 @@ TEST(findCriticalPoints, aSlopeHasNone)
 
 TEST(findCriticalPoints, aPitAndASummit)
 {
-    const criticalPoints pit
-    (
-        inCube([](const vector& x) { return magSqr(x); })
-    );
+    const criticalPoints pit(inCube([](const vector& x) { return magSqr(x); }));
     EXPECT_EQ(pit.minima.size(), 1);
     EXPECT_TRUE(pit.maxima.empty());
 

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "harmonicField.H"
@@ -265,10 +261,7 @@ TEST(makeHarmonicField, otherFieldsHaveMoreEnergy)
             harmonicEnergy(mesh, weights, field + size*change) - energy;
 
         EXPECT_GT(excess, 0);
-        EXPECT_NEAR
-        (
-            excess/harmonicEnergy(mesh, weights, size*change), 1, 1e-6
-        );
+        EXPECT_NEAR(excess/harmonicEnergy(mesh, weights, size*change), 1, 1e-6);
     }
 }
 
@@ -278,10 +271,7 @@ TEST(makeHarmonicField, factorOnWeightsDoesNotMatter)
     const backgroundMesh mesh(shellMesh(6, 1, 2));
     const scalarField weights(randomWeights(mesh));
 
-    EXPECT_LT
-    (
-        max(mag(solve(mesh, weights) - solve(mesh, 1e6*weights))), 1e-10
-    );
+    EXPECT_LT(max(mag(solve(mesh, weights) - solve(mesh, 1e6*weights))), 1e-10);
 }
 
 

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "isolatedProcess.H"
@@ -158,10 +154,7 @@ TEST(isolatedProcess, fatalErrorsAreFailures)
 
 TEST(isolatedProcess, exitIsAFailure)
 {
-    EXPECT_TRUE
-    (
-        fails([](std::FILE* out) { write42(out); std::_Exit(3); })
-    );
+    EXPECT_TRUE(fails([](std::FILE* out) { write42(out); std::_Exit(3); }));
     EXPECT_TRUE(fails([](std::FILE*) { std::_Exit(0); }));
 }
 

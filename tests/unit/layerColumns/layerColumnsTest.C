@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "testStages.H"
@@ -122,10 +118,7 @@ TEST(layerColumns, offsetIsConstantBeyond)
 TEST(layerColumns, areRadialOnASphere)
 {
     const wallSurface wall(testSurfaces::sphere(16));
-    const layerColumns columns
-    (
-        columnsOf(layeredMesh(wall, 6, 0.1))
-    );
+    const layerColumns columns(columnsOf(layeredMesh(wall, 6, 0.1)));
 
     forAll(columns.offsets, i)
     {
@@ -141,10 +134,7 @@ TEST(layerColumns, areRadialOnASphere)
 TEST(layerColumns, areNormalToTheFacesOfACube)
 {
     const wallSurface wall(testSurfaces::cube(12));
-    const layerColumns columns
-    (
-        columnsOf(layeredMesh(wall, 6, 0.05))
-    );
+    const layerColumns columns(columnsOf(layeredMesh(wall, 6, 0.05)));
 
     forAll(columns.offsets, i)
     {
@@ -227,10 +217,7 @@ TEST(layerColumns, roomInASlitIsItsShareOfHalfTheWidth)
 {
     const scalar width = 0.1;
     const wallSurface wall(testSurfaces::slitBlock(10, width));
-    const layerColumns columns
-    (
-        columnsOf(layeredMesh(wall, 6, 0.25))
-    );
+    const layerColumns columns(columnsOf(layeredMesh(wall, 6, 0.25)));
     label nInside = 0, nNeighbours = 0;
 
     forAll(wall.points, p)

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "wallSmoother.H"
@@ -85,10 +81,7 @@ TEST(wallSmoother, addsNoMoreThanFullPasses)
     const squares s;
     const scalarField values(s.peak(100*h*h, 3));
 
-    EXPECT_NEAR
-    (
-        s.variance(values, 0), 3*wallSmoother::fullPass*0.5*h*h, 1e-13
-    );
+    EXPECT_NEAR(s.variance(values, 0), 3*wallSmoother::fullPass*0.5*h*h, 1e-13);
 }
 
 

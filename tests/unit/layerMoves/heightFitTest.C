@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "heightFit.H"
@@ -90,10 +86,7 @@ TEST(heightFit, columnsOnAPlaneRiseByWhatLacks)
     heightFit fit(wall, identity(wall.faces.size()));
     fit.setMobilities(scalarField(wall.points.size(), 1));
 
-    const vectorField d
-    (
-        fit.displacements(scalarField(wall.faces.size(), 0.1))
-    );
+    const vectorField d(fit.displacements(scalarField(wall.faces.size(), 0.1)));
     const scalarField risen(changes(wall, d));
 
     EXPECT_NEAR(min(risen), 0.1, 2e-3);

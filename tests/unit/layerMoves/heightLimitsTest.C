@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "heightLimits.H"
@@ -91,10 +87,7 @@ TEST(heightLimits, equalOnesStay)
     const wallSurface wall(testSurfaces::sphere(6));
     const label n = wall.points.size();
 
-    EXPECT_EQ
-    (
-        given(wall, scalarField(n, 1.0)).factors(n), scalarField(n, 1.0)
-    );
+    EXPECT_EQ(given(wall, scalarField(n, 1.0)).factors(n), scalarField(n, 1.0));
 }
 
 

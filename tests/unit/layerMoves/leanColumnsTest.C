@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "editedColumns.H"
@@ -21,11 +17,7 @@ License
 using namespace Foam;
 
 //- How far the ends of a face's columns are from a point
-static stackPenalty distanceTo
-(
-    const editedColumns& m,
-    const point& x
-)
+static stackPenalty distanceTo(const editedColumns& m, const point& x)
 {
     return [&m, x](const label facei, label, scalar)
     {
@@ -40,12 +32,7 @@ static stackPenalty distanceTo
 
 
 //- Lean one column. False where it stays.
-static bool lean
-(
-    editedColumns& m,
-    const label c,
-    const stackPenalty& fault
-)
+static bool lean(editedColumns& m, const label c, const stackPenalty& fault)
 {
     return leanColumns
     (

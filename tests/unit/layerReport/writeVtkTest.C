@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 
@@ -256,11 +252,7 @@ TEST(writeVtk, refusesFilesThatCannotBeWritten)
 {
     const temporaryFolder folder;
 
-    EXPECT_THROW
-    (
-        writeVtk(folder/"none"/"grid.vtk", testGrid()),
-        Foam::IOerror
-    );
+    EXPECT_THROW(writeVtk(folder/"none"/"grid.vtk", testGrid()), Foam::IOerror);
 }
 
 

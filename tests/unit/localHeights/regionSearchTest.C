@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "regionSearch.H"
@@ -61,10 +57,7 @@ TEST(regionSearch, insideAndOutsideOfABox)
     EXPECT_EQ(nDifferent(region, inBox), 0);
 
     region.mode = geometryRegion::modes::outside;
-    EXPECT_EQ
-    (
-        nDifferent(region, [&](const point& x) { return !inBox(x); }), 0
-    );
+    EXPECT_EQ(nDifferent(region, [&](const point& x) { return !inBox(x); }), 0);
 }
 
 
@@ -139,10 +132,7 @@ TEST(regionSearch, distancesAreThoseFromTheRegion)
 
     const auto expectDistances = [&](const scalarList& expected)
     {
-        const scalarField found
-        (
-            regionSearch(region, time()).distances(points)
-        );
+        const scalarField found(regionSearch(region, time()).distances(points));
         forAll(expected, i)
         {
             EXPECT_NEAR(found[i], expected[i], 1e-12) << i;

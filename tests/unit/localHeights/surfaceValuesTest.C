@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceValues.H"
@@ -196,10 +192,7 @@ TEST(interpolate, unitOfLengthDoesNotMatter)
     source.values = 1e7*source.surface.points.component(vector::Z);
 
     scalarField values;
-    interpolate
-    (
-        source, pointField(1, point(1e-7, 0.55e-7, 0.63e-7)), values
-    );
+    interpolate(source, pointField(1, point(1e-7, 0.55e-7, 0.63e-7)), values);
     EXPECT_NEAR(values[0], 0.63, 1e-9);
 }
 

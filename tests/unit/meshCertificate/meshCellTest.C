@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "meshCell.H"
@@ -219,10 +215,7 @@ TEST(meshCell, whereverTheFacesBegin)
                 face& f = turned.faces[j];
                 f = cell.faces[(i + j)%n];
 
-                std::rotate
-                (
-                    f.begin(), f.begin() + (i/3 + j)%f.size(), f.end()
-                );
+                std::rotate(f.begin(), f.begin() + (i/3 + j)%f.size(), f.end());
             }
 
             EXPECT_EQ(turned.shape(), cell.shape()) << n << " faces";

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "layerSpacing.H"
@@ -67,10 +63,7 @@ static heightSeries read
     given.nSurfaceLayers = nLayers;
     heightSeries result;
 
-    atEntriesOf
-    (
-        dict, [&]() { result = changedHeights(before, given, 1); }
-    );
+    atEntriesOf(dict, [&]() { result = changedHeights(before, given, 1); });
 
     return result;
 }
@@ -347,10 +340,7 @@ TEST(readLayerHeights, reynoldsNumberIsKept)
 
     EXPECT_EQ(given.yPlus, 30);
     EXPECT_NEAR(given.Re/(200/1.5e-5), 1, 1e-14);
-    EXPECT_EQ
-    (
-        given.firstLayerThickness, flatPlateThickness(30, 50, 1.5e-5, 4)
-    );
+    EXPECT_EQ(given.firstLayerThickness, flatPlateThickness(30, 50, 1.5e-5, 4));
 }
 
 

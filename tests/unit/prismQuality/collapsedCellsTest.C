@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "prismQuality.H"
@@ -350,10 +346,7 @@ TEST(isPositive, cornersOfALyingPrismCount)
 {
     // The columns on one point change sides
     prismLayers cell(lyingPrism());
-    Swap
-    (
-        cell.points[cell.index(0, 1)], cell.points[cell.index(2, 1)]
-    );
+    Swap(cell.points[cell.index(0, 1)], cell.points[cell.index(2, 1)]);
 
     EXPECT_FALSE(isPositive(cell, 0, 1));
 }

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "layerJudge.H"
@@ -165,10 +161,7 @@ TEST(layerJudge, overlapsAreFoundFromEitherFace)
     );
     const prismLayers layers(testSurfaces::frontLayers(front, {0, 0.04}));
     const layerMoveControls controls;
-    const layerJudge judge
-    (
-        layers, front.surface, front.visibility, controls
-    );
+    const layerJudge judge(layers, front.surface, front.visibility, controls);
     const label n = front.surface.faces.size();
     const List<labelPair> all(judge.findOverlapping(identity(n)));
     ASSERT_FALSE(all.empty());
@@ -177,10 +170,7 @@ TEST(layerJudge, overlapsAreFoundFromEitherFace)
     {
         for (const label facei : pair)
         {
-            EXPECT_TRUE
-            (
-                judge.findOverlapping(labelList(1, facei)).found(pair)
-            );
+            EXPECT_TRUE(judge.findOverlapping(labelList(1, facei)).found(pair));
         }
     }
     EXPECT_TRUE(judge.findOverlapping(labelList()).empty());

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 
@@ -21,11 +17,7 @@ using namespace Foam;
 
 //- A layer whose outer surface is given, far above its wall. The points are
 //  moved so that their coordinates round.
-static prismLayers outerSurface
-(
-    const pointField& points,
-    const faceList& faces
-)
+static prismLayers outerSurface(const pointField& points, const faceList& faces)
 {
     const vector x(normalised(vector(1, 0.3, -0.7)));
     const vector y(normalised(x ^ vector(0.2, 1, 0.9)));

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 
@@ -149,10 +145,7 @@ TEST(isPositive, flatCellsAreNot)
 {
     for (label n = 3; n < 8; ++n)
     {
-        const prismLayers flat
-        (
-            testSurfaces::onePolygon(n, scalarList({0, 0}))
-        );
+        const prismLayers flat(testSurfaces::onePolygon(n, scalarList({0, 0})));
 
         EXPECT_FALSE(isPositive(flat, 0, 1));
         EXPECT_FALSE(isPositive(moved(flat), 0, 1));

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "scaledJacobian.H"
@@ -53,14 +49,8 @@ TEST(worstJacobian, isThatOfTheShear)
 
 TEST(attainableJacobians, areThoseOfUprightColumns)
 {
-    const layerFront front
-    (
-        testSurfaces::frontOf(testSurfaces::cube(2), 0)
-    );
-    const prismLayers low
-    (
-        testSurfaces::frontLayers(front, {0, 1e-6})
-    );
+    const layerFront front(testSurfaces::frontOf(testSurfaces::cube(2), 0));
+    const prismLayers low(testSurfaces::frontLayers(front, {0, 1e-6}));
     const scalarField attainable
     (
         attainableJacobians(front.surface, front.visibility)

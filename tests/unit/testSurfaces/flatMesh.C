@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "flatMesh.H"
@@ -21,12 +17,7 @@ namespace Foam
 namespace testSurfaces
 {
 
-static scalar twiceArea
-(
-    const vector2D& a,
-    const vector2D& b,
-    const vector2D& c
-)
+static scalar twiceArea(const vector2D& a, const vector2D& b, const vector2D& c)
 {
     return (b.x() - a.x())*(c.y() - a.y()) - (b.y() - a.y())*(c.x() - a.x());
 }

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "testStages.H"
@@ -22,6 +18,38 @@ namespace Foam
 {
 namespace testSurfaces
 {
+
+//- The tetrahedra of a cell of a grid, along the six ways from its lowest to
+//  its highest corner
+template<class Index>
+static void addTets
+(
+    const Index& index,
+    const FixedList<label, 3>& corner,
+    const pointField& points,
+    DynamicList<tetCell>& tets
+)
+{
+    FixedList<label, 3> order({0, 1, 2});
+    do
+    {
+        FixedList<label, 3> at(corner);
+        tetCell tet;
+        tet[0] = index(at[0], at[1], at[2]);
+        for (label k = 0; k < 3; ++k)
+        {
+            ++at[order[k]];
+            tet[k + 1] = index(at[0], at[1], at[2]);
+        }
+        if (tet.tet(points).mag() < 0)
+        {
+            std::swap(tet[2], tet[3]);
+        }
+        tets.append(tet);
+    }
+    while (std::next_permutation(order.begin(), order.end()));
+}
+
 
 static backgroundMesh filled
 (
@@ -214,7 +242,6 @@ Foam::backgroundMesh Foam::testSurfaces::tubeMesh
         }
     }
 
-    // Each cell along the six ways from its lowest to its highest corner
     DynamicList<tetCell> tets;
     for (label r = 0; r < n; ++r)
     {
@@ -222,24 +249,7 @@ Foam::backgroundMesh Foam::testSurfaces::tubeMesh
         {
             for (label z = 0; z < nAlong; ++z)
             {
-                FixedList<label, 3> order({0, 1, 2});
-                do
-                {
-                    FixedList<label, 3> at({r, t, z});
-                    tetCell tet;
-                    tet[0] = index(at[0], at[1], at[2]);
-                    for (label k = 0; k < 3; ++k)
-                    {
-                        ++at[order[k]];
-                        tet[k + 1] = index(at[0], at[1], at[2]);
-                    }
-                    if (tet.tet(mesh.points).mag() < 0)
-                    {
-                        std::swap(tet[2], tet[3]);
-                    }
-                    tets.append(tet);
-                }
-                while (std::next_permutation(order.begin(), order.end()));
+                addTets(index, {r, t, z}, mesh.points, tets);
             }
         }
     }

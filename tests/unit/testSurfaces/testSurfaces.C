@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "testSurfaces.H"
@@ -91,11 +87,7 @@ static wallSurface lattice(const label n)
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::wallSurface Foam::testSurfaces::quadCube
-(
-    const label n,
-    const scalar size
-)
+Foam::wallSurface Foam::testSurfaces::quadCube(const label n, const scalar size)
 {
     wallSurface wall(lattice(n));
 
@@ -139,11 +131,7 @@ Foam::wallSurface Foam::testSurfaces::quadSphere
 }
 
 
-Foam::wallSurface Foam::testSurfaces::sphere
-(
-    const label n,
-    const scalar radius
-)
+Foam::wallSurface Foam::testSurfaces::sphere(const label n, const scalar radius)
 {
     return triangulated(quadSphere(n, radius));
 }

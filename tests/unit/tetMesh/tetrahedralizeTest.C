@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "tetrahedralize.H"
@@ -39,10 +35,7 @@ static tetDomain boxWithHole()
         )
     );
 
-    tetDomain domain
-    (
-        inside(testSurfaces::merge(testSurfaces::cube(3), outer))
-    );
+    tetDomain domain(inside(testSurfaces::merge(testSurfaces::cube(3), outer)));
     domain.holes = pointField(1, point(0.5, 0.5, 0.5));
 
     return domain;
@@ -249,10 +242,7 @@ TEST(tetrahedralize, tinyAndHugeDomainsAreFilled)
         tetDomain domain(boxWithNodes(100));
         domain.points *= scale;
 
-        EXPECT_NEAR
-        (
-            volumeOf(tetrahedralize(domain))/pow3(scale), 1, 1e-12
-        );
+        EXPECT_NEAR(volumeOf(tetrahedralize(domain))/pow3(scale), 1, 1e-12);
     }
 }
 

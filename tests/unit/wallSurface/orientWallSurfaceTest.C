@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "readWallSurface.H"
@@ -56,10 +52,7 @@ TEST(orientWallSurface, placeFarFromTheOriginDoesNotMatter)
 TEST(orientWallSurface, componentInsideOutIsTurned)
 {
     const wallSurface one(cube(2));
-    wallSurface wall
-    (
-        merge(one, translated(reversed(one), vector(3, 0, 0)))
-    );
+    wallSurface wall(merge(one, translated(reversed(one), vector(3, 0, 0))));
 
     EXPECT_EQ(orientWallSurface(wall, true), one.faces.size());
     EXPECT_NEAR(testSurfaces::enclosedVolume(wall), 2, 1e-12);

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "testSurfaces.H"
@@ -131,10 +127,7 @@ TEST(wallSurface, enclosesItsVolume)
 
         EXPECT_NEAR(Foam::enclosedVolume(wall), volume, 1e-12);
         EXPECT_NEAR(Foam::enclosedVolume(reversed(wall)), -volume, 1e-12);
-        EXPECT_NEAR
-        (
-            Foam::enclosedVolume(translated(wall, far)), volume, 1e-9
-        );
+        EXPECT_NEAR(Foam::enclosedVolume(translated(wall, far)), volume, 1e-9);
     }
 }
 

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "wallVisibility.H"
@@ -220,10 +216,7 @@ TEST(visibilityCone, noDirectionIsMoreNormal)
     for (label i = 0; i < 300; ++i)
     {
         const scalar lowest = 0.5*sqr(random.sample01<scalar>());
-        const vectorField normals
-        (
-            randomNormals(3 + i % 20, lowest, random)
-        );
+        const vectorField normals(randomNormals(3 + i % 20, lowest, random));
         const visibilityCone cone(makeVisibilityCone(normals));
 
         ASSERT_FALSE(cone.empty());

@@ -1,10 +1,6 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
--------------------------------------------------------------------------------
-License
-    This file is part of harmonicPrismMesh, free software under the GNU
-    General Public License, version 3 or later; see COPYING.
-
+    SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
 #include "wallVisibility.H"
@@ -248,10 +244,7 @@ TEST(wallVisibility, limitedLeavesWhatIsInside)
             if (smallest(visibility, p, d) > bound)
             {
                 ++nInside;
-                EXPECT_NEAR
-                (
-                    mag(visibility.limited(p, d, 0.2) - d), 0, 1e-15
-                );
+                EXPECT_NEAR(mag(visibility.limited(p, d, 0.2) - d), 0, 1e-15);
             }
         }
     }
