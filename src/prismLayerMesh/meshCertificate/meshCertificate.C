@@ -73,7 +73,9 @@ static std::vector<labelledTriangle> fansOf
 //- Number of layers of positive cells on each face of the wall. A stack goes
 //  on from a face to the opposite face of the cell, the only one without a
 //  common point, and from there to the next cell. It ends at the boundary, or
-//  at a cell that has no face opposite to the one below.
+//  at a cell that has no face opposite to the one below. The last cell may have
+//  several faces there if they are what one face is cut into, as below the
+//  tetrahedra of a far field.
 static labelList countLayers
 (
     const polyhedralMesh& mesh,
@@ -95,6 +97,7 @@ static labelList countLayers
             // A walk ends because faces are opposite to each other
             if (next < 0 || mesh.opposite(next, celli) != facei)
             {
+                nLayers[i] += mesh.hasCutTop(facei, celli);
                 break;
             }
 

@@ -6,6 +6,8 @@
 #include "polyhedralMesh.H"
 #include "HashSet.H"
 
+#include <algorithm>
+
 namespace Foam
 {
 
@@ -75,30 +77,51 @@ label polyhedralMesh::beyond(const label facei, const label celli) const
 }
 
 
-label polyhedralMesh::opposite(const label facei, const label celli) const
+labelList polyhedralMesh::apart(const label facei, const label celli) const
 {
-    label found = -1;
+    DynamicList<label> found;
 
     for (const label other : cellFaces(celli))
     {
-        bool apart = true;
+        const face& f = faces_[other];
 
-        for (const label p : faces_[other])
+        if
+        (
+            std::none_of
+            (
+                f.begin(),
+                f.end(),
+                [&](const label p) { return faces_[facei].found(p); }
+            )
+        )
         {
-            apart = apart && !faces_[facei].found(p);
-        }
-
-        if (apart && found >= 0)
-        {
-            return -1;
-        }
-        else if (apart)
-        {
-            found = other;
+            found.append(other);
         }
     }
 
-    return found;
+    return labelList(std::move(found));
+}
+
+
+label polyhedralMesh::opposite(const label facei, const label celli) const
+{
+    const labelList faces(apart(facei, celli));
+
+    return faces.size() == 1 ? faces[0] : -1;
+}
+
+
+bool polyhedralMesh::hasCutTop(const label facei, const label celli) const
+{
+    const labelList faces(apart(facei, celli));
+    labelHashSet points;
+
+    for (const label other : faces)
+    {
+        points.insert(faces_[other]);
+    }
+
+    return faces.size() > 1 && points.size() == faces_[facei].size();
 }
 
 

@@ -244,4 +244,34 @@ TEST(certifyMesh, wallsThatIntersect)
 }
 
 
+TEST(meshCertificate, aLastFaceThatIsCutCountsAsOne)
+{
+    // A cube whose side z = 1 is two triangles, on the wall z = 0
+    const pointField points
+    ({
+        {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+        {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}
+    });
+    const faceList faces
+    ({
+        face({0, 3, 2, 1}), face({0, 1, 5, 4}), face({1, 2, 6, 5}),
+        face({2, 3, 7, 6}), face({3, 0, 4, 7}),
+        face({4, 5, 6}), face({4, 6, 7})
+    });
+    const labelList owner(faces.size(), Zero), neighbour;
+    const polyhedralMesh mesh(points, faces, owner, neighbour);
+    const labelList wall(1, Zero);
+
+    EXPECT_EQ(mesh.opposite(0, 0), -1);
+    EXPECT_TRUE(mesh.hasCutTop(0, 0));
+    EXPECT_EQ
+    (
+        certifyMesh(mesh, wall, labelList()).nLayers, labelList(1, label(1))
+    );
+
+    // From a triangle there are several faces that are not one
+    EXPECT_FALSE(mesh.hasCutTop(5, 0));
+}
+
+
 // ************************************************************************* //
