@@ -83,7 +83,7 @@ struct tally
         nRun[int(one.kind())] += 1;
         nFailed[int(one.kind())] += result.what == verdict::failed;
         nSkipped += result.what == verdict::skipped;
-        nNoField += result.fields.failure.size() > 0;
+        nNoField += result.noField.size() > 0;
     }
 };
 
@@ -111,7 +111,7 @@ static void report
 {
     const bool failed = result.what == fuzzResult::verdict::failed;
 
-    if (!failed && result.fields.failure.empty())
+    if (!failed && result.noField.empty())
     {
         return;
     }
@@ -119,7 +119,7 @@ static void report
     Info<< (failed ? "FAIL" : "no field") << " -seed " << one.seed
         << " -index " << one.index << " ("
         << randomSurfaces::name(one.kind()) << ") "
-        << (failed ? result.cause : result.fields.failure).c_str() << endl;
+        << (failed ? result.cause : result.noField).c_str() << endl;
 
     if (failed)
     {

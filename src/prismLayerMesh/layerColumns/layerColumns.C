@@ -35,7 +35,7 @@ static vectorField lineDirections
 }
 
 
-static void setRoom
+static void setMaxThickness
 (
     const layerFront& front,
     const scalarField& clearance,
@@ -43,14 +43,14 @@ static void setRoom
     layerColumns& columns
 )
 {
-    columns.room = min(asked, columnControls::gapShare*clearance);
+    columns.maxThickness = min(asked, columnControls::gapShare*clearance);
     columns.causes.setSize(asked.size(), squeezeCause::none);
 
     forAll(asked, c)
     {
         const scalar stretch = columns.stretch(c, asked[c]);
 
-        if (columns.room[c] < asked[c])
+        if (columns.maxThickness[c] < asked[c])
         {
             columns.causes[c] = squeezeCause::gap;
         }
@@ -65,7 +65,7 @@ static void setRoom
         limitGradient
         (
             front.surface, front.addressing, layerColumns::maxSlope,
-            columns.room
+            columns.maxThickness
         )
     );
 
@@ -105,7 +105,7 @@ static void setOffsets
         for (label c = 0; c < nColumns; ++c)
         {
             const scalar height =
-                min(columns.heights[c*n + i], columns.room[c]);
+                min(columns.heights[c*n + i], columns.maxThickness[c]);
             variances[c] = sqr(columnControls::smoothingLength)
                *(sqr(height) - sqr(previousHeights[c]));
             previousHeights[c] = height;
@@ -239,7 +239,7 @@ layerColumns makeLayerColumns
     columns.edgeLengths = meanEdges(front.surface, front.addressing);
     columns.maxStretch = controls.maxStretch;
     columns.onLevelSets = controls.onLevelSets;
-    setRoom(front, clearance, spacing.thickness, columns);
+    setMaxThickness(front, clearance, spacing.thickness, columns);
     setOffsets(front, lines, columns);
 
     return columns;

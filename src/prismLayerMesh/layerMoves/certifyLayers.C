@@ -66,53 +66,55 @@ static labelHashSet tallColumns
 }
 
 
-//- By how much the worst cell of a stack gains if each of its columns retreats;
-//  0 of columns that are too short to be in the way
-static scalarField gainsOfRetreats(layerEditor& editor, const label facei)
+//- The column by whose retreat the worst cell of a stack gains most, -1 if no
+//  column's retreat helps; columns that are too short are not in the way
+static label columnInTheWay(layerEditor& editor, const label facei)
 {
     const face& f = editor.layers().faces[facei];
     const scalarField thickness(editor.thickness(), f);
     const scalar least = editor.controls().shortShare*max(thickness);
-    const scalar before = worstJacobian(editor.layers(), facei);
-    scalarField gains(f.size(), 0);
+    scalar largest = worstJacobian(editor.layers(), facei);
+    label column = -1;
 
     forAll(f, k)
     {
         if (thickness[k] > least && !editor.isFixed(f[k]))
         {
-            gains[k] = jacobianOfRetreat(editor, facei, f[k]) - before;
+            const scalar after = jacobianOfRetreat(editor, facei, f[k]);
+
+            if (after > largest)
+            {
+                largest = after;
+                column = f[k];
+            }
         }
     }
 
-    return gains;
+    return column;
 }
 
 
-//- The columns of stacks by whose retreat their worst cells gain most; the tall
-//  ones if none does
-static labelList columnsInTheWay(layerEditor& editor, const labelUList& stacks)
+//- The columns in the way of stacks; the tall ones if no retreat helps
+static labelList columnsInTheWay
+(
+    layerEditor& editor,
+    const labelUList& stacks
+)
 {
     labelHashSet columns;
     DynamicList<labelPair> others;
 
     for (const label facei : stacks)
     {
-        const face& f = editor.layers().faces[facei];
-        const scalarField gains(gainsOfRetreats(editor, facei));
-        const scalar largest = max(gains);
+        const label c = columnInTheWay(editor, facei);
 
-        if (largest <= 0)
+        if (c >= 0)
+        {
+            columns.insert(c);
+        }
+        else
         {
             others.append(labelPair(facei, facei));
-            continue;
-        }
-
-        forAll(f, k)
-        {
-            if (gains[k] >= editor.controls().gainShare*largest)
-            {
-                columns.insert(f[k]);
-            }
         }
     }
 
@@ -193,7 +195,7 @@ bool certification::lean(const labelUList& columns)
         return jacobianPenalty
         (
             editor_.layers(), facei,
-            controls.certifyJacobian*judge_.attainable(facei), enough, lowest
+            controls.goodJacobian*judge_.attainable(facei), enough, lowest
         );
     };
 

@@ -25,7 +25,7 @@ static scalar largestThickness
 
     for (const label c : columnsOnPoint)
     {
-        largest = min(largest, editor.proposed().room[c]);
+        largest = min(largest, editor.proposed().maxThickness[c]);
 
         for (const label q : editor.front().addressing.pointPoints[c])
         {
@@ -70,7 +70,7 @@ static bool anyAtFault
 
 bool isLowered(const layerEditor& editor, const label c)
 {
-    return editor.thickness()[c] < editor.proposed().room[c];
+    return editor.thickness()[c] < editor.proposed().maxThickness[c];
 }
 
 
@@ -81,17 +81,13 @@ bool growColumns
     const std::function<bool(label facei)>& isAtFault
 )
 {
-    const layerMoveControls& controls = editor.controls();
     const scalar current =
         max(scalarField(editor.thickness(), columnsOnPoint));
     const scalar largest = largestThickness(editor, columnsOnPoint);
-    const scalar grown = min(largest, current/controls.retreatFactor);
+    const scalar grown =
+        min(largest, current/editor.controls().retreatFactor);
 
-    if
-    (
-        grown <= current
-     || grown < min(controls.growthFactor*current, largest)
-    )
+    if (grown <= current)
     {
         return false;
     }
@@ -116,7 +112,7 @@ bool growColumns
             continue;
         }
 
-        if (grown == editor.proposed().room[c])
+        if (grown == editor.proposed().maxThickness[c])
         {
             editor.setCause(c, editor.proposed().causes[c]);
         }

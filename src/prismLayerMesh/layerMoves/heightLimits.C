@@ -147,7 +147,7 @@ bool heightSweeps::lowerTallest(const label facei)
         const scalar h = height(facei, k);
         any |=
             h > level
-         && lower(given_.faces[facei][k], level/h, controls_.leastForExcess);
+         && lower(given_.faces[facei][k], level/h, 0);
     }
 
     return any;

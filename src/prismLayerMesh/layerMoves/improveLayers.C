@@ -28,9 +28,6 @@ class improvement
     //- Columns that had to be rolled back, and stay
     boolList barred_;
 
-    //- How often a stack was found below its aim
-    label nBelowAim_ = 0;
-
     //- Times of the journal: when the last round began, and up to which all is
     //  judged
     label roundBegan_ = 0;
@@ -113,7 +110,7 @@ void improvement::lean(const labelUList& faces)
         const scalar own = jacobianPenalty
         (
             editor_.layers(), facei,
-            controls.improveJacobian*judge_.attainable(facei), enough, lowest
+            controls.goodJacobian*judge_.attainable(facei), enough, lowest
         );
 
         return lowest == 1 && own <= enough && isAtFault(facei)
@@ -122,9 +119,8 @@ void improvement::lean(const labelUList& faces)
 
     const labelList belowAim
     (
-        judge_.findBelowAttainable(faces, controls.improveJacobian)
+        judge_.findBelowAttainable(faces, controls.goodJacobian)
     );
-    nBelowAim_ += belowAim.size();
 
     labelHashSet leaning;
     for (const label facei : belowAim)
@@ -227,15 +223,7 @@ void improvement::settle()
 
 void improvement::leanAndGrow()
 {
-    const layerMoveControls& controls = editor_.controls();
-    const scalar enough = controls.enoughShare*editor_.layers().faces.size();
-
-    for
-    (
-        label round = 0;
-        round < controls.maxRounds && nBelowAim_ <= enough;
-        ++round
-    )
+    for (label round = 0; round < editor_.controls().maxRounds; ++round)
     {
         const labelList faces(beginRound());
         lean(faces);

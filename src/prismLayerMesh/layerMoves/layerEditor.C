@@ -137,7 +137,7 @@ layerEditor::layerEditor
     colours_(columnColours(front.surface.faces, front.addressing)),
     offsets_(proposed.offsets),
     straightened_(front.wallPoints.size(), 0),
-    thickness_(proposed.room),
+    thickness_(proposed.maxThickness),
     causes_(proposed.causes),
     heights_(front.wallPoints.size()*(spacing.nLayers + 1)),
     journal_(identity(front.surface.faces.size()))

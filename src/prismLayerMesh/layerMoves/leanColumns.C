@@ -145,7 +145,7 @@ static bool lean
 
     const List<vectorField> directions(trialDirections(editor, c));
     const label best = bestOf(editor, c, directions, penalty, least);
-    nTries += best < 0 ? controls.vainLean : 1;
+    ++nTries;
 
     if (best < 0)
     {

@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "engulfedBodies.H"
+#include "nestedBodies.H"
 #include "labelledTriangle.H"
 #include "prismQuality.H"
 
@@ -68,7 +68,7 @@ List<labelPair> findOverlaps
 {
     const List<labelPair> pairs(findIntersections(layers, outerFaces));
 
-    return pairs.empty() ? findEngulfedBodies(layers) : pairs;
+    return pairs.empty() ? findNestedBodies(layers) : pairs;
 }
 
 

@@ -205,7 +205,7 @@ TEST(layerColumns, roomIsAllWhereNothingIsNear)
     const prismLayerMesh m(layeredMesh(wall, 6, 0.1));
     const layerColumns columns(columnsOf(m));
 
-    EXPECT_EQ(columns.room, m.spacing.thickness);
+    EXPECT_EQ(columns.maxThickness, m.spacing.thickness);
     for (const squeezeCause cause : columns.causes)
     {
         EXPECT_EQ(cause, squeezeCause::none);
@@ -232,8 +232,8 @@ TEST(layerColumns, roomInASlitIsItsShareOfHalfTheWidth)
         )
         {
             ++nInside;
-            EXPECT_LE(columns.room[p], 0.95*0.5*width*(1 + 1e-5));
-            EXPECT_GT(columns.room[p], 0.8*0.5*width);
+            EXPECT_LE(columns.maxThickness[p], 0.95*0.5*width*(1 + 1e-5));
+            EXPECT_GT(columns.maxThickness[p], 0.8*0.5*width);
             EXPECT_EQ(columns.causes[p], squeezeCause::gap);
         }
     }
@@ -253,7 +253,11 @@ TEST(layerColumns, roomHasABoundedGradient)
     {
         EXPECT_LE
         (
-            mag(columns.room[e.start()] - columns.room[e.end()]),
+            mag
+            (
+                columns.maxThickness[e.start()]
+              - columns.maxThickness[e.end()]
+            ),
             layerColumns::maxSlope*e.mag(wall.points) + 1e-14
         );
     }
@@ -266,12 +270,12 @@ TEST(layerColumns, causeIsNoneExactlyWhereTheRoomIsAll)
     const prismLayerMesh m(layeredMesh(wall, 6, 0.15));
     const layerColumns columns(columnsOf(m));
 
-    forAll(columns.room, p)
+    forAll(columns.maxThickness, p)
     {
         EXPECT_EQ
         (
             columns.causes[p] == squeezeCause::none,
-            columns.room[p] == m.spacing.thickness[p]
+            columns.maxThickness[p] == m.spacing.thickness[p]
         );
     }
 }

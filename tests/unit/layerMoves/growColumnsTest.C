@@ -93,7 +93,7 @@ TEST(growColumns, allGrowBackInTheEnd)
     for (const layerFront& front : fronts())
     {
         editedColumns m(front);
-        const scalarField room(m.editor.thickness());
+        const scalarField thickness(m.editor.thickness());
         const List<squeezeCause> causes(m.editor.causes());
         retreated(m);
 
@@ -107,7 +107,7 @@ TEST(growColumns, allGrowBackInTheEnd)
             }
         }
 
-        EXPECT_EQ(m.editor.thickness(), room);
+        EXPECT_EQ(m.editor.thickness(), thickness);
         EXPECT_EQ(m.editor.causes(), causes);
     }
 }
@@ -160,7 +160,7 @@ TEST(growColumns, thoseAtFaultThenStayAsTheyWere)
     {
         editedColumns m(front);
         const label c = retreated(m);
-        const scalarField room(m.editor.thickness());
+        const scalarField thickness(m.editor.thickness());
         const pointField points(m.editor.layers().points);
         const label now = m.editor.now();
 
@@ -171,7 +171,7 @@ TEST(growColumns, thoseAtFaultThenStayAsTheyWere)
                 m.editor, m.editor.columnsBeside(c), alwaysAtFault
             )
         );
-        EXPECT_EQ(m.editor.thickness(), room);
+        EXPECT_EQ(m.editor.thickness(), thickness);
         EXPECT_EQ(m.editor.layers().points, points);
         EXPECT_EQ(m.editor.causes()[c], squeezeCause::validity);
         EXPECT_TRUE(m.editor.touchedSince(now).empty());
@@ -185,7 +185,7 @@ TEST(growColumns, thoseRolledBackAreAsTheyWere)
     {
         editedColumns m(front);
         const labelList all(m.editor.columnsBeside(retreated(m)));
-        const scalarField room(m.editor.thickness());
+        const scalarField thickness(m.editor.thickness());
         const pointField points(m.editor.layers().points);
 
         m.editor.record();
@@ -197,7 +197,7 @@ TEST(growColumns, thoseRolledBackAreAsTheyWere)
             m.editor.rollBack(c);
         }
 
-        EXPECT_EQ(m.editor.thickness(), room);
+        EXPECT_EQ(m.editor.thickness(), thickness);
         EXPECT_EQ(m.editor.layers().points, points);
     }
 }

@@ -39,13 +39,13 @@ static void improve(editedColumns& m)
 TEST(improveLayers, needlessRetreatsAreUndone)
 {
     editedColumns m(fronts()[0]);
-    const scalarField room(m.editor.thickness());
+    const scalarField thickness(m.editor.thickness());
     lower(m);
-    ASSERT_LT(min(m.editor.thickness() - room), 0);
+    ASSERT_LT(min(m.editor.thickness() - thickness), 0);
 
     improve(m);
 
-    EXPECT_EQ(m.editor.thickness(), room);
+    EXPECT_EQ(m.editor.thickness(), thickness);
     EXPECT_FALSE(m.editor.causes().found(squeezeCause::validity));
 }
 
@@ -58,7 +58,7 @@ TEST(improveLayers, certifiedLayersStayCertified)
     {
         editedColumns m(front);
         lower(m);
-        const scalarField room(m.editor.thickness());
+        const scalarField thickness(m.editor.thickness());
 
         if (certify(m.editor.layers()).valid())
         {
@@ -66,7 +66,7 @@ TEST(improveLayers, certifiedLayersStayCertified)
             improve(m);
 
             EXPECT_TRUE(certify(m.editor.layers()).valid());
-            EXPECT_GE(min(m.editor.thickness() - room), 0);
+            EXPECT_GE(min(m.editor.thickness() - thickness), 0);
         }
     }
 

@@ -310,7 +310,7 @@ TEST(makePrismLayers, columnsBeyondTheMiddleRetreat)
     const wallSurface wall(testSurfaces::reversed(testSurfaces::sphere(6)));
     const prismLayerMesh m(layeredMesh(wall, nLayers, 3));
     layerColumns columns(m.columns);
-    columns.room = m.spacing.thickness;
+    columns.maxThickness = m.spacing.thickness;
     columns.causes = squeezeCause::none;
 
     const madeLayers made(remade(wall, m, columns));
@@ -333,7 +333,7 @@ TEST(makePrismLayers, columnsThroughTheOppositeWallRetreat)
     );
     const prismLayerMesh m(layeredMesh(wall, nLayers, 0.1));
     layerColumns columns(m.columns);
-    columns.room = m.spacing.thickness;
+    columns.maxThickness = m.spacing.thickness;
     columns.causes = squeezeCause::none;
     const madeLayers made(remade(wall, m, columns));
 
@@ -347,7 +347,7 @@ TEST(makePrismLayers, columnsWithTooMuchRoomInASlitRetreat)
 {
     const layeredShape& s = shapes()[7];
     layerColumns columns(s.mesh.columns);
-    columns.room = s.mesh.spacing.thickness;
+    columns.maxThickness = s.mesh.spacing.thickness;
     columns.causes = squeezeCause::none;
     const madeLayers made(remade(s.wall, s.mesh, columns));
 

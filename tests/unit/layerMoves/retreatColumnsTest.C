@@ -50,12 +50,12 @@ TEST(retreatColumns, boundsTheGradient)
             retreatColumns(m.editor, labelList(1, 5), squeezeCause::validity);
         }
 
-        const scalarField& room = m.editor.thickness();
+        const scalarField& thickness = m.editor.thickness();
         for (const edge& e : front.addressing.edges)
         {
             EXPECT_LE
             (
-                mag(room[e.start()] - room[e.end()]),
+                mag(thickness[e.start()] - thickness[e.end()]),
                 layerColumns::maxSlope*e.mag(front.surface.points) + 1e-15
             );
         }
@@ -146,7 +146,7 @@ TEST(retreatColumns, trialOfARetreatLeavesNoTrace)
     {
         editedColumns m(front);
         const pointField before(m.editor.layers().points);
-        const scalarField room(m.editor.thickness());
+        const scalarField thickness(m.editor.thickness());
         const label now = m.editor.now();
 
         for (const label c : front.surface.faces[7])
@@ -155,7 +155,7 @@ TEST(retreatColumns, trialOfARetreatLeavesNoTrace)
         }
 
         EXPECT_EQ(m.editor.layers().points, before);
-        EXPECT_EQ(m.editor.thickness(), room);
+        EXPECT_EQ(m.editor.thickness(), thickness);
         EXPECT_TRUE(m.editor.touchedSince(now).empty());
     }
 }

@@ -192,12 +192,12 @@ TEST(makePrismLayerMesh, bothSolversGiveTheLayers)
     (
         diffusionTensor::New("anisotropic", dictionary())->edgeWeights
         (
-            a.background, a.tensors
+            a.fields.background, a.fields.tensors
         )
     );
     const scalarField field
     (
-        makeHarmonicField(a.background, weights, controls.field)
+        makeHarmonicField(a.fields.background, weights, controls.field)
     );
 
     EXPECT_LT(max(mag(field - a.field)), 1e-4);

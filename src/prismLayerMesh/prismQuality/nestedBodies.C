@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "engulfedBodies.H"
+#include "nestedBodies.H"
 #include "orientation.H"
 #include "disjointSets.H"
 #include "prismQuality.H"
@@ -188,7 +188,7 @@ static bool isInStack
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-List<labelPair> findEngulfedBodies(const prismLayers& layers)
+List<labelPair> findNestedBodies(const prismLayers& layers)
 {
     const List<frontBody> bodies(findBodies(layers));
     DynamicList<labelPair> pairs;

@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "engulfedBodies.H"
+#include "nestedBodies.H"
 #include "prismQuality.H"
 #include "testLayers.H"
 #include "testStages.H"
@@ -64,12 +64,12 @@ static prismLayers layersOn(const wallSurface& wall)
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
-TEST(findEngulfedBodies, findsThoseInLayers)
+TEST(findNestedBodies, findsThoseInLayers)
 {
     for (const scalar z : {1.05, 1.15, 1.3, 1.45})
     {
         const prismLayers layers(layersOn(cubes(point(0.6, 0.3, z))));
-        const List<labelPair> pairs(findEngulfedBodies(layers));
+        const List<labelPair> pairs(findNestedBodies(layers));
 
         ASSERT_FALSE(pairs.empty());
         EXPECT_FALSE(certify(layers).valid());
@@ -89,19 +89,19 @@ TEST(findEngulfedBodies, findsThoseInLayers)
 }
 
 
-TEST(findEngulfedBodies, leavesThoseOutside)
+TEST(findNestedBodies, leavesThoseOutside)
 {
     for (const scalar z : {1.51, 3.0, -0.6})
     {
         const prismLayers layers(layersOn(cubes(point(0.6, 0.3, z))));
 
-        EXPECT_TRUE(findEngulfedBodies(layers).empty());
+        EXPECT_TRUE(findNestedBodies(layers).empty());
         EXPECT_TRUE(certify(layers).valid());
     }
 }
 
 
-TEST(findEngulfedBodies, columnsRetreatFromThem)
+TEST(findNestedBodies, columnsRetreatFromThem)
 {
     // No point of the large cube is near to the small one
     const wallSurface wall(cubes(point(0.6, 0.3, 1.1)));
@@ -111,7 +111,7 @@ TEST(findEngulfedBodies, columnsRetreatFromThem)
     );
 
     EXPECT_TRUE(certify(layers).valid());
-    EXPECT_TRUE(findEngulfedBodies(layers).empty());
+    EXPECT_TRUE(findNestedBodies(layers).empty());
 }
 
 
