@@ -283,7 +283,7 @@ static tetMesh attempts(const tetDomain& domain, const tetRun& how)
         if
         (
             end == processEnd::complete && keepsFacets(domain, mesh)
-         && (!how.size || allPositive(mesh.points, mesh.tets))
+         && allPositive(mesh.points, mesh.tets)
         )
         {
             return mesh;
