@@ -174,10 +174,7 @@ static void smoothOnce
     const vectorField normals(surface.faceNormals());
     const labelListList pointFaces
     (
-        invertManyToMany<face, labelList>
-        (
-            surface.points.size(), surface.faces
-        )
+        invertManyToMany<face, labelList>(surface.points.size(), surface.faces)
     );
 
     forAll(pointFaces, p)

@@ -57,10 +57,7 @@ public:
         outer_(makeTriangleIndex(mesh.outerTriangles)),
         pointTets_
         (
-            invertManyToMany<tetCell, labelList>
-            (
-                mesh.points.size(), mesh.tets
-            )
+            invertManyToMany<tetCell, labelList>(mesh.points.size(), mesh.tets)
         )
     {}
 

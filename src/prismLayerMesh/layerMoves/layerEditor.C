@@ -91,10 +91,7 @@ vector layerEditor::allowedOffset
     // the plane may take height away
     const vector offset
     (
-        columnOffset
-        (
-            visibility, c, constraint(c).allowed(direction), stretch
-        )
+        columnOffset(visibility, c, constraint(c).allowed(direction), stretch)
     );
     const vector allowed(constraint(c).allowed(offset));
 

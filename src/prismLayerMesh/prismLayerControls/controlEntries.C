@@ -87,10 +87,7 @@ OSstream& entryError(const dictionary& dict, const word& key)
         }
     }
 
-    return FatalIOError
-    (
-        FUNCTION_NAME, __FILE__, __LINE__, dict.name(), line
-    );
+    return FatalIOError(FUNCTION_NAME, __FILE__, __LINE__, dict.name(), line);
 }
 
 

@@ -124,10 +124,7 @@ static bool isInHull(const UList<point>& points, const point& x)
                 {
                     if
                     (
-                        isInTet
-                        (
-                            {points[a], points[b], points[c], points[d]}, x
-                        )
+                        isInTet({points[a], points[b], points[c], points[d]}, x)
                     )
                     {
                         return true;
