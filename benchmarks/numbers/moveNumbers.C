@@ -87,6 +87,7 @@ static const std::initializer_list<tunedNumber> numbers =
     {"thicknessReach", &layerMoveControls::thicknessReach, nullptr, false},
     {"nRings", nullptr, &layerMoveControls::nRings, false},
     {"maxDisplacement", &layerMoveControls::maxDisplacement, nullptr, false},
+    {"maxLowerings", nullptr, &layerMoveControls::maxLowerings, false},
     {"leftOutShare", &layerMoveControls::leftOutShare, nullptr, false},
     {"damping", &layerMoveControls::damping, nullptr, false},
     {"maxExcess", &layerMoveControls::maxExcess, nullptr, true},

@@ -133,7 +133,7 @@ static scalarField lackingHeights
 
 
 //- 1 of columns near faces that are wrong, 0 of others
-static scalarField mobilitiesOf
+static scalarField firstMobilities
 (
     const layerEditor& editor,
     const labelUList& faces,
@@ -186,6 +186,39 @@ static scalar excessOf
 {
     return mag(displacement)
        /(editor.controls().maxDisplacement*editor.heights(c)[level]);
+}
+
+
+//- Lower the mobilities of columns that go too far at a level, a few times, and
+//  give the fit what they are
+static void fitMobilities
+(
+    const layerEditor& editor,
+    const scalarField& lacking,
+    const label level,
+    heightFit& heights,
+    scalarField& mobilities
+)
+{
+    bool lowered = true;
+
+    for (label k = 0; k < editor.controls().maxLowerings && lowered; ++k)
+    {
+        heights.setMobilities(mobilities);
+        const vectorField displacements(heights.displacements(lacking));
+        lowered = false;
+
+        forAll(mobilities, c)
+        {
+            const scalar excess = excessOf(editor, c, displacements[c], level);
+
+            if (excess > 1)
+            {
+                mobilities[c] /= sqr(excess);
+                lowered = true;
+            }
+        }
+    }
 }
 
 
@@ -256,9 +289,9 @@ static void fit(layerEditor& editor, const fitTarget& target)
     };
 
     const labelList fitted(fittedFaces(editor));
-    const scalarField mobilities
+    scalarField mobilities
     (
-        mobilitiesOf(editor, fitted, lacking(fitted, target.level), target)
+        firstMobilities(editor, fitted, lacking(fitted, target.level), target)
     );
 
     if (max(mobilities) == 0)
@@ -266,12 +299,16 @@ static void fit(layerEditor& editor, const fitTarget& target)
         return;
     }
 
-    const heightFit heights
+    heightFit heights
     (
         front.surface,
         mobileFaces(front.surface.faces, fitted, mobilities),
-        mobilities,
         editor.controls().damping
+    );
+    const labelList& faces = heights.faces();
+    fitMobilities
+    (
+        editor, lacking(faces, target.level), target.level, heights, mobilities
     );
 
     forAll(mobilities, c)
@@ -290,7 +327,7 @@ static void fit(layerEditor& editor, const fitTarget& target)
     {
         displace
         (
-            heights.displacements(lacking(heights.faces(), levels[k])),
+            heights.displacements(lacking(faces, levels[k])),
             target, levels[k], editor
         );
     }

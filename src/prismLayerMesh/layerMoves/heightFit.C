@@ -74,23 +74,36 @@ heightFit::heightFit
 (
     const wallSurface& wall,
     const labelUList& faces,
-    const scalarField& mobilities,
     const scalar lambda
 )
 :
+    wall_(wall),
     faces_(faces),
+    lambda_(lambda),
     factors_(new factors)
-{
-    factors_->mobilities = mobilities;
-    factors_->a = heightsOfDisplacements(wall, faces, mobilities);
-    factors_->inverse.compute(damped(factors_->a, lambda));
-}
+{}
 
 
 heightFit::~heightFit() = default;
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void heightFit::setMobilities(const scalarField& mobilities)
+{
+    const bool first = factors_->mobilities.empty();
+    factors_->mobilities = mobilities;
+    factors_->a = heightsOfDisplacements(wall_, faces_, mobilities);
+
+    const sparseMatrix product(damped(factors_->a, lambda_));
+
+    if (first)
+    {
+        factors_->inverse.analyzePattern(product);
+    }
+    factors_->inverse.factorize(product);
+}
+
 
 vectorField heightFit::displacements(const scalarField& lacking) const
 {
