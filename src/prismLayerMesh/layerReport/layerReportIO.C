@@ -8,7 +8,6 @@
 #include "Switch.H"
 
 #include <iomanip>
-#include <numeric>
 #include <sstream>
 
 namespace Foam
@@ -90,13 +89,8 @@ static dictionary pointsDictionary(const layerReport& report)
 
 static dictionary columnsDictionary(const layerReport& report)
 {
-    const auto& columns = report.columns;
-
     dictionary dict;
-    dict.add
-    (
-        "total", std::accumulate(columns.begin(), columns.end(), label(0))
-    );
+    dict.add("total", sum(labelList(report.columns)));
     dict.add("fullThickness", report.columns[0]);
     dict.add("squeezed", squeezedDictionary(report.columns));
     dict.add("multipleNormals", report.nFurtherColumns);

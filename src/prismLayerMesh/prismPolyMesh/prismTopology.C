@@ -65,20 +65,13 @@ static label faceBeyond
     const label k
 )
 {
-    const edge e(layers.faces[facei].faceEdge(k));
-
-    return faceOf.lookup(e.reverseEdge(), -1);
+    return faceOf.lookup(layers.faces[facei].faceEdge(k).reverseEdge(), -1);
 }
 
 
-static label cellLabel
-(
-    const prismLayers& layers,
-    const label facei,
-    const label i
-)
+static label cellLabel(const prismLayers& layers, const label f, const label i)
 {
-    return facei*layers.nLayers + i - 1;
+    return f*layers.nLayers + i - 1;
 }
 
 
