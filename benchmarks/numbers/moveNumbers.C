@@ -10,10 +10,11 @@ Description
 
     Reads the wall and system/harmonicPrismMeshDict of the case, makes all that
     stands before the moves once, and then the layers with each of the numbers
-    halved and doubled; of shares and ratios near 1 their distance from 1 is. Prints a line, between tabs, for each: number, factor,
-    share of the wall's area at full thickness [%], mean thickness over the
-    request, share of faces with a first height within 1 % [%], worst scaled
-    Jacobian, internal faces beyond 70 degrees, seconds of the moves.
+    halved and doubled; of shares and ratios near 1 their distance from 1 is.
+    Prints a line, between tabs, for each: number, factor, share of the wall's
+    area at full thickness [%], mean thickness over the request, share of faces
+    with a first height within 1 % [%], worst scaled Jacobian, internal faces
+    beyond 70 degrees, seconds of the moves.
 
 Usage
     moveNumbers [-numbers '(name ...)'] [-factors '(0.5 2)']
@@ -34,6 +35,9 @@ Usage
 using namespace Foam;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+typedef layerMoveControls tuned;
+
 
 //- A tuned number, a scalar or a label
 struct tunedNumber
@@ -65,38 +69,38 @@ struct tunedNumber
 
 static const std::initializer_list<tunedNumber> numbers =
 {
-    {"minJacobian", &layerMoveControls::minJacobian, nullptr, false},
-    {"goodJacobian", &layerMoveControls::goodJacobian, nullptr, false},
-    {"centreJacobian", &layerMoveControls::centreJacobian, nullptr, false},
-    {"maxCentreTries", nullptr, &layerMoveControls::maxCentreTries, false},
-    {"retreatFactor", &layerMoveControls::retreatFactor, nullptr, true},
-    {"straightenShare", &layerMoveControls::straightenShare, nullptr, false},
-    {"shortShare", &layerMoveControls::shortShare, nullptr, false},
-    {"tallShare", &layerMoveControls::tallShare, nullptr, true},
-    {"hopelessShare", &layerMoveControls::hopelessShare, nullptr, false},
-    {"maxTurns", nullptr, &layerMoveControls::maxTurns, false},
-    {"turnShare", &layerMoveControls::turnShare, nullptr, true},
-    {"maxLeans", nullptr, &layerMoveControls::maxLeans, false},
-    {"leanGain", &layerMoveControls::leanGain, nullptr, true},
-    {"leanSize", &layerMoveControls::leanSize, nullptr, false},
-    {"nLeanSides", nullptr, &layerMoveControls::nLeanSides, false},
-    {"maxRounds", nullptr, &layerMoveControls::maxRounds, false},
-    {"heightTolerance", &layerMoveControls::heightTolerance, nullptr, false},
-    {"largeTolerance", &layerMoveControls::largeTolerance, nullptr, false},
-    {"thicknessTolerance", &layerMoveControls::thicknessTolerance, nullptr, false},
-    {"thicknessReach", &layerMoveControls::thicknessReach, nullptr, false},
-    {"nRings", nullptr, &layerMoveControls::nRings, false},
-    {"maxDisplacement", &layerMoveControls::maxDisplacement, nullptr, false},
-    {"maxLowerings", nullptr, &layerMoveControls::maxLowerings, false},
-    {"leftOutShare", &layerMoveControls::leftOutShare, nullptr, false},
-    {"damping", &layerMoveControls::damping, nullptr, false},
-    {"maxExcess", &layerMoveControls::maxExcess, nullptr, true},
-    {"maxHeightJump", &layerMoveControls::maxHeightJump, nullptr, true},
-    {"maxLimits", nullptr, &layerMoveControls::maxLimits, false},
-    {"maxSweeps", nullptr, &layerMoveControls::maxSweeps, false},
-    {"leastForJump", &layerMoveControls::leastForJump, nullptr, true},
-    {"leastOverNeighbour", &layerMoveControls::leastOverNeighbour, nullptr, true},
-    {"slack", &layerMoveControls::slack, nullptr, false}
+    {"minJacobian", &tuned::minJacobian, nullptr, false},
+    {"goodJacobian", &tuned::goodJacobian, nullptr, false},
+    {"centreJacobian", &tuned::centreJacobian, nullptr, false},
+    {"maxCentreTries", nullptr, &tuned::maxCentreTries, false},
+    {"retreatFactor", &tuned::retreatFactor, nullptr, true},
+    {"straightenShare", &tuned::straightenShare, nullptr, false},
+    {"shortShare", &tuned::shortShare, nullptr, false},
+    {"tallShare", &tuned::tallShare, nullptr, true},
+    {"hopelessShare", &tuned::hopelessShare, nullptr, false},
+    {"maxTurns", nullptr, &tuned::maxTurns, false},
+    {"turnShare", &tuned::turnShare, nullptr, true},
+    {"maxLeans", nullptr, &tuned::maxLeans, false},
+    {"leanGain", &tuned::leanGain, nullptr, true},
+    {"leanSize", &tuned::leanSize, nullptr, false},
+    {"nLeanSides", nullptr, &tuned::nLeanSides, false},
+    {"maxRounds", nullptr, &tuned::maxRounds, false},
+    {"heightTolerance", &tuned::heightTolerance, nullptr, false},
+    {"largeTolerance", &tuned::largeTolerance, nullptr, false},
+    {"thicknessTolerance", &tuned::thicknessTolerance, nullptr, false},
+    {"thicknessReach", &tuned::thicknessReach, nullptr, false},
+    {"nRings", nullptr, &tuned::nRings, false},
+    {"maxDisplacement", &tuned::maxDisplacement, nullptr, false},
+    {"maxLowerings", nullptr, &tuned::maxLowerings, false},
+    {"leftOutShare", &tuned::leftOutShare, nullptr, false},
+    {"damping", &tuned::damping, nullptr, false},
+    {"maxExcess", &tuned::maxExcess, nullptr, true},
+    {"maxHeightJump", &tuned::maxHeightJump, nullptr, true},
+    {"maxLimits", nullptr, &tuned::maxLimits, false},
+    {"maxSweeps", nullptr, &tuned::maxSweeps, false},
+    {"leastForJump", &tuned::leastForJump, nullptr, true},
+    {"leastOverNeighbour", &tuned::leastOverNeighbour, nullptr, true},
+    {"slack", &tuned::slack, nullptr, false}
 };
 
 
@@ -144,7 +148,10 @@ static void measure
         );
         const scalar seconds = time.elapsedCpuTime();
 
-        const faceHeights heights(makeFaceHeights(wall, m.request, made.layers));
+        const faceHeights heights
+        (
+            makeFaceHeights(wall, m.request, made.layers)
+        );
         const label n = wall.faces.size();
         scalar full = 0, mean = 0;
         label nExact = 0;
