@@ -5,7 +5,6 @@
 
 
 #include "prismPolyMesh.H"
-#include "labelPairHashes.H"
 #include "ListOps.H"
 
 #include <algorithm>
@@ -15,57 +14,44 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-static void badEdge
-(
-    const prismLayers& layers,
-    const label facei,
-    const edge& e,
-    const char* what
-)
-{
-    FatalErrorInFunction
-        << "The edge of front face " << facei << " from "
-        << layers(e.first(), 0) << " to " << layers(e.second(), 0)
-        << ' ' << what << ". Check the surface" << exit(FatalError);
-}
-
-
-//- The front face of each edge in the direction of the face. The front face
-//  beyond an edge has the reverse edge.
-static labelPairLookup facesOfEdges(const prismLayers& layers)
-{
-    labelPairLookup faceOf(4*layers.faces.size());
-
-    forAll(layers.faces, facei)
-    {
-        for (const edge& e : layers.faces[facei].edges())
-        {
-            if (!faceOf.insert(e, facei))
-            {
-                badEdge
-                (
-                    layers, facei, e,
-                    faceOf.found(e.reverseEdge())
-                  ? "has more than two faces" : "has two faces that are flipped"
-                );
-            }
-        }
-    }
-
-    return faceOf;
-}
-
-
-//- The front face beyond edge k of a front face, or -1
+//- The front face beyond edge k of a front face, or -1; columnFaces has the
+//  front faces on each column
 static label faceBeyond
 (
     const prismLayers& layers,
-    const labelPairLookup& faceOf,
+    const labelListList& columnFaces,
     const label facei,
     const label k
 )
 {
-    return faceOf.lookup(layers.faces[facei].faceEdge(k).reverseEdge(), -1);
+    const edge e(layers.faces[facei].faceEdge(k));
+    label beyond = -1;
+    label nFaces = 0;
+    bool flipped = false;
+
+    for (const label other : columnFaces[e.first()])
+    {
+        const int direction = layers.faces[other].edgeDirection(e);
+        nFaces += direction != 0;
+
+        if (direction && other != facei)
+        {
+            beyond = other;
+            flipped = flipped || direction > 0;
+        }
+    }
+
+    if (nFaces > 2 || flipped)
+    {
+        FatalErrorInFunction
+            << "The edge of front face " << facei << " from "
+            << layers(e.first(), 0) << " to " << layers(e.second(), 0)
+            << (nFaces > 2 ? " has more than two faces"
+              : " has two faces that are flipped")
+            << ". Check the surface" << exit(FatalError);
+    }
+
+    return beyond;
 }
 
 
@@ -119,7 +105,7 @@ static face sideFace
 static void addInternalFaces
 (
     const prismLayers& layers,
-    const labelPairLookup& faceOf,
+    const labelListList& columnFaces,
     polyMeshTopology& mesh
 )
 {
@@ -132,7 +118,7 @@ static void addInternalFaces
 
         forAll(layers.faces[facei], k)
         {
-            const label beyond = faceBeyond(layers, faceOf, facei, k);
+            const label beyond = faceBeyond(layers, columnFaces, facei, k);
 
             if (beyond > facei)
             {
@@ -204,7 +190,7 @@ static void addOuterFaces(const prismLayers& layers, polyMeshTopology& mesh)
 static void addOpenSides
 (
     const prismLayers& layers,
-    const labelPairLookup& faceOf,
+    const labelListList& columnFaces,
     polyMeshTopology& mesh
 )
 {
@@ -214,7 +200,7 @@ static void addOpenSides
     {
         forAll(layers.faces[facei], k)
         {
-            const bool open = faceBeyond(layers, faceOf, facei, k) < 0;
+            const bool open = faceBeyond(layers, columnFaces, facei, k) < 0;
 
             for (label i = 1; open && i <= layers.nLayers; ++i)
             {
@@ -270,26 +256,33 @@ void polyMeshTopology::startPatch()
 
 polyMeshTopology makePrismTopology(const prismLayers& layers)
 {
-    const labelPairLookup faceOf(facesOfEdges(layers));
-    label nOpen = 0;
-    forAllConstIters(faceOf, iter)
+    const labelListList columnFaces
+    (
+        invertManyToMany<face, labelList>(layers.nColumns(), layers.faces)
+    );
+    label nEdges = 0, nOpen = 0;
+    forAll(layers.faces, facei)
     {
-        nOpen += !faceOf.found(edge(iter.key()).reverseEdge());
+        forAll(layers.faces[facei], k)
+        {
+            ++nEdges;
+            nOpen += faceBeyond(layers, columnFaces, facei, k) < 0;
+        }
     }
 
     const label n = layers.nLayers;
     const label nFront = layers.faces.size();
-    const label nInternal = nFront*(n - 1) + (faceOf.size() - nOpen)/2*n;
+    const label nInternal = nFront*(n - 1) + (nEdges - nOpen)/2*n;
 
     polyMeshTopology mesh;
     mesh.reserve(nInternal + nFront + layers.nWallFaces() + nOpen*n, nInternal);
-    addInternalFaces(layers, faceOf, mesh);
+    addInternalFaces(layers, columnFaces, mesh);
     addWallFaces(layers, mesh);
     addOuterFaces(layers, mesh);
 
     if (nOpen)
     {
-        addOpenSides(layers, faceOf, mesh);
+        addOpenSides(layers, columnFaces, mesh);
     }
 
     return mesh;
