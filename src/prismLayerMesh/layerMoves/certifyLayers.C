@@ -243,10 +243,18 @@ labelList certification::faultyStacks()
     cellsJudged_ = editor_.now();
     unjudged_.insert(moved);
     below_.unset(moved);
-    below_.insert
+
+    for
     (
-        judge_.findBelowAttainable(moved, editor_.controls().minJacobian)
-    );
+        const faultyStack& stack
+      : judge_.findFaults
+        (
+            moved, stackFault::belowAttainable, stackFault::belowAttainable
+        )
+    )
+    {
+        below_.insert(stack.facei);
+    }
 
     if (below_.size())
     {

@@ -63,28 +63,6 @@ static List<columnConstraint> constraints
 }
 
 
-//- Penalty on the distance of the ends of columns from points beside those
-//  where they are now
-static stackPenalty distanceBeside(const editedColumns& m)
-{
-    pointField aims(m.nColumns());
-    forAll(aims, c)
-    {
-        aims[c] = m.end(c) + vector(0.01, 0.02, 0.03);
-    }
-
-    return [&m, aims](const label facei, label, scalar)
-    {
-        scalar sum = 0;
-        for (const label c : m.front.surface.faces[facei])
-        {
-            sum += mag(m.end(c) - aims[c]);
-        }
-        return sum;
-    };
-}
-
-
 //- The moves, one after the other; after each a test looks at the columns
 template<class Test>
 static void forAllMoves(editedColumns& m, const Test& test)

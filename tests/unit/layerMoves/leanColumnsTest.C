@@ -162,28 +162,6 @@ TEST(leanColumns, faultsNeverGrow)
 }
 
 
-//- How far the ends of a face's columns are from points beside those where they
-//  are now
-static stackPenalty distanceBeside(const editedColumns& m)
-{
-    pointField aims(m.nColumns());
-    forAll(aims, c)
-    {
-        aims[c] = m.end(c) + vector(0.01, 0.02, 0.03);
-    }
-
-    return [&m, aims](const label facei, label, scalar)
-    {
-        scalar sum = 0;
-        for (const label c : m.front.surface.faces[facei])
-        {
-            sum += mag(m.end(c) - aims[c]);
-        }
-        return sum;
-    };
-}
-
-
 //- Points of the layers after all columns leaned to one side
 static pointField leantOver(const layerFront& front, const int nThreads)
 {
