@@ -5,6 +5,7 @@
 
 #include "backgroundMesh.H"
 #include "ListOps.H"
+#include "slitEdges.H"
 #include "tetrahedralize.H"
 #include "wallBridges.H"
 
@@ -230,8 +231,8 @@ void setAddressing(backgroundMesh& mesh)
 backgroundMesh makeBackgroundMesh
 (
     const wallSurface& wall,
+    const wallAddressing& addressing,
     const wallSearch& search,
-    const wallVisibility& visibility,
     const offsetEnvelope& envelope
 )
 {
@@ -264,7 +265,8 @@ backgroundMesh makeBackgroundMesh
     });
 
     fillGaps(mesh.tets, mesh.gaps);
-    splitWallBridges(triangles, visibility.axes(), mesh);
+    splitWallBridges(triangles, addressing, search, mesh);
+    splitSlitEdges(search, mesh);
     setAddressing(mesh);
 
     return mesh;

@@ -84,12 +84,34 @@ static simplexSet findBridges
 }
 
 
+//- Whether an edge is across the tip of an acute concave edge: its ends have a
+//  common neighbour on the wall
+static bool isTip
+(
+    const wallAddressing& addressing,
+    const label a,
+    const label b
+)
+{
+    for (const label p : addressing.pointPoints[a])
+    {
+        if (addressing.pointPoints[b].found(p))
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 label splitWallBridges
 (
     const faceList& wallTriangles,
-    const vectorField& axes,
+    const wallAddressing& addressing,
+    const wallSearch& search,
     backgroundMesh& mesh
 )
 {
@@ -117,7 +139,8 @@ label splitWallBridges
         free.append
         (
             s[0] >= 0
-         || (axes[s[1]] & axes[s[2]]) > clearanceControls::oppositeCosine
+         || isTip(addressing, s[1], s[2])
+         || search.nearer(points.last(), domainControls::bridgeShare*gap)
         );
     }
 

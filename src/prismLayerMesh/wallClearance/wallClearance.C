@@ -32,74 +32,112 @@ static scalar touchingHeight
 }
 
 
-//- Radius of the largest ball, at most largest, that holds no opposite point
-static scalar shrunkenBall
-(
-    const wallSearch& search,
-    const point& p,
-    const vector& d,
-    const scalar cosine,
-    const scalar largest
-)
+namespace
 {
-    scalar height = largest;
 
-    // Each round takes the deepest point inside the ball
-    for (label round = 0; round < clearanceControls::maxRounds; ++round)
+//- A ball that touches the faces at a point, and what bounds it
+struct ball
+{
+    scalar radius = 0;
+
+    //- Triangle of the wall, or -1
+    label bound = -1;
+};
+
+
+//- The balls at a point of the wall
+struct pointBalls
+{
+    const wallSearch& search;
+    const point& p;
+    //- Direction of the centres, and its smallest product with a normal
+    const vector& axis;
+    const scalar cosine;
+
+    //- Largest ball, at most of the radius 'largest', that holds no point of a
+    //  face that is opposite by oppositeCosine
+    ball shrunken(const scalar largest, const scalar oppositeCosine) const
     {
-        const pointIndexHit hit
-        (
-            search.nearestOpposite(p + height/cosine*d, height, d)
-        );
+        ball b{largest, -1};
 
-        if (!hit.hit())
+        // Each round takes the deepest point inside the ball
+        for (label round = 0; round < clearanceControls::maxRounds; ++round)
         {
-            break;
+            const pointIndexHit hit
+            (
+                search.nearestOpposite
+                (
+                    p + b.radius/cosine*axis,
+                    (1 - clearanceControls::tolerance)*b.radius,
+                    axis,
+                    oppositeCosine
+                )
+            );
+
+            if (!hit.hit())
+            {
+                break;
+            }
+
+            const scalar lower =
+                touchingHeight(p, axis, cosine, hit.rawPoint());
+
+            if (lower < 0)
+            {
+                break;
+            }
+
+
+            b = {lower, hit.index()};
         }
 
-        const scalar lower = touchingHeight(p, d, cosine, hit.rawPoint());
-
-        if (lower < 0 || lower >= (1 - clearanceControls::tolerance)*height)
-        {
-            break;
-        }
-
-        height = lower;
+        return b;
     }
 
-    return height;
-}
 
-
-//- The radius up to which no ball holds an opposite point
-static scalar room
-(
-    const wallSearch& search,
-    const point& p,
-    const visibilityCone& cone,
-    const scalar reach
-)
-{
-    const scalar cosine = max(cone.cosine, 1/clearanceControls::maxStretch);
-
-    // Balls on a flat wall hold the smaller ones; at an edge they leave room
-    // beside them
-    scalar height = cosine < clearanceControls::nestedCosine
-      ? reach*clearanceControls::lowestShare : reach;
-    scalar free = 0;
-
-    for (; height < (1 + SMALL)*reach; height *= 2)
+    //- The first ball, of growing ones up to the radius reach, that meets an
+    //  opposite face
+    ball first(const scalar reach, const scalar oppositeCosine) const
     {
-        free = shrunkenBall(search, p, cone.axis, cosine, height);
+        // Balls on a flat wall hold the smaller ones; at an edge they leave
+        // room beside them
+        scalar radius = cosine < clearanceControls::nestedCosine
+          ? reach*clearanceControls::lowestShare : reach;
+        ball b;
 
-        if (free < height)
+        for (; radius < (1 + SMALL)*reach; radius *= 2)
         {
-            break;
+            b = shrunken(radius, oppositeCosine);
+
+            if (b.bound >= 0)
+            {
+                break;
+            }
         }
+
+        return b;
     }
 
-    return free;
-}
+
+    //- A face that is opposite in part takes that part of the room beyond it
+    scalar room(const scalar reach) const
+    {
+        const ball b(first(reach, clearanceControls::oppositeFrom));
+        const scalar share =
+            b.bound < 0 ? 1 : search.opposition(b.bound, axis);
+
+        if (share == 1)
+        {
+            return b.radius;
+        }
+
+        const ball beyond(first(reach, clearanceControls::oppositeFully));
+
+        return beyond.radius + share*(b.radius - beyond.radius);
+    }
+};
+
+} // End anonymous namespace
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
@@ -117,11 +155,28 @@ scalarField makeWallClearance
     #pragma omp parallel for schedule(dynamic, 64)
     for (label p = 0; p < clearance.size(); ++p)
     {
-        clearance[p] =
-            room(search, wall.points[p], visibility.cones[p], reach[p]);
+        const visibilityCone& cone = visibility.cones[p];
+        const pointBalls balls
+        {
+            search, wall.points[p], cone.axis,
+            max(cone.cosine, 1/clearanceControls::maxStretch)
+        };
+        clearance[p] = balls.room(reach[p]);
     }
 
     return clearance;
+}
+
+
+scalar roomAlong
+(
+    const wallSearch& search,
+    const point& x,
+    const vector& n,
+    const scalar reach
+)
+{
+    return pointBalls{search, x, n, 1}.room(reach);
 }
 
 } // End namespace Foam

@@ -57,6 +57,7 @@ struct oppositeOnly
     const triSurface& surface;
     const vectorField& normals;
     const vector& direction;
+    const scalar cosine;
 
     void operator()
     (
@@ -69,7 +70,7 @@ struct oppositeOnly
     {
         for (const label i : indices)
         {
-            if ((normals[i] & direction) > clearanceControls::oppositeCosine)
+            if ((normals[i] & direction) > cosine)
             {
                 continue;
             }
@@ -133,6 +134,7 @@ wallSearch::foot wallSearch::footOf(const point& x) const
         result.weights[k] = min(max(weights[k], scalar(0)), scalar(1));
     }
     result.distance = mag(x - hit.rawPoint());
+    result.normal = normals_[hit.index()];
 
     return result;
 }
@@ -142,13 +144,28 @@ pointIndexHit wallSearch::nearestOpposite
 (
     const point& x,
     const scalar distance,
-    const vector& direction
+    const vector& direction,
+    const scalar cosine
 ) const
 {
     return tree_.findNearest
     (
-        x, sqr(distance), oppositeOnly{surface_, normals_, direction}
+        x, sqr(distance), oppositeOnly{surface_, normals_, direction, cosine}
     );
+}
+
+
+scalar wallSearch::opposition
+(
+    const label triangle,
+    const vector& direction
+) const
+{
+    const scalar from = clearanceControls::oppositeFrom;
+    const scalar share = (from - (normals_[triangle] & direction))
+       /(from - clearanceControls::oppositeFully);
+
+    return min(max(share, scalar(0)), scalar(1));
 }
 
 } // End namespace Foam

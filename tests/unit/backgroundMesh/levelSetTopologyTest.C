@@ -6,6 +6,7 @@
 #include "levelSetTopology.H"
 #include "testStages.H"
 #include "testSurfaces.H"
+#include "slitEdges.H"
 #include "wallBridges.H"
 #include "Random.H"
 
@@ -246,12 +247,21 @@ TEST(levelSetTriangles, faceTheLowerSide)
 }
 
 
+static label splitBridgesOf(const wallSurface& wall, backgroundMesh& mesh)
+{
+    return splitWallBridges
+    (
+        wall.faces, makeWallAddressing(wall), wallSearch(wall), mesh
+    );
+}
+
+
 TEST(splitWallBridges, secondTimeFindsNone)
 {
     const stages s(testSurfaces::slitBlock(8, 0.05), 5, 0.15);
     backgroundMesh mesh(s.background());
 
-    EXPECT_EQ(splitWallBridges(s.wall.faces, s.visibility.axes(), mesh), 0);
+    EXPECT_EQ(splitWallBridges(s.wall.faces, s.addressing, s.search, mesh), 0);
 }
 
 
@@ -259,14 +269,10 @@ TEST(splitWallBridges, keepTheVolume)
 {
     // Without nodes, tetrahedra of a ball go from wall to wall
     const wallSurface wall(testSurfaces::reversed(testSurfaces::sphere(4)));
-    const wallVisibility visibility
-    (
-        makeWallVisibility(wall, makeWallAddressing(wall))
-    );
     backgroundMesh mesh(testSurfaces::ballMesh(4));
 
     const label nBridges =
-        splitWallBridges(wall.faces, visibility.axes(), mesh);
+        splitBridgesOf(wall, mesh);
     EXPECT_GT(nBridges, 0);
 
     scalar volume = 0;
@@ -279,27 +285,69 @@ TEST(splitWallBridges, keepTheVolume)
 }
 
 
-TEST(splitWallBridges, opposedEndsAreOnTheEnvelope)
+TEST(splitWallBridges, pointsFarFromTheWallAreOnTheEnvelope)
 {
     const wallSurface wall(testSurfaces::reversed(testSurfaces::sphere(4)));
-    const wallVisibility visibility
-    (
-        makeWallVisibility(wall, makeWallAddressing(wall))
-    );
     backgroundMesh mesh(testSurfaces::ballMesh(4));
-    splitWallBridges(wall.faces, visibility.axes(), mesh);
+    splitBridgesOf(wall, mesh);
 
-    // The middle of a chord with ends 120 degrees apart is at half the radius;
-    // axes are not quite radial
+    // The gap is 1. The facets are up to 0.1 inside of the sphere. Chords
+    // between neighbours of a point are shallow anyway.
     for (label p = mesh.nWallPoints; p < mesh.points.size(); ++p)
     {
-        const scalar r = mag(mesh.points[p]);
+        const scalar depth = 1 - mag(mesh.points[p]);
 
-        if (mag(r - 0.5) > 0.1)
+        if (mag(depth - domainControls::bridgeShare) > 0.1)
         {
-            EXPECT_EQ(mesh.free[p], r > 0.5);
+            EXPECT_EQ(mesh.free[p], depth < domainControls::bridgeShare);
         }
     }
+}
+
+
+TEST(splitSlitEdges, closeTheEnvelope)
+{
+    // A slit that is narrower than the edges of its walls: no free point on one
+    // side has a neighbour that is free or on the wall on the other side
+    const scalar width = 0.2;
+    const stages s(testSurfaces::slitBlock(8, width), 5, 0.15);
+    const backgroundMesh mesh(s.background());
+    label nInside = 0;
+
+    for (const edge& e : mesh.edges)
+    {
+        const point& a = mesh.points[e.start()];
+        const point& b = mesh.points[e.end()];
+        const auto inside = [&](const label p)
+        {
+            return mesh.onWall(p) || mesh.free[p];
+        };
+        const auto inSlit = [&](const point& x)
+        {
+            return mag(x.x() - 1) < 0.5*width + SMALL && x.y() > 1.2
+                && x.y() < 1.8 && x.z() > 0.2 && x.z() < 0.8;
+        };
+
+        if
+        (
+            inside(e.start()) && inside(e.end()) && inSlit(a) && inSlit(b)
+        )
+        {
+            ++nInside;
+            EXPECT_GT((a.x() - 1)*(b.x() - 1), -SMALL);
+        }
+    }
+
+    EXPECT_GT(nInside, 20);
+}
+
+
+TEST(splitSlitEdges, noneWithoutASlit)
+{
+    const stages s(testSurfaces::lBlock(6), 5, 0.15);
+    backgroundMesh mesh(s.background());
+
+    EXPECT_EQ(splitSlitEdges(s.search, mesh), 0);
 }
 
 

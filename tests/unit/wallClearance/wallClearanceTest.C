@@ -142,6 +142,44 @@ TEST(wallClearance, ballInAcuteEdgeTouchesBothSides)
 }
 
 
+TEST(wallClearance, sidesThatAreOppositeInPartTakePartOfTheRoom)
+{
+    // The room changes by little from 59.99 to 60.01 degrees, and falls from
+    // all of the reach at 75 to that of the ball at 45
+    const scalar reach = 1;
+    scalarField rooms;
+
+    for (const scalar degrees : {75.0, 60.01, 59.99, 45.0})
+    {
+        const scalar tanHalf =
+            std::tan(0.5*degrees*constant::mathematical::pi/180);
+        const wallSurface wall(testSurfaces::wedgeBlock(10, degrees));
+        const scalarField clearance(clearanceOf(wall, reach));
+        scalar smallest = GREAT;
+
+        forAll(wall.points, p)
+        {
+            const point& x = wall.points[p];
+
+            if
+            (
+                mag(mag(x.x() - 1) - tanHalf*(x.y() - 1)) < 1e-9
+             && between(0.2, x.y() - 1, 0.5) && between(0.4, x.z(), 0.6)
+            )
+            {
+                smallest = min(smallest, clearance[p]);
+            }
+        }
+        rooms.append(smallest);
+    }
+
+    EXPECT_EQ(rooms[0], reach);
+    EXPECT_NEAR(rooms[1], rooms[2], 2e-3);
+    EXPECT_GT(rooms[1], rooms[3] + 0.2);
+    EXPECT_LT(rooms[1], reach - 0.2);
+}
+
+
 TEST(wallClearance, ballHoldsNoOppositePoint)
 {
     const wallSurface wall(testSurfaces::torus(24, 12, 1, 0.8));
@@ -171,7 +209,8 @@ TEST(wallClearance, ballHoldsNoOppositePoint)
             (
                 wall.points[p] + r/cone.cosine*cone.axis,
                 (1 - 1e-5)*r,
-                cone.axis
+                cone.axis,
+                clearanceControls::oppositeFully
             ).hit()
         );
     }

@@ -113,17 +113,23 @@ TEST(wallSearch, oppositeSkipsWhatFacesAlong)
     const wallSearch search(testSurfaces::cube(3));
     const point x(0.5, 0.45, 1.5);
 
-    const pointIndexHit top(search.nearestOpposite(x, 5, vector(0, 0, -1)));
+    const pointIndexHit top
+    (
+        search.nearestOpposite(x, 5, vector(0, 0, -1), -0.5)
+    );
     ASSERT_TRUE(top.hit());
     EXPECT_NEAR(mag(top.rawPoint() - point(0.5, 0.45, 1)), 0, 1e-12);
 
-    const pointIndexHit bottom(search.nearestOpposite(x, 5, vector(0, 0, 1)));
+    const pointIndexHit bottom
+    (
+        search.nearestOpposite(x, 5, vector(0, 0, 1), -0.5)
+    );
     ASSERT_TRUE(bottom.hit());
     EXPECT_NEAR(mag(bottom.rawPoint() - point(0.5, 0.45, 0)), 0, 1e-12);
 }
 
 
-TEST(wallSearch, oppositeBeginsAt120Degrees)
+TEST(wallSearch, oppositeIsByTheCosine)
 {
     const wallSearch search(testSurfaces::cube(3));
     const point x(0.5, 0.45, 1.2);
@@ -134,7 +140,29 @@ TEST(wallSearch, oppositeBeginsAt120Degrees)
         const vector d(std::sin(angle), 0, std::cos(angle));
 
         // Only the top is within this distance
-        EXPECT_EQ(search.nearestOpposite(x, 0.3, d).hit(), degrees > 120);
+        EXPECT_EQ(search.nearestOpposite(x, 0.3, d, -0.5).hit(), degrees > 120);
+    }
+}
+
+
+TEST(wallSearch, oppositionGrowsFrom110To130Degrees)
+{
+    const wallSearch search(testSurfaces::cube(3));
+    const label top =
+        search.nearestOpposite(point(0.5, 0.45, 1.2), 1, vector(0, 0, -1), 0)
+       .index();
+    scalar before = 0;
+
+    for (const scalar degrees : {100.0, 109.0, 111.0, 120.0, 129.0, 131.0})
+    {
+        const scalar angle = degrees*constant::mathematical::pi/180;
+        const vector d(std::sin(angle), 0, std::cos(angle));
+        const scalar opposition = search.opposition(top, d);
+
+        EXPECT_EQ(opposition > 0, degrees > 110);
+        EXPECT_EQ(opposition < 1, degrees < 130);
+        EXPECT_GE(opposition, before);
+        before = opposition;
     }
 }
 
