@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 #------------------------------------------------------------------------------
 # Prints tables of the cases of Allrun: how even the level sets of the fields
-# are, and how good the meshes. Needs VTK and NumPy for Python.
+# are, and how good the meshes. Writes tables.tsv into the folder, with the
+# first of these. Needs VTK and NumPy for Python.
 #
 #     verification/tables.py cases
 #------------------------------------------------------------------------------
@@ -121,6 +122,38 @@ def cases(root, ending=""):
                 yield name, field, case
 
 
+def measures(case):
+    """What the level sets of a case are like, by names"""
+    wall = read_wall(case)
+    first = wall["firstLevelSet"]
+    report = read(case + "/postProcessing/harmonicPrismMesh/levelSets")
+    values = {}
+
+    for kind, points in zip(("concave", "convex"), edge_points(wall)):
+        some = len(points) > 0
+        values[kind + "Mean"] = "%.4g" % first[points].mean() if some else "-"
+        values[kind + "Max"] = "%.4g" % first[points].max() if some else "-"
+        values["unevenness" + kind.capitalize()] = (
+            "%.4g" % unevenness(first[points]) if some else "-")
+
+    values["extrema"] = entry(report, "extrema")
+    values["saddles"] = entry(report, "saddlePoints")
+
+    return values
+
+
+def write_tsv(root):
+    """First level sets over those on a flat wall, tab-separated"""
+    columns = ("concaveMean", "concaveMax", "convexMean", "convexMax",
+               "unevennessConcave", "unevennessConvex", "extrema", "saddles")
+    with open(root + "/tables.tsv", "w") as stream:
+        stream.write("\t".join(("case", "field") + columns) + "\n")
+        for name, field, case in cases(root):
+            values = measures(case)
+            stream.write("\t".join([name, field]
+                                   + [values[c] for c in columns]) + "\n")
+
+
 def level_sets(root):
     print("## Level sets\n")
     print("Heights of the first and the last level set over those on a flat"
@@ -221,6 +254,7 @@ def main():
     if len(sys.argv) != 2:
         sys.exit("Usage: verification/tables.py <folder of cases>")
     root = sys.argv[1]
+    write_tsv(root)
     level_sets(root)
     print("\n## Meshes, distances as requested\n")
     meshes(root, "")

@@ -5,8 +5,9 @@
 
 #include "anisotropicDiffusionTensor.H"
 #include "controlEntries.H"
-#include "harmonicField.H"
 #include "addToRunTimeSelectionTable.H"
+
+#include <cmath>
 
 // * * * * * * * * * * * * * * * * Static Members  * * * * * * * * * * * * * //
 
@@ -20,38 +21,33 @@ namespace diffusionTensors
 }
 
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- The integral of exp(x c) over c from 0 to 1
+static Foam::scalar allDirections(const Foam::scalar x)
+{
+    return x > 0 ? std::expm1(x)/x : 1;
+}
+
+
+//- The integral of exp(x c) c^2 over c from 0 to 1
+static Foam::scalar normalPart(const Foam::scalar x)
+{
+    // Below that the series has more digits
+    return x > 0.01
+      ? (::exp(x)*(Foam::sqr(x) - 2*x + 2) - 2)/Foam::pow3(x)
+      : 1.0/3 + x/4 + Foam::sqr(x)/10 + Foam::pow3(x)/36;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::diffusionTensors::anisotropic::anisotropic(const dictionary& coeffs)
 {
-    checkKeys(coeffs, {"beta", "delta"});
+    checkKeys(coeffs, {"beta", "delta", "maxSlope"});
     readBounded(coeffs, "beta", scalar(-4), scalar(0), beta_);
     readBounded(coeffs, "delta", scalar(0.05), scalar(100), delta_);
-}
-
-
-// * * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * //
-
-Foam::scalar Foam::diffusionTensors::anisotropic::alongGradient
-(
-    const scalar sigma
-) const
-{
-    // The largest lambda, so that nothing overflows
-    const scalar largest = ::pow(flat, beta_);
-    scalar sum = 0, sumSqr = 0;
-
-    for (label k = 0; k < nIntervals; ++k)
-    {
-        const scalar c = (k + 0.5)/nIntervals;
-        const scalar weight =
-            ::exp(::pow(max(sigma*c, flat), beta_) - largest);
-
-        sum += weight;
-        sumSqr += weight*sqr(c);
-    }
-
-    return sumSqr/sum;
+    readBounded(coeffs, "maxSlope", scalar(1), scalar(10), maxSlope_);
 }
 
 
@@ -63,53 +59,24 @@ Foam::symmTensorField Foam::diffusionTensors::anisotropic::tensors
     const scalarField& isotropic
 ) const
 {
-    scalarField table(maxSlope*nPerUnit + 1);
-    forAll(table, i)
-    {
-        table[i] = alongGradient(i/scalar(nPerUnit));
-    }
-
-    const vectorField gradients(pointGradients(mesh, isotropic));
+    const vectorField gradients(scaledGradients(mesh, isotropic));
+    const scalar flat = normalPart(-beta_);
     symmTensorField tensors(mesh.points.size());
 
     forAll(tensors, p)
     {
-        const scalar sigma = mag(gradients[p])*mesh.gaps[p];
-        const label i = min(label(sigma*nPerUnit + 0.5), table.size() - 1);
-        const scalar a = table[i];
+        const scalar x = -beta_*min(mag(gradients[p]), maxSlope_);
+        const scalar normal = normalPart(x);
+        const scalar tangential = 0.5*(allDirections(x) - normal);
+        const scalar kn = ::exp(2*(normal - flat)/delta_);
+        const scalar kt = ::exp(2*(tangential - flat)/delta_);
+
         const vector g(normalised(gradients[p]));
 
-        tensors[p] = 0.5*(1 - a)*symmTensor::I + 0.5*(3*a - 1)*sqr(g);
-
-        // The trace is not 1 without a direction
-        tensors[p] /= tr(tensors[p]);
+        tensors[p] = kt*symmTensor::I + (kn - kt)*sqr(g);
     }
 
     return tensors;
-}
-
-
-Foam::scalarField Foam::diffusionTensors::anisotropic::edgeWeights
-(
-    const backgroundMesh& mesh,
-    const symmTensorField& tensors
-) const
-{
-    scalarField weights(max(cotangentWeights(mesh), scalar(0)));
-
-    forAll(weights, i)
-    {
-        const edge& e = mesh.edges[i];
-        const vector unit
-        (
-            normalised(mesh.points[e.end()] - mesh.points[e.start()])
-        );
-        const symmTensor t = tensors[e.start()] + tensors[e.end()];
-
-        weights[i] *= ::exp((unit & t & unit)/delta_);
-    }
-
-    return weights;
 }
 
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "diffusionTensor.H"
+#include "harmonicField.H"
 
 // * * * * * * * * * * * * * * * * Static Members  * * * * * * * * * * * * * //
 
@@ -34,6 +35,38 @@ Foam::autoPtr<Foam::diffusionTensor> Foam::diffusionTensor::New
     }
 
     return model.val()(coeffs);
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+Foam::vectorField Foam::scaledGradients
+(
+    const backgroundMesh& mesh,
+    const scalarField& field
+)
+{
+    return mesh.gaps*pointGradients(mesh, field);
+}
+
+
+Foam::symmTensorField Foam::tetMeans
+(
+    const backgroundMesh& mesh,
+    const symmTensorField& tensors
+)
+{
+    symmTensorField means(mesh.tets.size(), Zero);
+
+    forAll(means, t)
+    {
+        for (const label p : mesh.tets[t])
+        {
+            means[t] += 0.25*tensors[p];
+        }
+    }
+
+    return means;
 }
 
 

@@ -5,7 +5,6 @@
 
 #include "gradientPowerDiffusionTensor.H"
 #include "controlEntries.H"
-#include "harmonicField.H"
 #include "addToRunTimeSelectionTable.H"
 
 // * * * * * * * * * * * * * * * * Static Members  * * * * * * * * * * * * * //
@@ -24,8 +23,10 @@ namespace diffusionTensors
 
 Foam::diffusionTensors::gradientPower::gradientPower(const dictionary& coeffs)
 {
-    checkKeys(coeffs, {"q"});
-    readBounded(coeffs, "q", scalar(0), scalar(10), q_);
+    checkKeys(coeffs, {"qConcave", "qConvex", "tau"});
+    readBounded(coeffs, "qConcave", scalar(0), scalar(10), qConcave_);
+    readBounded(coeffs, "qConvex", scalar(0), scalar(10), qConvex_);
+    readBounded(coeffs, "tau", scalar(0.01), scalar(1), tau_);
 }
 
 
@@ -37,36 +38,20 @@ Foam::symmTensorField Foam::diffusionTensors::gradientPower::tensors
     const scalarField& isotropic
 ) const
 {
-    const vectorField gradients(pointGradients(mesh, isotropic));
+    const vectorField gradients(scaledGradients(mesh, isotropic));
     symmTensorField tensors(mesh.points.size());
 
-    forAll(tensors, v)
+    forAll(tensors, p)
     {
-        const scalar slope = mag(gradients[v])*mesh.gaps[v];
-        const scalar bounded = min(max(slope, smallest), largest);
-        tensors[v] = ::pow(bounded, q_)*symmTensor::I/3;
+        const scalar sigma = min(max(mag(gradients[p]), smallest), largest);
+        const scalar q = sigma < 1 ? qConcave_ : qConvex_;
+        const vector g(normalised(gradients[p]));
+
+        tensors[p] =
+            ::pow(sigma, q)*(tau_*symmTensor::I + (1 - tau_)*sqr(g));
     }
 
     return tensors;
-}
-
-
-Foam::scalarField Foam::diffusionTensors::gradientPower::edgeWeights
-(
-    const backgroundMesh& mesh,
-    const symmTensorField& tensors
-) const
-{
-    scalarField conductivities(mesh.tets.size(), 0);
-    forAll(conductivities, t)
-    {
-        for (const label v : mesh.tets[t])
-        {
-            conductivities[t] += 0.25*tr(tensors[v]);
-        }
-    }
-
-    return max(cotangentWeights(mesh, conductivities), scalar(0));
 }
 
 

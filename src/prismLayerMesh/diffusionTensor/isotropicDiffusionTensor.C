@@ -36,17 +36,7 @@ Foam::symmTensorField Foam::diffusionTensors::isotropic::tensors
     const scalarField&
 ) const
 {
-    return symmTensorField(mesh.points.size(), symmTensor::I/3);
-}
-
-
-Foam::scalarField Foam::diffusionTensors::isotropic::edgeWeights
-(
-    const backgroundMesh& mesh,
-    const symmTensorField&
-) const
-{
-    return cotangentWeights(mesh);
+    return symmTensorField(mesh.points.size(), symmTensor(symmTensor::I));
 }
 
 

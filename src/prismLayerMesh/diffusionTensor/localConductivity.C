@@ -147,7 +147,7 @@ List<wallSearch::foot> feetOfPoints
 }
 
 
-scalarField localWeightFactors
+scalarField localConductivities
 (
     const backgroundMesh& mesh,
     const List<wallSearch::foot>& feet,
@@ -168,39 +168,43 @@ scalarField localWeightFactors
         projections[v] = projectionOf(mesh, v, feet[v], requested, all, gap);
     }
 
-    scalarField factors(mesh.edges.size(), 1);
-    forAll(factors, i)
+    scalarField conductivities(mesh.tets.size(), 1);
+    forAll(conductivities, t)
     {
-        const edge& e = mesh.edges[i];
-        const wallProjection& a = projections[e.start()];
-        const wallProjection& b = projections[e.end()];
+        scalarField heights(n, 0);
+        scalar nearest = GREAT, farthest = 0;
+        bool isLocal = false;
 
-        if (!a.isLocal && !b.isLocal)
+        for (const label v : mesh.tets[t])
         {
-            continue;
+            const wallProjection& foot = projections[v];
+            heights += 0.25*foot.heights;
+            nearest = min(nearest, foot.depth);
+            farthest = max(farthest, foot.depth);
+            isLocal = isLocal || foot.isLocal;
         }
 
-        const profile wanted
-        (
-            makeProfile(0.5*(a.heights + b.heights), energies, gap)
-        );
+        if (isLocal)
+        {
+            const profile wanted(makeProfile(heights, energies, gap));
 
-        // Not nearer to each other than slopes need
-        const scalar middle = 0.5*(a.depth + b.depth);
-        const scalar half = max
-        (
-            0.5*mag(a.depth - b.depth),
-            conductivityControls::leastDistance*middle
-        );
-        const scalar low = max(middle - half, scalar(0));
-        const scalar high = min(middle + half, gap);
+            // Not nearer to each other than slopes need
+            const scalar middle = 0.5*(nearest + farthest);
+            const scalar half = max
+            (
+                0.5*(farthest - nearest),
+                conductivityControls::leastDistance*middle
+            );
+            const scalar low = max(middle - half, scalar(0));
+            const scalar high = min(middle + half, gap);
 
-        factors[i] =
-            max(flat(low) - flat(high), SMALL)
-           /max(wanted(low) - wanted(high), SMALL);
+            conductivities[t] =
+                max(flat(low) - flat(high), SMALL)
+               /max(wanted(low) - wanted(high), SMALL);
+        }
     }
 
-    return factors;
+    return conductivities;
 }
 
 

@@ -176,7 +176,7 @@ static void iterate
                         weights[e]*field[mesh.edges[e].otherVertex(p)];
                 }
 
-                // A point that no tetrahedron uses has no edges
+                // Positive, except at a point that no tetrahedron uses
                 if (sumWeights > 0)
                 {
                     field[p] = sumValues/sumWeights;
@@ -218,14 +218,16 @@ tetAreas::tetAreas(const tetPointRef& tet)
 
 scalarField cotangentWeights(const backgroundMesh& mesh)
 {
-    return cotangentWeights(mesh, scalarField(mesh.tets.size(), 1));
+    const symmTensor one(symmTensor::I);
+
+    return conductivityWeights(mesh, symmTensorField(mesh.tets.size(), one));
 }
 
 
-scalarField cotangentWeights
+scalarField conductivityWeights
 (
     const backgroundMesh& mesh,
-    const scalarField& conductivities
+    const symmTensorField& conductivities
 )
 {
     scalarField weights(mesh.edges.size(), 0);
@@ -233,14 +235,14 @@ scalarField cotangentWeights
     forAll(mesh.tets, t)
     {
         const FixedList<vector, 4> g(barycentricGradients(mesh.tet(t)));
-        const scalar factor = conductivities[t]*mesh.tet(t).mag();
+        const symmTensor K(mesh.tet(t).mag()*conductivities[t]);
 
         label k = 0;
         for (label i = 0; i < 4; ++i)
         {
             for (label j = i + 1; j < 4; ++j, ++k)
             {
-                weights[mesh.tetEdges[t][k]] -= factor*(g[i] & g[j]);
+                weights[mesh.tetEdges[t][k]] -= g[i] & K & g[j];
             }
         }
     }

@@ -5,7 +5,6 @@
 
 #include "fieldStages.H"
 #include "diffusionTensor.H"
-#include "harmonicField.H"
 #include "levelSets.H"
 #include "localConductivity.H"
 #include "stageText.H"
@@ -105,23 +104,26 @@ wallFields makeFields
     const wallAddressing& addressing,
     const wallSearch& search,
     const wallVisibility& visibility,
-    const scalarField& radius,
+    const scalarField& thickness,
+    const scalarField& clearance,
     const prismLayerControls& controls,
     const stageObserver& observer
 )
 {
     wallFields f;
+    const scalarField wanted(controls.envelope.scale*thickness);
 
     observer.begin("offsetEnvelope");
     f.envelope = makeOffsetEnvelope
     (
-        wall, addressing, search, visibility, radius, controls.backgroundMesh
+        wall, addressing, search, visibility, min(wanted, clearance), wanted,
+        controls.backgroundMesh
     );
     observer.end(sizesOf(f.envelope));
 
     attempt("backgroundMesh", observer, f, [&]()
     {
-        f.background = makeBackgroundMesh(wall, search, visibility, f.envelope);
+        f.background = makeBackgroundMesh(wall, addressing, search, f.envelope);
         f.topology = wallLevelSetTopology(f.background);
         requireHomeomorphic(f.topology, wallTopology(wall, addressing));
 
@@ -130,29 +132,37 @@ wallFields makeFields
 
     attempt("isotropicField", observer, f, [&]()
     {
-        f.isotropic = makeHarmonicField
+        const monotoneField field
         (
-            f.background, cotangentWeights(f.background), controls.field
+            makeMonotoneField
+            (
+                f.background, cotangentWeights(f.background), controls.field
+            )
         );
+        f.isotropic = field.values;
 
-        return text(findIndices(f.background.free, true).size(), " unknowns");
+        return sizesOf(f.background, field);
     });
 
     attempt("anisotropicField", observer, f, [&]()
     {
-        const autoPtr<diffusionTensor> tensor
+        const fieldControls& c = controls.field;
+        f.tensors = diffusionTensor::New(c.tensor, c.tensorCoeffs)
+          ->tensors(f.background, f.isotropic);
+        const scalarField weights
         (
-            diffusionTensor::New
+            conductivityWeights
             (
-                controls.field.tensor, controls.field.tensorCoeffs
+                f.background, tetMeans(f.background, f.tensors)
             )
         );
-        f.tensors = tensor->tensors(f.background, f.isotropic);
-        f.edgeWeights = tensor->edgeWeights(f.background, f.tensors);
-        f.anisotropic =
-            makeHarmonicField(f.background, f.edgeWeights, controls.field);
+        const monotoneField field
+        (
+            makeMonotoneField(f.background, weights, c)
+        );
+        f.anisotropic = field.values;
 
-        return text("tensor model ", controls.field.tensor);
+        return c.tensor + ": " + sizesOf(f.background, field);
     });
 
     return f;
@@ -162,6 +172,7 @@ wallFields makeFields
 levelSetLayers makeLevelSets
 (
     const wallFields& fields,
+    const wallSurface& wall,
     const wallAddressing& addressing,
     const wallSearch& search,
     const wallVisibility& visibility,
@@ -198,18 +209,22 @@ levelSetLayers makeLevelSets
         {
             target = k > 0
               ? correctedTarget(target, asked, reached(), uniform) : target;
-            const scalarField factors
+            const symmTensorField conductivities
             (
-                localWeightFactors(mesh, feet, energies, uniform, target)
+                localConductivities(mesh, feet, energies, uniform, target)
+               *tetMeans(mesh, fields.tensors)
             );
-            const scalarField weights(factors*fields.edgeWeights);
-            result.field = makeHarmonicField(mesh, weights, controls.field);
+            result.field = makeMonotoneField
+            (
+                mesh, conductivityWeights(mesh, conductivities), controls.field
+            ).values;
         }
     }
 
     result.spacing = gradedSpacing
     (
-        reached(), addressing, controls.layers.transitionRatio
+        smoothedSpacing(reached(), wall, addressing, uniform.thickness[0]),
+        addressing, controls.layers.transitionRatio
     );
     observer.end
     (

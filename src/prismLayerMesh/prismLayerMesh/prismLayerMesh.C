@@ -127,13 +127,8 @@ void pipeline::makeField()
 {
     m_.fields = makeFields
     (
-        wall_, m_.addressing, search_, m_.visibility,
-        min
-        (
-            controls_.envelope.scale*thickness(),
-            m_.front.smallest(m_.clearance)
-        ),
-        controls_, observer_
+        wall_, m_.addressing, search_, m_.visibility, thickness(),
+        m_.front.smallest(m_.clearance), controls_, observer_
     );
 
     if (controls_.layers.onLevelSets)
@@ -142,7 +137,7 @@ void pipeline::makeField()
         (
             makeLevelSets
             (
-                m_.fields, m_.addressing, search_, m_.visibility,
+                m_.fields, wall_, m_.addressing, search_, m_.visibility,
                 m_.pointKinds, m_.graded, controls_, observer_
             )
         );

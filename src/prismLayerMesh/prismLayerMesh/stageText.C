@@ -45,6 +45,13 @@ string sizesOf(const backgroundMesh& mesh, const surfaceTopology& levelSets)
 }
 
 
+string sizesOf(const backgroundMesh& mesh, const monotoneField& field)
+{
+    return text(findIndices(mesh.free, true).size(), " unknowns, ",
+        field.nClipped, " negative weights set to 0");
+}
+
+
 string sizesOf(const madeLayers& made)
 {
     return text(made.layers.faces.size()*made.layers.nLayers,

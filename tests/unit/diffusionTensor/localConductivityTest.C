@@ -34,9 +34,10 @@ static layerSpacing spacingOf
 }
 
 
-//- Factor of an edge between two depths, in a gap of 2, of one layer with the
-//  energy 0.5: of height 1 on all of the wall, of the given height locally
-static scalar factorBetween
+//- Conductivity of a tetrahedron between two depths, in a gap of 2, of one
+//  layer with the energy 0.5: of height 1 on all of the wall, of the given
+//  height locally
+static scalar conductivityBetween
 (
     const scalar depthA,
     const scalar depthB,
@@ -44,21 +45,22 @@ static scalar factorBetween
 )
 {
     backgroundMesh mesh;
-    mesh.points = pointField(2, point(Zero));
-    mesh.gaps = scalarField(2, 2);
-    mesh.edges = edgeList(1, edge(0, 1));
+    mesh.points = pointField(4, point(Zero));
+    mesh.gaps = scalarField(4, 2);
+    mesh.tets = List<tetCell>(1, tetCell(0, 1, 2, 3));
 
-    List<wallSearch::foot> feet(2);
+    List<wallSearch::foot> feet(4);
     for (wallSearch::foot& foot : feet)
     {
         foot.points = 0;
         foot.weights = scalar(0);
         foot.weights[0] = 1;
+        foot.distance = 0.5*(depthA + depthB);
     }
     feet[0].distance = depthA;
     feet[1].distance = depthB;
 
-    return localWeightFactors
+    return localConductivities
     (
         mesh, feet, scalarField(1, 0.5), spacingOf(1, 1, 1),
         spacingOf(1, height, height)
@@ -81,25 +83,25 @@ static scalar correctedHalf(const scalar reached)
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
-TEST(localWeightFactors, areRatiosOfSlopes)
+TEST(localConductivities, areRatiosOfSlopes)
 {
     // Slopes: 1/2 above a flat wall; 1 up to the height 0.5, then 1/3
-    EXPECT_NEAR(factorBetween(0.1, 0.3, 0.5), 0.5, 1e-14);
-    EXPECT_NEAR(factorBetween(0.3, 0.1, 0.5), 0.5, 1e-14);
-    EXPECT_NEAR(factorBetween(1.2, 1.5, 0.5), 1.5, 1e-14);
+    EXPECT_NEAR(conductivityBetween(0.1, 0.3, 0.5), 0.5, 1e-14);
+    EXPECT_NEAR(conductivityBetween(0.3, 0.1, 0.5), 0.5, 1e-14);
+    EXPECT_NEAR(conductivityBetween(1.2, 1.5, 0.5), 1.5, 1e-14);
 }
 
 
-TEST(localWeightFactors, areHarmonicMeansOverAnEdge)
+TEST(localConductivities, areHarmonicMeansOverDepths)
 {
     // The field of the local heights falls by 0.2 + 0.1 between these depths
-    EXPECT_NEAR(factorBetween(0.3, 0.8, 0.5), 0.25/0.3, 1e-14);
+    EXPECT_NEAR(conductivityBetween(0.3, 0.8, 0.5), 0.25/0.3, 1e-14);
 }
 
 
-TEST(localWeightFactors, areOneForUniformHeights)
+TEST(localConductivities, areOneForUniformHeights)
 {
-    EXPECT_EQ(factorBetween(0.1, 0.3, 1), 1);
+    EXPECT_EQ(conductivityBetween(0.1, 0.3, 1), 1);
 }
 
 

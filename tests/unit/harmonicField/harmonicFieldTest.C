@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "harmonicField.H"
+#include "monotoneField.H"
 #include "testStages.H"
 #include "Random.H"
 
@@ -272,6 +272,51 @@ TEST(makeHarmonicField, factorOnWeightsDoesNotMatter)
     const scalarField weights(randomWeights(mesh));
 
     EXPECT_LT(max(mag(solve(mesh, weights) - solve(mesh, 1e6*weights))), 1e-10);
+}
+
+
+TEST(makeMonotoneField, isTheHarmonicFieldIfThatHasNoExtrema)
+{
+    const backgroundMesh mesh(shellMesh(6, 1, 2));
+    const scalarField weights(cotangentWeights(mesh));
+    const fieldControls controls(controlsOf("krylov", 1e-12));
+    const monotoneField field(makeMonotoneField(mesh, weights, controls));
+
+    ASSERT_LT(min(weights), 0);
+    EXPECT_EQ(field.nClipped, 0);
+    EXPECT_EQ(field.values, makeHarmonicField(mesh, weights, controls));
+}
+
+
+TEST(makeMonotoneField, extremaAreCured)
+{
+    // Much more conductivity across than along the normals: many weights are
+    // negative, and the finite elements have extrema
+    const backgroundMesh mesh(shellMesh(8, 1, 2));
+    symmTensorField conductivities(mesh.tets.size());
+    forAll(conductivities, t)
+    {
+        const vector axis(normalised(vector(1, 1, 1)));
+        conductivities[t] = 0.001*symmTensor::I + sqr(axis);
+    }
+    const scalarField weights(conductivityWeights(mesh, conductivities));
+    const fieldControls controls(controlsOf("krylov", 1e-10));
+    const scalarField before(makeHarmonicField(mesh, weights, controls));
+    ASSERT_TRUE(min(before) < -1e-3 || max(before) > 1 + 1e-3);
+
+    const monotoneField field(makeMonotoneField(mesh, weights, controls));
+
+    EXPECT_GT(field.nClipped, 0);
+    EXPECT_GT(min(field.values), -1e-9);
+    EXPECT_LT(max(field.values), 1 + 1e-9);
+
+    // Most of the negative weights stay
+    label nNegative = 0;
+    for (const scalar w : weights)
+    {
+        nNegative += w < 0;
+    }
+    EXPECT_LT(field.nClipped, nNegative);
 }
 
 
