@@ -6,6 +6,7 @@
 #include "levelSets.H"
 #include "columnControls.H"
 #include "gradientLines.H"
+#include "wallSmoother.H"
 #include "DynamicField.H"
 
 #include <algorithm>
@@ -75,6 +76,27 @@ static scalar heightOf
     }
 
     return height;
+}
+
+
+//- Set first height, thickness and ratio to those of the given heights
+static void fitToGiven(layerSpacing& spacing)
+{
+    const label n = spacing.nLayers;
+
+    forAll(spacing.thickness, p)
+    {
+        spacing.thickness[p] = spacing.given[p*n + n - 1];
+        spacing.firstThickness[p] = spacing.given[p*n];
+
+        if (n > 1)
+        {
+            spacing.ratio[p] = fittedRatio
+            (
+                n, spacing.firstThickness[p], spacing.thickness[p]
+            );
+        }
+    }
 }
 
 
@@ -163,33 +185,59 @@ layerSpacing levelSetSpacing
         )
     );
     layerSpacing spacing(uniform);
+    spacing.given.setSize(mesh.nWallPoints*n);
+    const scalar least = columnControls::leastHeight*lengths[0];
 
     for (label p = 0; p < mesh.nWallPoints; ++p)
     {
-        const auto heightAt = [&](const label i)
-        {
-            return max
-            (
-                heightOf(lines, p, visibility, mesh.points[p], energies[i]),
-                columnControls::leastHeight*columnControls::shortest
-               *first*(i + 1)
-            );
-        };
+        scalar below = 0;
 
-        scalar& h1 = spacing.firstThickness[p];
-        spacing.thickness[p] = heightAt(n - 1);
-        h1 = spacing.thickness[p];
-
-        if (n > 1)
+        for (label i = 0; i < n; ++i)
         {
-            const scalar largest =
-                spacing.thickness[p]/(1 + columnControls::leastExcess*n);
-            h1 = min(heightAt(0), largest);
-            spacing.ratio[p] = fittedRatio(n, h1, spacing.thickness[p]);
+            const scalar height =
+                heightOf(lines, p, visibility, mesh.points[p], energies[i]);
+            below = max(height, below + least);
+            spacing.given[p*n + i] = below;
         }
     }
+    fitToGiven(spacing);
 
     return spacing;
+}
+
+
+layerSpacing smoothedSpacing
+(
+    const layerSpacing& spacing,
+    const wallSurface& wall,
+    const wallAddressing& addressing,
+    const scalar thickness
+)
+{
+    const label n = spacing.nLayers;
+    const wallSmoother smoother(wall, addressing);
+    const scalarField variances
+    (
+        wall.points.size(), sqr(columnControls::levelSetSmoothing*thickness)
+    );
+    layerSpacing smoothed(spacing);
+
+    for (label i = 0; i < n; ++i)
+    {
+        scalarField logHeights(wall.points.size());
+        forAll(logHeights, p)
+        {
+            logHeights[p] = ::log(spacing.given[p*n + i]);
+        }
+        smoother.smooth(variances, columnControls::maxSetPasses, logHeights);
+        forAll(logHeights, p)
+        {
+            smoothed.given[p*n + i] = ::exp(logHeights[p]);
+        }
+    }
+    fitToGiven(smoothed);
+
+    return smoothed;
 }
 
 } // End namespace Foam

@@ -51,14 +51,7 @@ void layerEditor::updateHeights(const label c)
     const label n = spacing_.nLayers;
     SubList<scalar> heights(heights_, n + 1, c*(n + 1));
 
-    layerHeights
-    (
-        n,
-        spacing_.firstThickness[c],
-        spacing_.ratio[c],
-        thickness_[c],
-        heights
-    );
+    spacing_.setHeights(c, thickness_[c], heights);
 }
 
 

@@ -7,6 +7,7 @@
 #include "criticalPoints.H"
 #include "levelSets.H"
 #include "ListOps.H"
+#include "Switch.H"
 
 #include <algorithm>
 
@@ -91,6 +92,11 @@ levelSetReport makeLevelSetReport(const prismLayerMesh& mesh)
     };
     report.nExtrema = above(critical.minima) + above(critical.maxima);
     report.nSaddles = above(critical.saddles);
+    report.lastTopology = levelSetTopology
+    (
+        mesh.fields.background, mesh.field, energies.last()
+    );
+    report.lastLikeWall = report.lastTopology == mesh.fields.topology;
     report.first = levelSets.firstThickness/uniform.firstThickness;
     report.last = levelSets.thickness/uniform.thickness;
     report.firstOfKind = spreadsByKind(report.first, mesh.pointKinds);
@@ -107,6 +113,12 @@ dictionary toDictionary(const levelSetReport& report)
     dict.add("lastEnergy", report.lastEnergy);
     dict.add("extrema", report.nExtrema);
     dict.add("saddlePoints", report.nSaddles);
+    dict.add("lastComponents", report.lastTopology.nComponents);
+    dict.add
+    (
+        "lastEulerCharacteristic", report.lastTopology.eulerCharacteristic
+    );
+    dict.add("lastLikeWall", Switch(report.lastLikeWall));
 
     for (label kind = 0; kind < nPointKinds; ++kind)
     {

@@ -60,14 +60,51 @@ static std::string yPlusLine
 
 layerSpacing layerSpacing::at(const labelUList& points) const
 {
-    return layerSpacing
+    layerSpacing some
     {
         nLayers,
         scalarField(firstThickness, points),
         scalarField(ratio, points),
         scalarField(thickness, points),
-        labelList(layersAsked, points)
+        labelList(layersAsked, points),
+        scalarField()
     };
+
+    if (given.size())
+    {
+        some.given.setSize(points.size()*nLayers);
+        forAll(some.given, i)
+        {
+            some.given[i] = given[points[i/nLayers]*nLayers + i % nLayers];
+        }
+    }
+
+    return some;
+}
+
+
+void layerSpacing::setHeights
+(
+    const label p,
+    const scalar room,
+    UList<scalar>& heights
+) const
+{
+    if (given.empty())
+    {
+        layerHeights(nLayers, firstThickness[p], ratio[p], room, heights);
+        return;
+    }
+
+    const scalar share = min(room/thickness[p], scalar(1));
+    heights[0] = 0;
+    for (label i = 1; i <= nLayers; ++i)
+    {
+        heights[i] = share*given[p*nLayers + i - 1];
+    }
+
+    // Exact in spite of rounding
+    heights[nLayers] = min(room, thickness[p]);
 }
 
 
@@ -88,6 +125,20 @@ layerSpacing gradedSpacing
         limitRatio(addressing, growth, graded.firstThickness)
     );
     const labelList thinner(limitRatio(addressing, growth, graded.thickness));
+
+    for (label i = 0; i < n && graded.given.size(); ++i)
+    {
+        scalarField layer(graded.thickness.size());
+        forAll(layer, p)
+        {
+            layer[p] = graded.given[p*n + i];
+        }
+        limitRatio(addressing, growth, layer);
+        forAll(layer, p)
+        {
+            graded.given[p*n + i] = layer[p];
+        }
+    }
 
     for (const labelList* points : {&lower, &thinner})
     {
@@ -115,14 +166,7 @@ scalarField requestedHeights(const layerSpacing& spacing)
 
     forAll(spacing.thickness, p)
     {
-        layerHeights
-        (
-            n,
-            spacing.firstThickness[p],
-            spacing.ratio[p],
-            spacing.thickness[p],
-            column
-        );
+        spacing.setHeights(p, spacing.thickness[p], column);
         std::copy(column.begin() + 1, column.end(), heights.begin() + p*n);
     }
 

@@ -147,9 +147,77 @@ TEST(levelSets, energiesDescend)
 }
 
 
+TEST(levelSets, everyLayerIsOnItsLevelSet)
+{
+    // Above a sphere lines are straight: the field at every layer of the
+    // spacing before smoothing has its energy
+    const wallSurface wall(testSurfaces::sphere(16));
+    const prismLayerMesh m(testSurfaces::layeredMesh(wall, onLevelSets()));
+    const layerSpacing uniform(uniformSpacing(m.request));
+    const backgroundMesh& mesh = m.fields.background;
+    const vectorField axes(m.visibility.axes());
+    const scalarField energies
+    (
+        samplingEnergies(mesh, m.field, axes, m.pointKinds, uniform)
+    );
+    const layerSpacing sets
+    (
+        levelSetSpacing(mesh, m.field, m.visibility, energies, uniform)
+    );
+    ASSERT_EQ(sets.given.size(), wall.points.size()*nLayers);
+    const gradientLines lines
+    (
+        makeGradientLines
+        (
+            mesh, m.field, identity(mesh.nWallPoints), axes, sets.given
+        )
+    );
+
+    forAll(lines.energies, i)
+    {
+        EXPECT_NEAR(lines.energies[i], energies[i % nLayers], 0.02);
+    }
+}
+
+
+TEST(levelSets, smoothingKeepsUniformHeights)
+{
+    const wallSurface wall(testSurfaces::cube(6));
+    layerSpacing spacing;
+    spacing.nLayers = 2;
+    spacing.thickness = scalarField(wall.points.size(), 1);
+    spacing.firstThickness = spacing.thickness;
+    spacing.ratio = spacing.thickness;
+    spacing.given.setSize(2*wall.points.size());
+    forAll(spacing.given, i)
+    {
+        spacing.given[i] = i % 2 ? 0.3 : 0.1;
+    }
+    scalarField& heights = spacing.given;
+    heights[2*40] = 0.2;
+    heights[2*40 + 1] = 0.6;
+
+    const layerSpacing smoothed
+    (
+        smoothedSpacing(spacing, wall, makeWallAddressing(wall), 0.3)
+    );
+
+    // The peak is lower, nothing is outside of what was there, and layers
+    // stay in proportion
+    EXPECT_LT(smoothed.given[2*40], 0.19);
+    forAll(smoothed.thickness, p)
+    {
+        EXPECT_GE(smoothed.given[2*p], 0.1 - SMALL);
+        EXPECT_NEAR(smoothed.given[2*p + 1]/smoothed.given[2*p], 3, 1e-9);
+        EXPECT_EQ(smoothed.thickness[p], smoothed.given[2*p + 1]);
+        EXPECT_EQ(smoothed.firstThickness[p], smoothed.given[2*p]);
+    }
+}
+
+
 TEST(levelSets, tensorsMakeThemMoreEvenInAConcaveCorner)
 {
-    // The paper's claim, of the first layer
+    // Between the wall and the last one they are homeomorphic
     const wallSurface wall(testSurfaces::lBlock(24));
     const label concave = int(pointKind::concave);
     List<scalar> first;
@@ -164,11 +232,12 @@ TEST(levelSets, tensorsMakeThemMoreEvenInAConcaveCorner)
         const levelSetReport report(makeLevelSetReport(m));
         first.append(report.firstOfKind[concave].mean);
         EXPECT_EQ(report.nSaddles, 0);
+        EXPECT_TRUE(report.lastLikeWall);
     }
 
     EXPECT_GT(first[0], 1);
-    EXPECT_LT(first[1], first[0]);
-    EXPECT_LT(mag(std::log(first[2])), mag(std::log(first[0])));
+    EXPECT_LT(first[1], 0.8*first[0]);
+    EXPECT_LT(mag(std::log(first[2])), 0.5*mag(std::log(first[0])));
 }
 
 
