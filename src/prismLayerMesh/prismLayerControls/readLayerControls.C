@@ -212,6 +212,7 @@ layerControls readLayerControls(const dictionary& dict)
         ({
             "finalAspect",
             "marchingDistances",
+            "marchingDirections",
             "transitionRatio",
             "maxStretch",
             "multipleNormalsAngle",
@@ -232,6 +233,10 @@ layerControls readLayerControls(const dictionary& dict)
         dict, "marchingDistances", {"requested", "levelSets"}, distances
     );
     controls.onLevelSets = distances == "levelSets";
+
+    word directions("field");
+    readChoice(dict, "marchingDirections", {"field", "axes"}, directions);
+    controls.alongField = directions == "field";
 
     readBounded(dict, "transitionRatio", 1.01, 100, controls.transitionRatio);
     readBounded(dict, "maxStretch", 1, 10, controls.maxStretch);

@@ -55,6 +55,27 @@ TEST(readLayerControls, marchingDistances)
 }
 
 
+TEST(readLayerControls, marchingDirections)
+{
+    const auto read = [](const std::string& text)
+    {
+        return readControls
+        (
+            surface + "layers { nSurfaceLayers 2; thickness 1; " + text + " }"
+        ).layers.alongField;
+    };
+
+    EXPECT_TRUE(read(""));
+    EXPECT_TRUE(read("marchingDirections field;"));
+    EXPECT_FALSE(read("marchingDirections axes;"));
+    expectWords
+    (
+        thrownMessage([&]() { read("marchingDirections up;"); }),
+        {"up", "field", "axes"}
+    );
+}
+
+
 TEST(readLayerControls, automaticNumberOfLayers)
 {
     const auto read = [](const std::string& text)
