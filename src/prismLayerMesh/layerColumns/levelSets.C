@@ -229,7 +229,7 @@ layerSpacing smoothedSpacing
         {
             logHeights[p] = ::log(spacing.given[p*n + i]);
         }
-        smoother.smooth(variances, columnControls::maxSetPasses, logHeights);
+        smoother.smooth(variances, columnControls::maxScalarPasses, logHeights);
         forAll(logHeights, p)
         {
             smoothed.given[p*n + i] = ::exp(logHeights[p]);

@@ -8,6 +8,7 @@
 #include "makeFarFieldMesh.H"
 #include "nameCauses.H"
 #include "stageText.H"
+#include "straightShares.H"
 #include "unitConversion.H"
 #include "wallClearance.H"
 #include "wallPointsError.H"
@@ -125,6 +126,13 @@ void pipeline::makeFront(const scalar angle)
 
 void pipeline::makeField()
 {
+    if (!controls_.layers.alongField && !controls_.layers.onLevelSets)
+    {
+        m_.fields.failure = "marchingDirections axes needs none";
+        m_.spacing = m_.graded;
+        return;
+    }
+
     m_.fields = makeFields
     (
         wall_, m_.addressing, search_, m_.visibility, thickness(),
@@ -160,12 +168,32 @@ void pipeline::makeColumns()
     const scalarField heights(requestedHeights(spacing));
     const vectorField axes(front.visibility.axes());
 
-    m_.lines = m_.fields.failure.size()
-      ? makeStraightLines(front.surface.points, axes, heights)
-      : makeGradientLines
+    m_.lines = makeStraightLines(front.surface.points, axes, heights);
+
+    if (m_.fields.failure.empty() && controls_.layers.alongField)
+    {
+        const backgroundMesh& mesh = m_.fields.background;
+        gradientLines lines
         (
-            m_.fields.background, m_.field, front.wallPoints, axes, heights
+            makeGradientLines
+            (
+                mesh, m_.field, front.wallPoints, axes, heights
+            )
         );
+
+        if (!controls_.layers.onLevelSets)
+        {
+            const scalarField shares
+            (
+                straightShares
+                (
+                    front, mesh, m_.fields.isotropic, spacing.thickness
+                )
+            );
+            straighten(m_.lines, shares, lines);
+        }
+        m_.lines = lines;
+    }
     m_.columns = makeLayerColumns
     (
         front, m_.clearance, spacing, m_.lines, controls_.layers
