@@ -10,7 +10,11 @@
 namespace Foam
 {
 
-fieldControls readFieldControls(const dictionary& dict)
+fieldControls readFieldControls
+(
+    const dictionary& dict,
+    const bool onLevelSets
+)
 {
     const wordList models
     (
@@ -26,6 +30,10 @@ fieldControls readFieldControls(const dictionary& dict)
     checkKeys(dict, keys);
 
     fieldControls controls;
+    if (onLevelSets)
+    {
+        controls.tensor = fieldControls::levelSetTensor;
+    }
     readChoice(dict, "tensor", models, controls.tensor);
     readChoice(dict, "solver", {"krylov", "iteration"}, controls.solver);
     readBounded

@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "fieldStages.H"
-#include "diffusionTensor.H"
+#include "isotropicDiffusionTensor.H"
 #include "levelSets.H"
 #include "localConductivity.H"
 #include "stageText.H"
@@ -118,6 +118,34 @@ static void attempt
 }
 
 
+//- Make the field for the tensors of the model. Returns what the log says.
+static string makeAnisotropicField(const fieldControls& controls, wallFields& f)
+{
+    if (controls.tensor == diffusionTensors::isotropic::typeName)
+    {
+        f.tensors.setSize(f.background.points.size(), symmTensor::I);
+        f.anisotropic = f.isotropic;
+
+        return "the isotropic field";
+    }
+
+    f.tensors =
+        diffusionTensor::New(controls.tensor, controls.tensorCoeffs)
+      ->tensors(f.background, f.isotropic);
+    const scalarField weights
+    (
+        conductivityWeights(f.background, tetMeans(f.background, f.tensors))
+    );
+    const monotoneField field
+    (
+        makeMonotoneField(f.background, weights, controls)
+    );
+    f.anisotropic = field.values;
+
+    return controls.tensor + ": " + sizesOf(f.background, field);
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 wallFields makeFields
@@ -172,23 +200,7 @@ wallFields makeFields
 
     attempt("anisotropicField", observer, f, [&]()
     {
-        const fieldControls& c = controls.field;
-        f.tensors = diffusionTensor::New(c.tensor, c.tensorCoeffs)
-          ->tensors(f.background, f.isotropic);
-        const scalarField weights
-        (
-            conductivityWeights
-            (
-                f.background, tetMeans(f.background, f.tensors)
-            )
-        );
-        const monotoneField field
-        (
-            makeMonotoneField(f.background, weights, c)
-        );
-        f.anisotropic = field.values;
-
-        return c.tensor + ": " + sizesOf(f.background, field);
+        return makeAnisotropicField(controls.field, f);
     });
 
     return f;

@@ -172,12 +172,15 @@ void pipeline::makeColumns()
 
     if (m_.fields.failure.empty() && controls_.layers.alongField)
     {
+        // The isotropic field is the exact and the smooth one: on the lines of
+        // the others columns beside concave edges cross
         const backgroundMesh& mesh = m_.fields.background;
+        const scalarField& field = m_.fields.isotropic;
         gradientLines lines
         (
             makeGradientLines
             (
-                mesh, m_.field, front.wallPoints, axes, heights
+                mesh, field, front.wallPoints, axes, heights
             )
         );
 
@@ -187,7 +190,7 @@ void pipeline::makeColumns()
             (
                 straightShares
                 (
-                    front, mesh, m_.fields.isotropic, spacing.thickness
+                    front, mesh, field, spacing.thickness
                 )
             );
             straighten(m_.lines, shares, lines);

@@ -96,7 +96,10 @@ prismLayerControls readPrismLayerControls(const dictionary& dict)
         (
             optionalDict(dict, "backgroundMesh"), controls.layers.onLevelSets
         );
-    controls.field = readFieldControls(optionalDict(dict, "field"));
+    controls.field = readFieldControls
+    (
+        optionalDict(dict, "field"), controls.layers.onLevelSets
+    );
     controls.farField = readFarFieldControls
     (
         optionalDict(dict, "farField"), controls.surface.fluidOutside

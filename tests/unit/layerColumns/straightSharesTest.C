@@ -63,8 +63,8 @@ TEST(straightShares, columnsFollowTheFieldInConcaveCorners)
 
     ASSERT_GT(nConcave, 5);
     ASSERT_GT(nConvex, 20);
-    EXPECT_LT(concave/nConcave, 0.3);
-    EXPECT_GT(convex/nConvex, 0.6);
+    EXPECT_LT(concave/nConcave, 0.1);
+    EXPECT_GT(convex/nConvex, 0.4);
 }
 
 

@@ -76,7 +76,7 @@ static std::vector<std::string> withUnknownKeys()
         surface + layers + "backgroundMesh { " + other + " }",
         surface + layers + "field { " + other + " }",
         surface + layers
-      + "field { anisotropicCoeffs { " + other + " } }",
+      + "field { tensor anisotropic; anisotropicCoeffs { " + other + " } }",
         surface + layers + "farField { " + other + " }",
         surface + layers
       + "farField { boundary { type box; " + other + " } }",

@@ -74,12 +74,29 @@ TEST(prismLayerControls, coefficientsOfTheTensorAreKept)
         readControls
         (
             surface + layers
-          + "field { anisotropicCoeffs { beta -2; delta 1; } }"
+          + "field { tensor anisotropic;"
+            " anisotropicCoeffs { beta -2; delta 1; } }"
         )
     );
 
     EXPECT_EQ(controls.field.tensorCoeffs.get<scalar>("beta"), -2);
     EXPECT_EQ(controls.field.tensorCoeffs.get<scalar>("delta"), 1);
+}
+
+
+TEST(prismLayerControls, tensorDependsOnTheMarchingDistances)
+{
+    const auto tensorOf = [](const std::string& distances)
+    {
+        return readControls
+        (
+            surface + "layers { nSurfaceLayers 2; thickness 1;"
+            " marchingDistances " + distances + "; }"
+        ).field.tensor;
+    };
+
+    EXPECT_EQ(tensorOf("requested"), "isotropic");
+    EXPECT_EQ(tensorOf("levelSets"), "anisotropic");
 }
 
 
@@ -89,7 +106,8 @@ TEST(prismLayerControls, coefficientsAreChecked)
     (
         errorOf
         (
-            surface + layers + "field { anisotropicCoeffs { beta 1; } }"
+            surface + layers
+          + "field { tensor anisotropic; anisotropicCoeffs { beta 1; } }"
         ),
         {"beta is 1", "-4 to 0"}
     );
