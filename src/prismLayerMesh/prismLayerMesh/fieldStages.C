@@ -18,10 +18,6 @@ namespace Foam
 //- How often local conductivities aim at local heights
 static const label nAims = 5;
 
-//- Points on sheets between wall and envelope, over those of the wall, from
-//  which there is a field
-static const scalar leastSheetShare = 0.005;
-
 
 static void requireHomeomorphic
 (
@@ -49,24 +45,6 @@ static bool isLowerSomewhere
 {
     return min(asked.thickness) < uniform.thickness[0]
         || min(asked.firstThickness) < uniform.firstThickness[0];
-}
-
-
-//- Why a field could not turn a column: there are hardly any points between
-//  wall and envelope, so that TetGen's seconds would be for nothing. Empty if
-//  there are enough.
-static string whyNoRoom
-(
-    const offsetEnvelope& envelope,
-    const wallSurface& wall
-)
-{
-    const label nBetween = envelope.points.size() - envelope.nEnvelope;
-
-    return nBetween < leastSheetShare*wall.points.size()
-      ? "the layers are thinner than the edges of the wall are long"
-        " (backgroundMesh.minSheets makes one all the same)"
-      : "";
 }
 
 
@@ -162,6 +140,7 @@ wallFields makeFields
 {
     wallFields f;
     const scalarField wanted(controls.envelope.scale*thickness);
+
     observer.begin("offsetEnvelope");
     f.envelope = makeOffsetEnvelope
     (
@@ -169,11 +148,6 @@ wallFields makeFields
         controls.backgroundMesh
     );
     observer.end(sizesOf(f.envelope));
-
-    if (!controls.layers.onLevelSets)
-    {
-        f.failure = whyNoRoom(f.envelope, wall);
-    }
 
     attempt("backgroundMesh", observer, f, [&]()
     {

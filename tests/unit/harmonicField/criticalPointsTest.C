@@ -91,7 +91,6 @@ TEST(findCriticalPoints, noneInFieldsAroundBodies)
         {
             prismLayerControls controls;
             controls.layers = testSurfaces::layersOf(5, 0.1);
-            controls.backgroundMesh.minSheets = 1;
             controls.field.tensor = model;
             controls.field.tolerance = 1e-12;
 

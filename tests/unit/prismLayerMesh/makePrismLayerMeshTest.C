@@ -46,30 +46,7 @@ TEST(makePrismLayerMesh, layersOnASphereAreCertified)
 
     EXPECT_TRUE(m.certificate.valid());
     EXPECT_EQ(m.certificate.nCells, 5*wall.faces.size());
-}
-
-
-TEST(makePrismLayerMesh, fieldIsMadeWhereItHasPoints)
-{
-    // Edges of 0.2 and more: with thin layers there is nothing between
-    const wallSurface wall(testSurfaces::sphere(6));
-    prismLayerControls controls;
-    controls.layers = testSurfaces::layersOf(5, 0.1);
-    const prismLayerMesh thin(layeredMesh(wall, controls));
-
-    EXPECT_NE(thin.fields.failure.find("minSheets"), std::string::npos);
-    EXPECT_TRUE(thin.field.empty());
-
-    controls.backgroundMesh.minSheets = 1;
-    const prismLayerMesh sheets(layeredMesh(wall, controls));
-
-    EXPECT_EQ(sheets.fields.failure, "");
-    EXPECT_EQ(sheets.fields.topology.eulerCharacteristic, 2);
-    EXPECT_EQ(sheets.field.size(), sheets.fields.background.points.size());
-
-    controls.backgroundMesh.minSheets = 0;
-    controls.layers.onLevelSets = true;
-    EXPECT_EQ(layeredMesh(wall, controls).fields.failure, "");
+    EXPECT_EQ(m.fields.topology.eulerCharacteristic, 2);
 }
 
 
@@ -93,7 +70,6 @@ TEST(makePrismLayerMesh, stagesAreToldInTheirOrder)
     label nEnded = 0;
     prismLayerControls controls;
     controls.layers = testSurfaces::layersOf(3, 0.1);
-    controls.backgroundMesh.minSheets = 1;
 
     makePrismLayerMesh
     (
@@ -200,7 +176,6 @@ TEST(makePrismLayerMesh, bothSolversGiveTheLayers)
     const wallSurface wall(testSurfaces::cube(4));
     prismLayerControls controls;
     controls.layers = testSurfaces::layersOf(5, 0.1);
-    controls.backgroundMesh.minSheets = 1;
     controls.field.tolerance = 1e-12;
     const stageObserver unheard{[](const word&) {}, [](const string&) {}};
 
