@@ -29,7 +29,6 @@ FIELDS = ("isotropic", "anisotropic", "gradientPower")
 View = collections.namedtuple("View", "normal up centre height")
 
 VIEWS = {
-    "wedge75": View((0, 0, 1), (0, 1, 0), (0, 0.13, 0.508), 0.40),
     "wedge90": View((0, 0, 1), (0, 1, 0), (0, 0.13, 0.508), 0.40),
     "slit": View((0, 0, 1), (0, 1, 0), (0, 0.08, 0.483), 0.28),
     "corner60": View((0, 0, 1), (0, 1, 0), (0, 0.18, 0.508), 0.44),
@@ -160,7 +159,7 @@ def draw_envelope(axes, case, view):
     points = vtk_to_numpy(read(results(case) + "envelope.vtk")
                           .GetPoints().GetData())
     away = numpy.abs((points - view.centre) @ numpy.array(view.normal))
-    flat = (points[away < 0.1*view.height] - view.centre) @ basis(view).T
+    flat = (points[away < view.height] - view.centre) @ basis(view).T
     axes.plot(flat[:, 0], flat[:, 1], ".", color=DARK, markersize=2)
 
 
@@ -203,9 +202,9 @@ def compare(root, name, kind, ending, draw):
 
 
 def overview(root):
-    case = os.path.join(root, "wedge75", "anisotropic")
+    case = os.path.join(root, "wedge90", "anisotropic")
     if has_mesh(case):
-        panels(os.path.join(root, "overview.png"), VIEWS["wedge75"],
+        panels(os.path.join(root, "overview.png"), VIEWS["wedge90"],
                [("wall and envelope", case, draw_envelope),
                 ("background mesh", case, draw_background),
                 ("level sets of the field", case, draw_field),
