@@ -23,6 +23,10 @@ from vtk.util.numpy_support import vtk_to_numpy
 matplotlib.use("Agg")
 from matplotlib import pyplot
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)),
+                                "../doc/pictures"))
+import layers
+
 FIELDS = ("isotropic", "anisotropic", "gradientPower")
 
 # Normal of a cut, its direction up, its middle, and its height [m]
@@ -65,43 +69,8 @@ def read(file):
     return reader.GetOutput()
 
 
-def read_mesh(case):
-    """Cells of constant/polyMesh"""
-    stub = os.path.join(case, "pictures.foam")
-    open(stub, "w").close()
-    reader = vtk.vtkOpenFOAMReader()
-    reader.SetFileName(stub)
-    reader.UpdateInformation()
-    reader.DisableAllPatchArrays()
-    reader.SetPatchArrayStatus("internalMesh", 1)
-    reader.DecomposePolyhedraOff()
-    reader.Update()
-    os.remove(stub)
-
-    return reader.GetOutput().GetBlock(0)
-
-
-def near(grid, view):
-    """Cells that the picture can show: the others cost time"""
-    sphere = vtk.vtkSphere()
-    sphere.SetCenter(view.centre)
-    sphere.SetRadius(view.height)
-    extract = vtk.vtkExtractGeometry()
-    extract.SetInputData(grid)
-    extract.SetImplicitFunction(sphere)
-    extract.ExtractBoundaryCellsOn()
-    extract.Update()
-
-    return extract.GetOutput()
-
-
 def cut(grid, view, triangles=False):
-    plane = vtk.vtkPlane()
-    plane.SetOrigin(view.centre)
-    plane.SetNormal(view.normal)
-    cutter = vtk.vtkCutter()
-    cutter.SetInputData(near(grid, view))
-    cutter.SetCutFunction(plane)
+    cutter = layers.cut(layers.near(grid, view), view)
     cutter.SetGenerateTriangles(triangles)
     cutter.Update()
 
@@ -164,7 +133,7 @@ def draw_envelope(axes, case, view):
 
 
 def draw_layers(axes, case, view):
-    draw_cells(axes, cut(read_mesh(case), view), view)
+    draw_cells(axes, cut(layers.read_mesh(case), view), view)
 
 
 def finish(axes, view, title):

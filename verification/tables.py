@@ -122,39 +122,8 @@ def cases(root, ending=""):
                 yield name, field, case
 
 
-def measures(case):
-    """What the level sets of a case are like, by names"""
-    wall = read_wall(case)
-    first = wall["firstLevelSet"]
-    report = read(case + "/postProcessing/harmonicPrismMesh/levelSets")
-    values = {}
-
-    for kind, points in zip(("concave", "convex"), edge_points(wall)):
-        some = len(points) > 0
-        values[kind + "Mean"] = "%.4g" % first[points].mean() if some else "-"
-        values[kind + "Max"] = "%.4g" % first[points].max() if some else "-"
-        values["unevenness" + kind.capitalize()] = (
-            "%.4g" % unevenness(first[points]) if some else "-")
-
-    values["extrema"] = entry(report, "extrema")
-    values["saddles"] = entry(report, "saddlePoints")
-
-    return values
-
-
-def write_tsv(root):
-    """First level sets over those on a flat wall, tab-separated"""
-    columns = ("concaveMean", "concaveMax", "convexMean", "convexMax",
-               "unevennessConcave", "unevennessConvex", "extrema", "saddles")
-    with open(root + "/tables.tsv", "w") as stream:
-        stream.write("\t".join(("case", "field") + columns) + "\n")
-        for name, field, case in cases(root):
-            values = measures(case)
-            stream.write("\t".join([name, field]
-                                   + [values[c] for c in columns]) + "\n")
-
-
 def level_sets(root):
+    """The table of level sets, printed and, tab-separated, in tables.tsv"""
     print("## Level sets\n")
     print("Heights of the first and the last level set over those on a flat"
           " wall: mean (largest)\nof the points on concave, and on convex,"
@@ -164,16 +133,34 @@ def level_sets(root):
             "convex last", "unevenness concave", "convex", "extrema",
             "saddles"))
 
-    for name, field, case in cases(root):
-        wall = read_wall(case)
-        concave, convex = edge_points(wall)
-        first, last = wall["firstLevelSet"], wall["lastLevelSet"]
-        report = read(case + "/postProcessing/harmonicPrismMesh/levelSets")
-        row((name, field, spread(first[concave]), spread(last[concave]),
-             spread(first[convex]), spread(last[convex]),
-             "%.2f" % unevenness(first[concave]) if concave else "-",
-             "%.2f" % unevenness(first[convex]),
-             entry(report, "extrema"), entry(report, "saddlePoints")))
+    with open(root + "/tables.tsv", "w") as stream:
+        stream.write("\t".join(("case", "field", "concaveMean", "concaveMax",
+                                "convexMean", "convexMax", "unevennessConcave",
+                                "unevennessConvex", "extrema", "saddles"))
+                     + "\n")
+
+        for name, field, case in cases(root):
+            wall = read_wall(case)
+            concave, convex = edge_points(wall)
+            first, last = wall["firstLevelSet"], wall["lastLevelSet"]
+            report = read(case + "/postProcessing/harmonicPrismMesh/levelSets")
+            critical = [entry(report, "extrema"), entry(report, "saddlePoints")]
+            uneven = [unevenness(first[points]) if points else None
+                      for points in (concave, convex)]
+            spreads = [value for points in (concave, convex) if points
+                       for value in (first[points].mean(),
+                                     first[points].max())]
+            if not concave:
+                spreads = [None, None] + spreads
+
+            row([name, field, spread(first[concave]), spread(last[concave]),
+                 spread(first[convex]), spread(last[convex])]
+                + ["-" if u is None else "%.2f" % u for u in uneven]
+                + critical)
+            stream.write("\t".join([name, field]
+                                   + ["-" if v is None else "%.4g" % v
+                                      for v in spreads + uneven] + critical)
+                         + "\n")
 
 
 def beside_edges(wall, points):
@@ -254,7 +241,6 @@ def main():
     if len(sys.argv) != 2:
         sys.exit("Usage: verification/tables.py <folder of cases>")
     root = sys.argv[1]
-    write_tsv(root)
     level_sets(root)
     print("\n## Meshes, distances as requested\n")
     meshes(root, "")
