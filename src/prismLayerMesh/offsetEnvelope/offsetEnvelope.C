@@ -7,6 +7,7 @@
 #include "limitGradient.H"
 #include "sparsePoints.H"
 #include "wallClearance.H"
+#include "DynamicField.H"
 
 namespace Foam
 {
@@ -46,8 +47,24 @@ static vector offsetVector(const visibilityCone& cone)
 namespace
 {
 
-//- Points of a sheet before they are thinned
-struct sheet
+//- A line from point p of the wall on which sheets have points
+struct stem
+{
+    label p;
+
+    //- From p to the unit height
+    vector offset;
+
+    //- Radius of the envelope along the line [m]
+    scalar radius;
+
+    //- Whether only the envelope has a point on the line
+    bool outerOnly = false;
+};
+
+
+//- Makes the stems, and sheets of their points
+struct sheetMaker
 {
     const wallSurface& wall;
     const wallSearch& search;
@@ -56,17 +73,7 @@ struct sheet
     //- Radius of the envelope [m] that is wanted at each point of the wall
     const scalarField& wanted;
 
-    //- Height of the sheet over the radius of the envelope
-    scalar share;
-
-    //- Distance of points over the height of the sheet, in general and where
-    //  the opposite wall limits the radius
-    scalar density;
-    scalar slitDensity;
-
-    DynamicList<point> points;
-    DynamicList<scalar> spacings;
-    DynamicList<scalar> gaps;
+    DynamicList<stem> stems;
 
     bool limited(const label p, const scalar radius) const
     {
@@ -103,31 +110,13 @@ struct sheet
     }
 
 
-    //- Above point p of the wall, along an offset for the unit height, where
-    //  the envelope has a radius
-    void add(const label p, const vector& offset, const scalar radius)
-    {
-        const scalar height = share*radius;
-        const point x = wall.points[p] + height*offset;
-
-        if (!search.nearer(x, sheetControls::ownShare*height))
-        {
-            points.append(x);
-            spacings.append
-            (
-                height*(limited(p, radius) ? slitDensity : density)
-            );
-            gaps.append(radius);
-        }
-    }
-
-
     //- From the normal n of a face to the axis of the cone, as far as there is
     //  room: more than along the normal only where a slit ends
     void addArc(const label p, const vector& n, const scalar radius)
     {
         const vector& axis = visibility.cones[p].axis;
-        const scalar room = roomAlong(search, wall.points[p], n, radius);
+        const point& x = wall.points[p];
+        const scalar room = roomAlong(search, x, n, radius);
 
         // At the foot of another wall
         if (room < sheetControls::leastRoom*radius)
@@ -135,7 +124,7 @@ struct sheet
             return;
         }
 
-        add(p, n, room);
+        stems.append(stem{p, n, room});
 
         for
         (
@@ -145,17 +134,17 @@ struct sheet
         )
         {
             const vector d(normalised((1 - s)*n + s*axis));
-            add(p, d, roomAlong(search, wall.points[p], d, radius));
+            stems.append(stem{p, d, roomAlong(search, x, d, radius)});
         }
     }
 
 
-    //- Above a point of the wall; on the way around a sharp convex edge or
+    //- Along the axis at a point; on the way around a sharp convex edge or
     //  corner also along the normals of the faces
     void addPoint(const label p, const scalar radius)
     {
         const visibilityCone& cone = visibility.cones[p];
-        add(p, offsetVector(cone), radius);
+        stems.append(stem{p, offsetVector(cone), radius});
 
         const scalar apart = sheetControls::apartCosine;
         DynamicList<vector> others;
@@ -177,7 +166,7 @@ struct sheet
     }
 
 
-    //- Beside a point on edges that are long for the height: columns stand
+    //- Beside a point on edges that are long for the radius: columns stand
     //  only on points, so that further along nothing depends on the field
     void addLongEdges
     (
@@ -192,32 +181,56 @@ struct sheet
         {
             const vector along = wall.points[neighbours[i]] - wall.points[p];
 
-            if (mag(along) > sheetControls::longEdge*share*radius)
+            if (mag(along) > sheetControls::longEdge*radius)
             {
                 const visibilityCone cone = makeVisibilityCone
                 (
                     vectorField({normals[i], normals[normals.rcIndex(i)]})
                 );
 
-                add(p, normalised(along) + offsetVector(cone), radius);
+                const vector offset(normalised(along) + offsetVector(cone));
+                stems.append(stem{p, offset, radius, true});
             }
         }
+    }
+
+
+    //- Adds the points at a share of their radius on stems for which
+    //  onSheet holds. Points are about d times their height apart.
+    template<class OnSheet>
+    void addSheet
+    (
+        const scalar share,
+        const scalar d,
+        const OnSheet& onSheet,
+        offsetEnvelope& envelope
+    ) const
+    {
+        const scalar inSlits =
+            share < 1 ? d : min(d, sheetControls::slitSpacing);
+        DynamicField<point> points;
+        DynamicField<scalar> spacings, gaps;
+
+        for (const stem& s : stems)
+        {
+            const scalar height = share*s.radius;
+            const point x = wall.points[s.p] + height*s.offset;
+
+            if (onSheet(s) && !search.nearer(x, sheetControls::ownShare*height))
+            {
+                points.append(x);
+                spacings.append(height*(limited(s.p, s.radius) ? inSlits : d));
+                gaps.append(s.radius);
+            }
+        }
+
+        const labelList kept(sparsePoints(points, spacings));
+        envelope.points.append(pointField(points, kept));
+        envelope.gaps.append(scalarField(gaps, kept));
     }
 };
 
 } // End anonymous namespace
-
-
-static void append(const sheet& s, offsetEnvelope& envelope)
-{
-    const labelList kept
-    (
-        sparsePoints(pointField(s.points), scalarField(s.spacings))
-    );
-
-    envelope.points.append(pointField(UIndirectList<point>(s.points, kept)));
-    envelope.gaps.append(scalarField(UIndirectList<scalar>(s.gaps, kept)));
-}
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
@@ -234,37 +247,26 @@ offsetEnvelope makeOffsetEnvelope
 )
 {
     const scalarField lengths(edgeLengths(wall, addressing));
-    const scalarField leastRadius(sheetControls::leastResolved*lengths);
 
     offsetEnvelope envelope;
     envelope.radius = radius;
     limitGradient(wall, addressing, sheetControls::maxSlope, envelope.radius);
 
-    const auto sheetAt = [&](const scalar share)
-    {
-        const scalar d = mesh.radiusEdgeRatio;
-        const scalar inSlits =
-            share < 1 ? d : min(d, sheetControls::slitSpacing);
-
-        return sheet
-        {
-            wall, search, visibility, wanted, share, d, inSlits, {}, {}, {}
-        };
-    };
-
-    sheet outer(sheetAt(1));
-    forAll(wall.points, p)
+    sheetMaker maker{wall, search, visibility, wanted, {}};
+    boolList atTip(wall.points.size());
+    forAll(atTip, p)
     {
         const labelList& neighbours = addressing.pointPoints[p];
         const scalar r = envelope.radius[p];
 
-        if (r > leastRadius[p] || !outer.isBesideTip(neighbours, p, radius))
-        {
-            outer.addPoint(p, r);
-            outer.addLongEdges(neighbours, p, r);
-        }
+        atTip[p] = r <= sheetControls::leastResolved*lengths[p]
+            && maker.isBesideTip(neighbours, p, radius);
+        maker.addPoint(p, r);
+        maker.addLongEdges(neighbours, p, r);
     }
-    append(outer, envelope);
+
+    const auto onOuter = [&](const stem& s) { return !atTip[s.p]; };
+    maker.addSheet(1, mesh.radiusEdgeRatio, onOuter, envelope);
     envelope.nEnvelope = envelope.points.size();
 
     const scalar longest = max(envelope.radius/lengths);
@@ -277,18 +279,14 @@ offsetEnvelope makeOffsetEnvelope
         ++k, share *= 0.5
     )
     {
-        sheet inner(sheetAt(share));
-        forAll(wall.points, p)
+        // The lowest sheet is as far from the wall as its edges are long
+        const auto onInner = [&](const stem& s)
         {
-            // The lowest sheet is as far from the wall as its edges are long
-            const scalar r = envelope.radius[p];
-
-            if (k < mesh.minSheets || share*r >= lengths[p])
-            {
-                inner.addPoint(p, r);
-            }
-        }
-        append(inner, envelope);
+            return !s.outerOnly
+             && (k < mesh.minSheets
+              || share*envelope.radius[s.p] >= lengths[s.p]);
+        };
+        maker.addSheet(share, mesh.radiusEdgeRatio, onInner, envelope);
     }
 
     return envelope;
