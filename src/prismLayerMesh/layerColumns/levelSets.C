@@ -82,20 +82,12 @@ static scalar heightOf
 //- Set first height, thickness and ratio to those of the given heights
 static void fitToGiven(layerSpacing& spacing)
 {
-    const label n = spacing.nLayers;
+    spacing.firstThickness = spacing.givenLayer(1);
+    spacing.thickness = spacing.givenLayer(spacing.nLayers);
 
-    forAll(spacing.thickness, p)
+    forAll(spacing.ratio, p)
     {
-        spacing.thickness[p] = spacing.given[p*n + n - 1];
-        spacing.firstThickness[p] = spacing.given[p*n];
-
-        if (n > 1)
-        {
-            spacing.ratio[p] = fittedRatio
-            (
-                n, spacing.firstThickness[p], spacing.thickness[p]
-            );
-        }
+        spacing.fitRatio(p);
     }
 }
 
@@ -214,7 +206,6 @@ layerSpacing smoothedSpacing
     const scalar thickness
 )
 {
-    const label n = spacing.nLayers;
     const wallSmoother smoother(wall, addressing);
     const scalarField variances
     (
@@ -222,18 +213,11 @@ layerSpacing smoothedSpacing
     );
     layerSpacing smoothed(spacing);
 
-    for (label i = 0; i < n; ++i)
+    for (label i = 1; i <= spacing.nLayers; ++i)
     {
-        scalarField logHeights(wall.points.size());
-        forAll(logHeights, p)
-        {
-            logHeights[p] = ::log(spacing.given[p*n + i]);
-        }
+        scalarField logHeights(log(spacing.givenLayer(i)));
         smoother.smooth(variances, columnControls::maxScalarPasses, logHeights);
-        forAll(logHeights, p)
-        {
-            smoothed.given[p*n + i] = ::exp(logHeights[p]);
-        }
+        smoothed.setGivenLayer(i, exp(logHeights));
     }
     fitToGiven(smoothed);
 

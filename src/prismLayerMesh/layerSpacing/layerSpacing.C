@@ -83,6 +83,36 @@ layerSpacing layerSpacing::at(const labelUList& points) const
 }
 
 
+scalarField layerSpacing::givenLayer(const label i) const
+{
+    scalarField heights(thickness.size());
+    forAll(heights, p)
+    {
+        heights[p] = given[p*nLayers + i - 1];
+    }
+
+    return heights;
+}
+
+
+void layerSpacing::setGivenLayer(const label i, const scalarField& heights)
+{
+    forAll(heights, p)
+    {
+        given[p*nLayers + i - 1] = heights[p];
+    }
+}
+
+
+void layerSpacing::fitRatio(const label p)
+{
+    if (nLayers > 1)
+    {
+        ratio[p] = fittedRatio(nLayers, firstThickness[p], thickness[p]);
+    }
+}
+
+
 void layerSpacing::setHeights
 (
     const label p,
@@ -118,40 +148,19 @@ layerSpacing gradedSpacing
 )
 {
     layerSpacing graded(asked);
-    const label n = asked.nLayers;
+    labelList lowered(limitRatio(addressing, growth, graded.firstThickness));
+    lowered.append(limitRatio(addressing, growth, graded.thickness));
 
-    const labelList lower
-    (
-        limitRatio(addressing, growth, graded.firstThickness)
-    );
-    const labelList thinner(limitRatio(addressing, growth, graded.thickness));
-
-    for (label i = 0; i < n && graded.given.size(); ++i)
+    for (label i = 1; i <= asked.nLayers && graded.given.size(); ++i)
     {
-        scalarField layer(graded.thickness.size());
-        forAll(layer, p)
-        {
-            layer[p] = graded.given[p*n + i];
-        }
+        scalarField layer(graded.givenLayer(i));
         limitRatio(addressing, growth, layer);
-        forAll(layer, p)
-        {
-            graded.given[p*n + i] = layer[p];
-        }
+        graded.setGivenLayer(i, layer);
     }
 
-    for (const labelList* points : {&lower, &thinner})
+    for (const label p : lowered)
     {
-        for (const label p : *points)
-        {
-            if (n > 1)
-            {
-                graded.ratio[p] = fittedRatio
-                (
-                    n, graded.firstThickness[p], graded.thickness[p]
-                );
-            }
-        }
+        graded.fitRatio(p);
     }
 
     return graded;
