@@ -198,7 +198,7 @@ int main(int argc, char *argv[])
     wallReading reading;
     const wallSurface wall
     (
-        readWallSurface(controls.surface.file, controls.surface, reading)
+        readWallSurface(controls.surface.files, controls.surface, reading)
     );
     const throwingErrors throwing;
     const prismLayerMesh m

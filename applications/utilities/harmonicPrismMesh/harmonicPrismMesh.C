@@ -47,9 +47,8 @@ Usage
 #include "prismLayerMesh.H"
 #include "prismPolyMesh.H"
 #include "readLocalHeights.H"
-#include "readWallSurface.H"
+#include "readWall.H"
 #include "stageLog.H"
-#include "wallDefects.H"
 #include "wallPointsError.H"
 #include "prismCase.H"
 
@@ -90,62 +89,6 @@ static void addOptions()
 }
 
 
-//- The wall, read and reported
-static wallSurface readWall
-(
-    const prismCase& files,
-    const wallSurfaceControls& controls,
-    wallReading& reading,
-    stageLog& log
-)
-{
-    const fileName file(files.surfaceFile(controls.file));
-
-    log.begin("wallSurface");
-    wallSurface wall(readWallSurface(file, controls, reading));
-    log.end
-    (
-        name(wall.faces.size()) + " faces, "
-      + name(wall.points.size()) + " points, "
-      + name(wall.patchNames.size()) + " patches"
-    );
-
-    Info<< "    " << file << nl
-        << "    merged points " << reading.mergedPoints
-        << ", nearly equal points " << reading.nearPoints
-        << ", collapsed faces " << reading.collapsedFaces
-        << ", faces cut into triangles " << reading.cutFaces
-        << ", faces turned to the fluid " << reading.flippedFaces << endl;
-
-    return wall;
-}
-
-
-//- The defects of the wall, reported; empty if there are none
-static string checkWall
-(
-    const wallSurface& wall,
-    const wallReading& reading,
-    stageLog& log
-)
-{
-    log.begin("wallDefects");
-    const List<wallDefect> found(findWallDefects(wall));
-    log.end(found.empty() ? "none" : name(found.size()) + " kinds");
-
-    string defects(describe(found));
-
-    if (found.size() && reading.nearPoints)
-    {
-        defects += "\n" + name(reading.nearPoints) + " points are nearer than "
-          + name(wallReading::nearTolerance) + " of the diagonal to others:"
-          + " surface.mergeTolerance makes such points one.";
-    }
-
-    return defects;
-}
-
-
 //- The requests for parts of the wall, looked up and reported
 static localHeights readLocal
 (
@@ -178,6 +121,7 @@ static farFieldDomain readFarField
 (
     const prismCase& files,
     const wallSurface& wall,
+    const bool fluidOutside,
     const farFieldControls& controls,
     const Time& time,
     stageLog& log
@@ -188,6 +132,17 @@ static farFieldDomain readFarField
     if (!controls.isWanted())
     {
         return domain;
+    }
+
+    if
+    (
+        !fluidOutside && controls.boundary.type.size()
+     && wall.border.sides.empty()
+    )
+    {
+        FatalErrorInFunction
+            << "The fluid is inside of the wall: there is no far boundary"
+            << exit(FatalError);
     }
 
     log.begin("farBoundary");
@@ -255,37 +210,28 @@ int main(int argc, char *argv[])
     #include "createTime.H"
 
     const prismCase files(args, runTime);
-    const prismLayerControls controls(readPrismLayerControls(files.dict()));
+    prismLayerControls controls(readPrismLayerControls(files.dict()));
 
     stageLog log;
-    wallReading reading;
-    const wallSurface wall(readWall(files, controls.surface, reading, log));
+    const bool checkOnly = args.found("checkSurface");
+    const fileNameList surfaceFiles(files.surfaceFiles(controls.surface));
+    const wallSurface wall(readWall(surfaceFiles, checkOnly, controls, log));
 
-    const string defects(checkWall(wall, reading, log));
-
-    if (args.found("checkSurface"))
+    if (checkOnly)
     {
-        Info<< nl << (defects.empty() ? "Surface OK." : defects.c_str()) << nl
-            << nl << "End" << nl << endl;
-
-        // What main returns is lost: the destructor of args exits with 0
-        UPstream::exit(defects.empty() ? 0 : 1);
+        endCheck("");
     }
 
-    if (defects.size())
-    {
-        FatalErrorInFunction
-            << "The surface " << controls.surface.file
-            << " cannot be meshed." << nl << defects.c_str()
-            << exit(FatalError);
-    }
-
-    files.checkOverwrite(controls.surface.file);
+    files.checkOverwrite(surfaceFiles);
 
     const localHeights local(readLocal(files, wall, controls, runTime, log));
     const farFieldDomain domain
     (
-        readFarField(files, wall, controls.farField, runTime, log)
+        readFarField
+        (
+            files, wall, controls.surface.fluidOutside, controls.farField,
+            runTime, log
+        )
     );
     prismLayerMesh result(makeMesh(files, wall, controls, local, log));
 

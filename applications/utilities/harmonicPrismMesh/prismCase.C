@@ -119,13 +119,28 @@ Foam::fileName Foam::prismCase::surfaceFile(const fileName& name) const
 }
 
 
-void Foam::prismCase::checkOverwrite(const fileName& surface) const
+Foam::fileNameList Foam::prismCase::surfaceFiles
+(
+    const wallSurfaceControls& controls
+) const
 {
-    if (surfaceFile(surface) == outerFile())
+    fileNameList files(controls.files);
+    for (fileName& file : files)
+    {
+        file = surfaceFile(file);
+    }
+
+    return files;
+}
+
+
+void Foam::prismCase::checkOverwrite(const UList<fileName>& surfaces) const
+{
+    if (surfaces.found(outerFile()))
     {
         FatalErrorInFunction
-            << "The surface " << surface << " would be overwritten by the outer"
-            << " surface of the layers; give it another name"
+            << "The surface " << outerFile() << " would be overwritten by the"
+            << " outer surface of the layers; give it another name"
             << exit(FatalError);
     }
 

@@ -26,14 +26,14 @@ static List<const heightEntries*> patchEntries
 
         forAll(patchNames, patchi)
         {
-            if (entry.patches.match(patchNames[patchi]))
+            if (!entry.isSide && entry.patches.match(patchNames[patchi]))
             {
                 result[patchi] = &entry.heights;
                 used = true;
             }
         }
 
-        if (!used)
+        if (!used && !entry.isSide)
         {
             FatalErrorInFunction
                 << "The entry " << entry.patches << " of layers.patches"

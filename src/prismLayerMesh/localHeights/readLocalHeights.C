@@ -64,11 +64,19 @@ static scalarField readHeights
         return heights;
     }
 
+    if (field.field.empty() && surface.files.size() > 1)
+    {
+        FatalErrorInFunction
+            << "The values of " << field.file << " are those of one surface"
+            << " file, but the wall has " << surface.files.size()
+            << "; give them in a VTK file" << exit(FatalError);
+    }
+
     const surfaceValues source
     (
         field.field.size()
       ? readVtkValues(file(field.file), field.field, time)
-      : readListValues(file(field.file), file(surface.file), surface.scale)
+      : readListValues(file(field.file), file(surface.files[0]), surface.scale)
     );
     const scalar distance = interpolate(source, wall.points, heights);
     const scalar diagonal = boundBox(wall.points, false).mag();

@@ -86,7 +86,7 @@ static farPatch readPatch(const keyType& key, const dictionary& dict)
     farPatch patch;
     patch.name = key;
     patch.sides = wordRes(1, wordRe(key));
-    readChoice(dict, "type", {"patch", "wall", "symmetry"}, patch.type);
+    readChoice(dict, "type", sideTypes, patch.type);
     dict.readIfPresent("sides", patch.sides);
 
     return patch;
@@ -141,7 +141,7 @@ static sizeRegion readSizeRegion(const keyType&, const dictionary& dict)
 farFieldControls readFarFieldControls
 (
     const dictionary& dict,
-    const bool fluidOutside
+    const wallSurfaceControls& surface
 )
 {
     checkKeys
@@ -168,7 +168,13 @@ farFieldControls readFarFieldControls
         controls.boundary = readBoundary(optionalDict(dict, "boundary"));
     }
 
-    if (controls.type != "none" && hasBoundary != fluidOutside)
+    // An open wall inside of which the fluid is may have one
+    const bool fluidOutside = surface.fluidOutside;
+    if
+    (
+        controls.type != "none" && hasBoundary != fluidOutside
+     && surface.sidePlanes.empty() && controls.boundary.type != "box"
+    )
     {
         entryError(dict, hasBoundary ? "boundary" : "type")
             << (fluidOutside

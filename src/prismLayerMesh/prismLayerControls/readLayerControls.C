@@ -10,6 +10,14 @@
 namespace Foam
 {
 
+// * * * * * * * * * * * * * * * * Static Data * * * * * * * * * * * * * * * //
+
+const wordList sideTypes
+({
+    "patch", "wall", "symmetryPlane", "symmetry", "empty"
+});
+
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Number of layers of a patch or region; 0 if it is the general number
@@ -72,6 +80,41 @@ static heightEntries readPart
     }
 
     return given;
+}
+
+
+//- What is said of patches: of those with 0 layers nothing but their type
+static patchLayers readPatches
+(
+    const keyType& key,
+    const dictionary& dict,
+    const layerControls& general
+)
+{
+    wordList keys(layerHeightKeys);
+    keys.append("type");
+    checkKeys(dict, keys);
+
+    patchLayers patches;
+    patches.patches = key;
+    readChoice(dict, "type", sideTypes, patches.type);
+
+    label n = -1;
+    patches.isSide =
+        dict.readIfPresent("nSurfaceLayers", n, keyType::LITERAL) && n == 0;
+
+    if (!patches.isSide)
+    {
+        patches.heights = readPart(dict, general);
+    }
+    else if (dict.size() > (patches.type.empty() ? 1 : 2))
+    {
+        entryError(dict, "nSurfaceLayers")
+            << "Patches " << key << " have no layers: they have no heights"
+            << exit(FatalIOError);
+    }
+
+    return patches;
 }
 
 
@@ -203,6 +246,20 @@ static void readGeneralHeights(const dictionary& dict, layerControls& controls)
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
+const patchLayers* layerControls::entryOf(const word& patchName) const
+{
+    for (label i = patches.size() - 1; i >= 0; --i)
+    {
+        if (patches[i].patches.match(patchName))
+        {
+            return &patches[i];
+        }
+    }
+
+    return nullptr;
+}
+
+
 layerControls readLayerControls(const dictionary& dict)
 {
     wordList keys(layerHeightKeys);
@@ -250,9 +307,7 @@ layerControls readLayerControls(const dictionary& dict)
         dict, "patches",
         [&](const keyType& key, const dictionary& entries)
         {
-            checkKeys(entries, layerHeightKeys);
-
-            return patchLayers{key, readPart(entries, controls)};
+            return readPatches(key, entries, controls);
         }
     );
     controls.regions = readEntries<layerRegion>

@@ -8,25 +8,84 @@
 #include "readFieldControls.H"
 #include "readFarFieldControls.H"
 #include "readLayerControls.H"
+#include "readRegions.H"
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-static wallSurfaceControls readSurface(const dictionary& dict)
+static fileNameList readFiles(const dictionary& dict)
 {
-    checkKeys(dict, {"file", "fluid", "scale", "mergeTolerance"});
+    const bool isOne = dict.found("file", keyType::LITERAL);
+    const word key(isOne ? "file" : "files");
+    fileNameList files(1);
 
-    wallSurfaceControls controls;
-    dict.readEntry("file", controls.file);
-
-    if (controls.file.empty())
+    if (isOne && dict.found("files", keyType::LITERAL))
     {
-        entryError(dict, "file")
-            << "Value of file is empty; it must be the name of a surface file"
+        entryError(dict, "files")
+            << "Give file or files, not both" << exit(FatalIOError);
+    }
+
+    if (isOne)
+    {
+        dict.readEntry(key, files[0]);
+    }
+    else if (dict.found(key, keyType::LITERAL))
+    {
+        dict.readEntry(key, files);
+    }
+    else
+    {
+        missingEntry(dict, "file");
+    }
+
+    if (files.empty() || files.found(fileName()))
+    {
+        entryError(dict, key)
+            << "Value of " << key << " is empty; it must be the name of a"
+            << " surface file" << exit(FatalIOError);
+    }
+
+    return files;
+}
+
+
+static sidePatch readSidePlane(const keyType& key, const dictionary& dict)
+{
+    checkKeys(dict, {"point", "normal", "type"});
+
+    sidePatch plane;
+    plane.name = key;
+    dict.readEntry("point", plane.origin);
+    dict.readEntry("normal", plane.normal);
+    readChoice(dict, "type", sideTypes, plane.type);
+
+    if (key.isPattern() || !(mag(plane.normal) > 0))
+    {
+        entryError(dict, key)
+            << "The side plane " << key << (key.isPattern()
+              ? " must have a name" : " must have a normal that is not zero")
             << exit(FatalIOError);
     }
+    plane.normal.normalise();
+
+    return plane;
+}
+
+
+static wallSurfaceControls readSurface(const dictionary& dict)
+{
+    checkKeys
+    (
+        dict,
+        {"file", "files", "fluid", "scale", "mergeTolerance", "sidePlanes"}
+    );
+
+    wallSurfaceControls controls;
+    controls.files = readFiles(dict);
+    controls.sidePlanes =
+        readEntries<sidePatch>(dict, "sidePlanes", readSidePlane);
 
     word fluid(controls.fluidOutside ? "outside" : "inside");
     readChoice(dict, "fluid", {"outside", "inside"}, fluid);
@@ -102,7 +161,7 @@ prismLayerControls readPrismLayerControls(const dictionary& dict)
     );
     controls.farField = readFarFieldControls
     (
-        optionalDict(dict, "farField"), controls.surface.fluidOutside
+        optionalDict(dict, "farField"), controls.surface
     );
 
     return controls;

@@ -162,58 +162,41 @@ static void mergePoints
 }
 
 
-static void removeUnusedPoints(wallSurface& wall)
+//- Give patches valid names. If there is but one and the file has not named it,
+//  it is named after the file.
+static void namePatches(wallSurface& wall, const fileName& file)
 {
-    bitSet used(wall.points.size());
-    for (const face& f : wall.faces)
+    for (word& name : wall.patchNames)
     {
-        used.set(f);
+        name = word::validate(name, true);
     }
 
-    const labelList numbers(invert(used));
-    inplaceSubset(used, wall.points);
+    const wordList unnamed({"", "zone0", "solid", "solid0", "patch0"});
 
-    for (face& f : wall.faces)
+    if (wall.patchNames.size() == 1 && unnamed.found(wall.patchNames[0]))
     {
-        inplaceRenumber(numbers, f);
+        const fileName plain(file.ext() == "gz" ? file.lessExt() : file);
+        const word stem(word::validate(plain.nameLessExt(), true));
+        wall.patchNames[0] = (stem.empty() ? word("wall") : stem);
     }
 }
 
 
-//- Remove patches without faces and merge those of the same name. If there is
-//  but one patch and the file has not named it, it is named after the file.
-static void cleanPatches(wallSurface& wall, const fileName& file)
+static void append(const wallSurface& part, wallSurface& wall)
 {
-    bitSet used(wall.patchNames.size());
-    used.set(wall.patchIDs);
+    const label nPoints = wall.points.size();
+    const label nPatches = wall.patchNames.size();
+    wall.points.append(part.points);
+    wall.patchNames.append(part.patchNames);
 
-    DynamicList<word> names;
-    labelList numbers(used.size(), -1);
-
-    for (const label i : used)
+    for (const face& f : part.faces)
     {
-        const word name(word::validate(wall.patchNames[i], true));
-        numbers[i] = names.find(name);
-
-        if (numbers[i] < 0)
-        {
-            numbers[i] = names.size();
-            names.append(name);
-        }
+        wall.faces.append(face(labelList(f + nPoints)));
     }
-
-    inplaceRenumber(numbers, wall.patchIDs);
-
-    const wordList unnamed({"", "zone0", "solid", "solid0", "patch0"});
-
-    if (names.size() == 1 && unnamed.found(names[0]))
+    for (const label patchi : part.patchIDs)
     {
-        const fileName plain(file.ext() == "gz" ? file.lessExt() : file);
-        const word stem(word::validate(plain.nameLessExt(), true));
-        names[0] = (stem.empty() ? word("wall") : stem);
+        wall.patchIDs.append(patchi + nPatches);
     }
-
-    wall.patchNames = names;
 }
 
 
@@ -238,27 +221,88 @@ static bool isOrientable(const wallSurface& wall, const wallSides& sides)
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
+labelList removeUnusedPoints(faceList& faces, pointField& points)
+{
+    bitSet used(points.size());
+    for (const face& f : faces)
+    {
+        used.set(f);
+    }
+
+    const labelList numbers(invert(used));
+    inplaceSubset(used, points);
+
+    for (face& f : faces)
+    {
+        inplaceRenumber(numbers, f);
+    }
+
+    return numbers;
+}
+
+
+void mergePatches(wallSurface& wall)
+{
+    bitSet used(wall.patchNames.size());
+    used.set(wall.patchIDs);
+
+    DynamicList<word> names;
+    labelList numbers(used.size(), -1);
+
+    for (const label i : used)
+    {
+        numbers[i] = names.find(wall.patchNames[i]);
+
+        if (numbers[i] < 0)
+        {
+            numbers[i] = names.size();
+            names.append(wall.patchNames[i]);
+        }
+    }
+
+    inplaceRenumber(numbers, wall.patchIDs);
+    wall.patchNames = names;
+}
+
+
 wallSurface readWallSurface
 (
-    const fileName& file,
+    const UList<fileName>& files,
     const wallSurfaceControls& controls,
     wallReading& reading
 )
 {
     reading = wallReading();
-    bool separateFaces = false;
-    wallSurface wall(readSurfaceFile(file, separateFaces));
+    bool separateFaces = files.size() > 1;
+    wallSurface wall;
 
-    wall.points *= controls.scale;
-    checkFinite(file, wall.points);
+    for (const fileName& file : files)
+    {
+        bool separate = false;
+        wallSurface part(readSurfaceFile(file, separate));
+        part.points *= controls.scale;
+        checkFinite(file, part.points);
+        mergePatches(part);
+        namePatches(part, file);
+        separateFaces = separateFaces || separate;
+
+        if (files.size() == 1)
+        {
+            wall = std::move(part);
+        }
+        else
+        {
+            append(part, wall);
+        }
+    }
 
     if (separateFaces)
     {
         mergePoints(wall, controls.mergeTolerance, reading);
     }
 
-    removeUnusedPoints(wall);
-    cleanPatches(wall, file);
+    removeUnusedPoints(wall.faces, wall.points);
+    mergePatches(wall);
     reading.cutFaces = cutReflexFaces(wall);
     reading.flippedFaces = orientWallSurface(wall, controls.fluidOutside);
 

@@ -141,7 +141,11 @@ const char* wallDefect::advice() const
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-List<wallDefect> findWallDefects(const wallSurface& wall)
+List<wallDefect> findWallDefects
+(
+    const wallSurface& wall,
+    const bool mayBeOpen
+)
 {
     const wallSides sides(makeWallSides(wall.faces, wall.points.size()));
     defectList defects(wall);
@@ -149,7 +153,7 @@ List<wallDefect> findWallDefects(const wallSurface& wall)
     const bitSet degenerate(findDegenerateFaces(wall, defects));
     findDuplicateFaces(wall, sides, defects);
 
-    if (!findBadEdges(sides, defects))
+    if (!findBadEdges(sides, defects, mayBeOpen))
     {
         findFlippedFaces(wall, sides, defects);
     }
@@ -161,7 +165,7 @@ List<wallDefect> findWallDefects(const wallSurface& wall)
         defects.addFace(defectKind::selfIntersection, pair.first());
     }
 
-    if (defects.empty() && wall.faces.size())
+    if (!mayBeOpen && defects.empty() && wall.faces.size())
     {
         findInvertedComponents(wall, sides, defects);
     }

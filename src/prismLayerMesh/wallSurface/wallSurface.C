@@ -63,9 +63,35 @@ static wallCorners makeCorners(const wallSurface& wall)
 }
 
 
+//- The corner that begins at an edge on which none ends; the first if there is
+//  no such edge
+static label firstCorner(const UList<wallCorner>& corners)
+{
+    forAll(corners, i)
+    {
+        const bool follows = std::any_of
+        (
+            corners.begin(), corners.end(), [&](const wallCorner& other)
+            {
+                return other.previous == corners[i].next;
+            }
+        );
+
+        if (!follows)
+        {
+            return i;
+        }
+    }
+
+    return 0;
+}
+
+
 //- Sort corners so that each begins at the edge on which the one before ends
 static void sortByRotation(UList<wallCorner>& corners)
 {
+    std::swap(corners[0], corners[firstCorner(corners)]);
+
     for (label i = 1; i < corners.size(); ++i)
     {
         for (label j = i; j < corners.size(); ++j)
@@ -120,6 +146,23 @@ static void setEdges(const wallCorners& corners, wallAddressing& addressing)
 }
 
 
+static void setPointSides(const wallSurface& wall, wallAddressing& addressing)
+{
+    if (wall.border.edges.empty())
+    {
+        return;
+    }
+
+    addressing.pointSides.setSize(wall.points.size(), labelPair(-1, -1));
+
+    const Map<labelPair> sides(wall.border.pointSides());
+    forAllConstIters(sides, iter)
+    {
+        addressing.pointSides[iter.key()] = iter.val();
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 vectorField wallSurface::faceNormals() const
@@ -134,6 +177,21 @@ vectorField wallSurface::faceNormals() const
     }
 
     return normals;
+}
+
+
+labelList wallAddressing::sidesOf(const label p) const
+{
+    if (pointSides.empty() || pointSides[p].first() < 0)
+    {
+        return labelList();
+    }
+
+    const labelPair& sides = pointSides[p];
+
+    return sides.first() == sides.second()
+      ? labelList({sides.first()})
+      : labelList({sides.first(), sides.second()});
 }
 
 
@@ -164,7 +222,15 @@ wallAddressing makeWallAddressing(const wallSurface& wall)
             faces[i] = around[i].facei;
             points[i] = around[i].next;
         }
+
+        // On a border the last edge begins no corner
+        if (around.last().previous != points[0])
+        {
+            points.append(around.last().previous);
+        }
     }
+
+    setPointSides(wall, addressing);
 
     return addressing;
 }

@@ -86,7 +86,12 @@ void findDuplicateFaces
 }
 
 
-bool findBadEdges(const wallSides& sides, defectList& defects)
+bool findBadEdges
+(
+    const wallSides& sides,
+    defectList& defects,
+    const bool mayBeOpen
+)
 {
     bool oriented = true;
 
@@ -98,7 +103,10 @@ bool findBadEdges(const wallSides& sides, defectList& defects)
 
         if (n == 1)
         {
-            defects.addEdge(wallDefect::kind::openEdge, side);
+            if (!mayBeOpen)
+            {
+                defects.addEdge(wallDefect::kind::openEdge, side);
+            }
         }
         else if (n > 2)
         {

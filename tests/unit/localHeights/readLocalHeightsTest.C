@@ -40,7 +40,8 @@ protected:
 
     localHeights read(const wallSurface& wall)
     {
-        controls_.surface.file = file("wall.obj", wall_).name();
+        controls_.surface.files =
+            fileNameList(1, file("wall.obj", wall_).name());
         const autoPtr<Time> time(Time::New());
 
         return readLocalHeights

@@ -65,6 +65,7 @@ static std::vector<std::string> withUnknownKeys()
     {
         other,
         "surface { " + other + " }",
+        "surface { file a; sidePlanes { ground { " + other + " } } }",
         surface + "layers { " + other + " }",
         surface + yPlus,
         surface + inLayers("patches { wing { " + other + " } }"),

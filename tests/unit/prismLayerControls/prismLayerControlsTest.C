@@ -12,7 +12,7 @@ using namespace Foam;
 TEST(prismLayerControls, minimalDictionaryHasTheDefaults)
 {
     prismLayerControls defaults;
-    defaults.surface.file = "body.obj";
+    defaults.surface.files = fileNameList(1, "body.obj");
     defaults.layers.heights.nSurfaceLayers = 20;
     defaults.layers.heights.firstLayerThickness = 1e-4;
 
@@ -42,7 +42,7 @@ TEST(prismLayerControls, everyEntryIsRead)
         )
     );
 
-    EXPECT_EQ(controls.surface.file, "a.stl");
+    EXPECT_EQ(controls.surface.files, fileNameList(1, "a.stl"));
     EXPECT_FALSE(controls.surface.fluidOutside);
     EXPECT_EQ(controls.surface.scale, 0.001);
     EXPECT_EQ(controls.surface.mergeTolerance, 1e-6);

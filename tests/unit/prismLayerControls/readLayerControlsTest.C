@@ -9,12 +9,42 @@ using namespace Foam;
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
-TEST(readLayerControls, everyPatchHasLayers)
+TEST(readLayerControls, patchesWithoutLayersAreSides)
 {
+    const layerControls controls
+    (
+        readControls
+        (
+            surface + "layers { nSurfaceLayers 2; thickness 0.1; patches"
+            " { \".*let\" { nSurfaceLayers 0; }"
+            " symmetry { nSurfaceLayers 0; type symmetryPlane; }"
+            " plate { type patch; } } }"
+        ).layers
+    );
+
+    ASSERT_TRUE(controls.entryOf("inlet"));
+    EXPECT_TRUE(controls.entryOf("inlet")->isSide);
+    EXPECT_EQ(controls.entryOf("symmetry")->type, "symmetryPlane");
+    EXPECT_FALSE(controls.entryOf("plate")->isSide);
+    EXPECT_EQ(controls.entryOf("wall"), nullptr);
+
     expectWords
     (
-        errorOfLayers("patches { symmetry { nSurfaceLayers 0; } }"),
-        {"nSurfaceLayers is 0", "1 to 1000"}
+        errorOfLayers
+        (
+            "patches { inlet { nSurfaceLayers 0; thickness 0.1; } }"
+        ),
+        {"inlet have no layers", "no heights"}
+    );
+    expectWords
+    (
+        errorOfLayers("patches { inlet { nSurfaceLayers -1; } }"),
+        {"nSurfaceLayers is -1", "1 to 1000"}
+    );
+    expectWords
+    (
+        errorOfLayers("patches { inlet { type fog; } }"),
+        {"type is fog", "symmetryPlane"}
     );
 }
 

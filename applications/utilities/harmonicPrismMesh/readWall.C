@@ -1,0 +1,172 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "readWall.H"
+#include "boxSidePlanes.H"
+#include "endWall.H"
+#include "prismPolyMesh.H"
+#include "wallDefects.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+static string sizesOf(const wallSurface& surface)
+{
+    return name(surface.faces.size()) + " faces, "
+      + name(surface.points.size()) + " points, "
+      + name(surface.patchNames.size()) + " patches";
+}
+
+
+//- The surface, read and reported
+static wallSurface readSurface
+(
+    const fileNameList& files,
+    const wallSurfaceControls& controls,
+    wallReading& reading,
+    stageLog& log
+)
+{
+    log.begin("wallSurface");
+    wallSurface wall(readWallSurface(files, controls, reading));
+    log.end(sizesOf(wall));
+
+    for (const fileName& file : files)
+    {
+        Info<< "    " << file << nl;
+    }
+    Info
+        << "    merged points " << reading.mergedPoints
+        << ", nearly equal points " << reading.nearPoints
+        << ", collapsed faces " << reading.collapsedFaces
+        << ", faces cut into triangles " << reading.cutFaces
+        << ", faces turned to the fluid " << reading.flippedFaces << endl;
+
+    return wall;
+}
+
+
+//- The defects of the wall, reported; empty if there are none
+static string checkWall
+(
+    const wallSurface& wall,
+    const bool mayBeOpen,
+    const wallReading& reading,
+    stageLog& log
+)
+{
+    log.begin("wallDefects");
+    const List<wallDefect> found(findWallDefects(wall, mayBeOpen));
+    log.end(found.empty() ? "none" : name(found.size()) + " kinds");
+
+    string defects(describe(found));
+
+    if (found.size() && reading.nearPoints)
+    {
+        defects += "\n" + name(reading.nearPoints) + " points are nearer than "
+          + name(wallReading::nearTolerance) + " of the diagonal to others:"
+          + " surface.mergeTolerance makes such points one.";
+    }
+
+    return defects;
+}
+
+
+//- The wall of a surface without defects, reported if it ends on side patches
+static wallSurface takeWall
+(
+    const wallSurface& surface,
+    const prismLayerControls& controls,
+    wallReading& reading,
+    stageLog& log
+)
+{
+    const label flipped = reading.flippedFaces;
+    wallSurface wall
+    (
+        endWall(surface, controls.surface, controls.layers, reading)
+    );
+
+    if (wall.border.sides.size())
+    {
+        log.begin("sidePatches");
+        log.end(sizesOf(wall) + " of the wall");
+
+        Info<< "    ends on";
+        for (const word& name : sidePatchNames(wall.border))
+        {
+            Info<< ' ' << name;
+        }
+        Info<< ", " << wall.border.edges.size() << " edges" << nl
+            << "    points put on their planes " << reading.pointsPutOnSides
+            << ", by " << reading.largestMove << " m at most"
+            << ", faces turned to the fluid "
+            << reading.flippedFaces - flipped << endl;
+
+        const List<wallDefect> defects(findWallDefects(wall, true));
+        if (defects.size())
+        {
+            FatalErrorInFunction
+                << "With its border on the side patches the wall has defects"
+                << nl << describe(defects).c_str() << exit(FatalError);
+        }
+    }
+
+    return wall;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void endCheck(const string& defects)
+{
+    Info<< nl << (defects.empty() ? "Surface OK." : defects.c_str()) << nl
+        << nl << "End" << nl << endl;
+
+    // What main returns is lost: the destructor of args exits with 0
+    UPstream::exit(defects.empty() ? 0 : 1);
+}
+
+
+wallSurface readWall
+(
+    const fileNameList& surfaceFiles,
+    const bool checkOnly,
+    prismLayerControls& controls,
+    stageLog& log
+)
+{
+    wallReading reading;
+    const wallSurface surface
+    (
+        readSurface(surfaceFiles, controls.surface, reading, log)
+    );
+    controls.surface.sidePlanes = withBoxSides
+    (
+        surface, controls.surface.sidePlanes, controls.farField.boundary
+    );
+    const bool mayBeOpen = controls.surface.sidePlanes.size();
+    const string defects(checkWall(surface, mayBeOpen, reading, log));
+
+    if (defects.size() && checkOnly)
+    {
+        endCheck(defects);
+    }
+    else if (defects.size())
+    {
+        FatalErrorInFunction
+            << "The surface " << flatOutput(controls.surface.files)
+            << " cannot be meshed." << nl << defects.c_str()
+            << exit(FatalError);
+    }
+
+    return takeWall(surface, controls, reading, log);
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

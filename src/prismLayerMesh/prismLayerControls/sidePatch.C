@@ -1,0 +1,111 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "sidePatch.H"
+#include "DynamicList.H"
+#include "EdgeMap.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- The move of x onto a plane that leaves it on those before, whose directions
+//  are orthonormal; the direction of the move is added to them
+static point movedOnto
+(
+    const sidePatch& side,
+    const point& x,
+    DynamicList<vector>& directions
+)
+{
+    vector e(side.normal);
+    for (const vector& d : directions)
+    {
+        e -= (e & d)*d;
+    }
+
+    // The same plane once more
+    if (magSqr(e) < 1e-12)
+    {
+        return x;
+    }
+
+    e.normalise();
+    directions.append(e);
+
+    return x - side.distance(x)/(side.normal & e)*e;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Map<labelPair> wallBorder::pointSides() const
+{
+    Map<labelPair> sides(2*edges.size());
+
+    forAll(edges, i)
+    {
+        sides(edges[i].start(), labelPair(-1, -1)).first() = edgeSides[i];
+        sides(edges[i].end(), labelPair(-1, -1)).second() = edgeSides[i];
+    }
+
+    return sides;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+edgeList outline(const faceList& faces)
+{
+    EdgeMap<label> nFaces;
+    for (const face& f : faces)
+    {
+        for (const edge& e : f.edges())
+        {
+            ++nFaces(e, 0);
+        }
+    }
+
+    DynamicList<edge> edges;
+    for (const face& f : faces)
+    {
+        forAll(f, k)
+        {
+            if (nFaces[f.faceEdge(k)] == 1)
+            {
+                edges.append(f.faceEdge(k));
+            }
+        }
+    }
+
+    return edgeList(std::move(edges));
+}
+
+
+point onAll
+(
+    const UList<sidePatch>& sides,
+    const labelUList& some,
+    point x
+)
+{
+    // The second time takes away the rounding of the first
+    for (label pass = 0; pass < 2; ++pass)
+    {
+        DynamicList<vector> directions;
+
+        for (const label s : some)
+        {
+            x = movedOnto(sides[s], x, directions);
+        }
+    }
+
+    return x;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
