@@ -117,7 +117,7 @@ static void setOffsets
         {
             columns.offsets[c*n + i] = columnOffset
             (
-                front.visibility, c, smoothed[c],
+                front.visibility, c, front.allowed(c, smoothed[c]),
                 columns.stretch(c, columns.heights[c*n + i])
             );
         }

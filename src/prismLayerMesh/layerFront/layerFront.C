@@ -36,6 +36,35 @@ labelList layerFront::extraColumnPoints() const
     return SubList<label>(wallPoints, wallPoints.size() - nFirst, nFirst);
 }
 
+
+void layerFront::setConstraints()
+{
+    constraints.clear();
+    if (addressing.pointSides.empty())
+    {
+        return;
+    }
+
+    constraints.setSize(wallPoints.size());
+    forAll(constraints, c)
+    {
+        const point& x = surface.points[c];
+        const labelList sides(addressing.sidesOf(c));
+        const vectorField& lines = visibility.sideLines;
+
+        if (lines.size() && mag(lines[c]) > 0)
+        {
+            constraints[c] = columnConstraint::onLine(x, lines[c]);
+        }
+        else if (sides.size())
+        {
+            const sidePatch& side = surface.border.sides[sides[0]];
+            constraints[c] =
+                columnConstraint::inPlane(side.origin, side.normal);
+        }
+    }
+}
+
 } // End namespace Foam
 
 // ************************************************************************* //

@@ -377,6 +377,8 @@ layerFront makeLayerFront
         frontBuilder(wall, addressing, visibility, narrow, front).divide();
     }
 
+    front.setConstraints();
+
     return front;
 }
 

@@ -137,6 +137,8 @@ layerEditor::layerEditor
     layers_.faces = surface.faces;
     layers_.patchIDs = SubList<label>(surface.patchIDs, front.nWallFaces);
     layers_.patchNames = surface.patchNames;
+    layers_.patchTypes = surface.patchTypes;
+    layers_.border = surface.border;
     layers_.extraColumnPoints = front.extraColumnPoints();
     layers_.points.setSize(surface.points.size()*(spacing.nLayers + 1));
 

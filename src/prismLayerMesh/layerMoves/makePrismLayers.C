@@ -18,7 +18,7 @@ madeLayers makePrismLayers
     const layerMoveControls& controls
 )
 {
-    layerEditor editor(front, spacing, columns, controls);
+    layerEditor editor(front, spacing, columns, controls, front.constraints);
     layerJudge judge
     (
         editor.layers(), front.surface, front.visibility, controls

@@ -27,7 +27,7 @@ static pointKind kindOfPoint
     bool convex = false;
     bool concave = false;
 
-    forAll(normals, i)
+    forAll(addressing.pointPoints[p], i)
     {
         const vector& before = normals[normals.rcIndex(i)];
 

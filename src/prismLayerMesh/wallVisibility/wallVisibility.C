@@ -13,6 +13,61 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
+//- Add the reflections in the side patches of a point, in order of rotation: in
+//  the one on which the last edge is, then of all in the one of the first
+static void addReflections
+(
+    const wallSurface& wall,
+    const labelUList& sides,
+    DynamicField<vector>& normals,
+    DynamicField<scalar>& angles,
+    DynamicField<vector>& others
+)
+{
+    for (label k = sides.size() - 1; k >= 0; --k)
+    {
+        const sidePatch& side = wall.border.sides[sides[k]];
+
+        for (label i = normals.size() - 1; i >= 0; --i)
+        {
+            normals.append(side.reflected(normals[i]));
+            angles.append(scalar(angles[i]));
+        }
+        for (label i = others.size() - 1; i >= 0; --i)
+        {
+            others.append(side.reflected(others[i]));
+        }
+    }
+}
+
+
+//- Set the line of a point on two side patches that are not in one plane
+static void setSideLine
+(
+    const wallSurface& wall,
+    const labelUList& sides,
+    const label p,
+    const UList<vector>& normals,
+    wallVisibility& visibility
+)
+{
+    if (sides.size() < 2)
+    {
+        return;
+    }
+
+    const vector line =
+        wall.border.sides[sides[0]].normal ^ wall.border.sides[sides[1]].normal;
+
+    if (magSqr(line) > visibilityControls::rounding)
+    {
+        visibility.sideLines.setSize(wall.points.size(), vector::zero);
+        visibility.sideLines[p] =
+            normalised((line & sum(normals)) < 0 ? -line : line);
+    }
+}
+
+
 //- Set the normals and the cone of point p
 static void setPoint
 (
@@ -51,6 +106,9 @@ static void setPoint
         others.append(polygonNormals(wall, facei, p));
     }
 
+    const labelList sides(addressing.sidesOf(p));
+    addReflections(wall, sides, normals, angles, others);
+    setSideLine(wall, sides, p, normals, visibility);
     visibility.polygonNormals[p] = others;
     visibility.cornerNormals[p] = normals;
     visibility.meanNormals[p] = sum(angles*normals)/max(sum(angles), VSMALL);
@@ -64,7 +122,16 @@ void wallVisibility::setCone(const label p)
 {
     vectorField all(cornerNormals[p]);
     all.append(polygonNormals[p]);
-    cones[p] = makeVisibilityCone(all);
+
+    if (sideLines.size() && mag(sideLines[p]) > 0)
+    {
+        const scalar cosine = min(all & sideLines[p]);
+        cones[p] = visibilityCone{sideLines[p], max(cosine, scalar(0))};
+    }
+    else
+    {
+        cones[p] = makeVisibilityCone(all);
+    }
 }
 
 

@@ -19,7 +19,22 @@ columnConstraint columnConstraint::inPlane
     columnConstraint constraint;
     constraint.kind_ = kind::inPlane;
     constraint.origin_ = origin;
-    constraint.normal_ = normal;
+    constraint.direction_ = normal;
+
+    return constraint;
+}
+
+
+columnConstraint columnConstraint::onLine
+(
+    const point& origin,
+    const vector& direction
+)
+{
+    columnConstraint constraint;
+    constraint.kind_ = kind::onLine;
+    constraint.origin_ = origin;
+    constraint.direction_ = direction;
 
     return constraint;
 }
@@ -46,15 +61,20 @@ columnConstraint columnConstraint::fixed()
 
 vector columnConstraint::allowed(const vector& direction) const
 {
-    return kind_ == kind::inPlane
-      ? direction - (direction & normal_)*normal_
+    const vector along = (direction & direction_)*direction_;
+
+    return kind_ == kind::inPlane ? direction - along
+      : kind_ == kind::onLine ? along
       : direction;
 }
 
 
 point columnConstraint::allowedPoint(const point& x) const
 {
-    return kind_ == kind::inPlane ? x - ((x - origin_) & normal_)*normal_
+    const vector along = ((x - origin_) & direction_)*direction_;
+
+    return kind_ == kind::inPlane ? x - along
+      : kind_ == kind::onLine ? origin_ + along
       : kind_ == kind::onSurface ? nearest_(x)
       : x;
 }
