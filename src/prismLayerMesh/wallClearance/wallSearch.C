@@ -106,8 +106,48 @@ wallSearch::wallSearch(const wallSurface& wall)
         12,
         10,
         3
-    )
-{}
+    ),
+    sides_(wall.border.sides),
+    parts_(sides_.size()),
+    partTrees_(sides_.size())
+{
+    forAll(sides_, s)
+    {
+        if (sides_[s].faces.size())
+        {
+            wallSurface part;
+            part.points = sides_[s].points;
+            part.faces = sides_[s].faces;
+            parts_.set(s, new triSurface(triangulated(part)));
+            partTrees_.set
+            (
+                s,
+                new indexedOctree<treeDataTriSurface>
+                (
+                    treeDataTriSurface(true, parts_[s], 0),
+                    inflated(part.points), 12, 10, 3
+                )
+            );
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool wallSearch::isNear
+(
+    const label side,
+    const point& x,
+    const scalar distance
+) const
+{
+    return mag(sides_[side].distance(x)) < distance
+     && (
+            !partTrees_.set(side)
+         || partTrees_[side].findNearest(x, sqr(distance)).hit()
+        );
+}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -148,10 +188,86 @@ pointIndexHit wallSearch::nearestOpposite
     const scalar cosine
 ) const
 {
-    return tree_.findNearest
+    pointIndexHit nearest
     (
-        x, sqr(distance), oppositeOnly{surface_, normals_, direction, cosine}
+        tree_.findNearest
+        (
+            x, sqr(distance),
+            oppositeOnly{surface_, normals_, direction, cosine}
+        )
     );
+
+    // Labels of the triangles of images follow
+    forAll(sides_, s)
+    {
+        const sidePatch& side = sides_[s];
+        const scalar least =
+            nearest.hit() ? mag(x - nearest.rawPoint()) : distance;
+
+        if (isNear(s, x, least))
+        {
+            const vector reflected(side.reflected(direction));
+            const pointIndexHit hit
+            (
+                tree_.findNearest
+                (
+                    side.reflectedPoint(x), sqr(least),
+                    oppositeOnly{surface_, normals_, reflected, cosine}
+                )
+            );
+
+            if (hit.hit())
+            {
+                nearest = pointIndexHit
+                (
+                    true, side.reflectedPoint(hit.rawPoint()),
+                    hit.index() + (s + 1)*surface_.size()
+                );
+            }
+        }
+    }
+
+    return nearest;
+}
+
+
+bool wallSearch::putOnSides
+(
+    const point& from,
+    const scalar distance,
+    point& x,
+    labelPair& sides
+) const
+{
+    sides = labelPair(-1, -1);
+    label n = 0;
+
+    forAll(sides_, s)
+    {
+        const sidePatch& side = sides_[s];
+
+        if (n < 2 && isNear(s, x, distance))
+        {
+            sides[n++] = s;
+        }
+        else if
+        (
+            side.distance(x) > 0
+         && (!partTrees_.set(s) || partTrees_[s].findLine(from, x).hit())
+        )
+        {
+            return false;
+        }
+    }
+
+    // The second time takes away what the other side patch has added
+    for (label i = 0; i < 2*n; ++i)
+    {
+        const sidePatch& side = sides_[sides[i % n]];
+        x -= side.distance(x)*side.normal;
+    }
+
+    return true;
 }
 
 
@@ -161,8 +277,14 @@ scalar wallSearch::opposition
     const vector& direction
 ) const
 {
+    const label image = triangle/surface_.size();
+    const vector seen
+    (
+        image ? sides_[image - 1].reflected(direction) : direction
+    );
     const scalar from = clearanceControls::oppositeFrom;
-    const scalar share = (from - (normals_[triangle] & direction))
+    const scalar share =
+        (from - (normals_[triangle % surface_.size()] & seen))
        /(from - clearanceControls::oppositeFully);
 
     return min(max(share, scalar(0)), scalar(1));
