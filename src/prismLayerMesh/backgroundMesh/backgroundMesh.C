@@ -5,8 +5,10 @@
 
 #include "backgroundMesh.H"
 #include "ListOps.H"
+#include "sideFacets.H"
 #include "slitEdges.H"
 #include "tetrahedralize.H"
+#include "triangleIndex.H"
 #include "wallBridges.H"
 
 #include <algorithm>
@@ -56,15 +58,25 @@ static pointField bodySeeds(const wallSurface& wall, const wallSearch& search)
 
 
 //- A box around everything, so wide that its sides do not matter
-static void addBox(const offsetEnvelope& envelope, tetDomain& domain)
+static boundBox boxAround
+(
+    const pointField& points,
+    const offsetEnvelope& envelope
+)
 {
-    boundBox box(domain.points);
+    boundBox box(points);
     box.inflate(domainControls::boxShare);
     const vector margin =
         point::uniform(domainControls::boxHeights*max(envelope.radius));
     box.min() -= margin;
     box.max() += margin;
 
+    return box;
+}
+
+
+static void addBox(const boundBox& box, tetDomain& domain)
+{
     const label first = domain.points.size();
     domain.points.append(box.points());
 
@@ -108,6 +120,70 @@ static void fillGaps(const tetCellList& tets, scalarField& gaps)
             }
         }
     }
+}
+
+
+//- The tetrahedra that are joined to the wall's front by faces that are not on
+//  the wall; the triangles of the wall are seen from there
+static tetCellList frontOf
+(
+    const pointField& points,
+    const tetCellList& tets,
+    const faceList& triangles
+)
+{
+    const triangleIndex onWall(makeTriangleIndex(triangles));
+    const List<FixedList<label, 4>> neighbours(tetNeighbours(tets));
+    boolList isFront(tets.size(), false);
+    DynamicList<label> found;
+
+    const auto triangleAt = [&](const label t, const label i)
+    {
+        return onWall.lookup
+        (
+            triFace
+            (
+                tets[t][(i + 1) % 4], tets[t][(i + 2) % 4], tets[t][(i + 3) % 4]
+            ),
+            -1
+        );
+    };
+    const auto visit = [&](const label t)
+    {
+        if (t >= 0 && !isFront[t])
+        {
+            isFront[t] = true;
+            found.append(t);
+        }
+    };
+
+    forAll(tets, t)
+    {
+        for (label i = 0; i < 4; ++i)
+        {
+            const label triangle = triangleAt(t, i);
+
+            if (triangle >= 0)
+            {
+                const face& f = triangles[triangle];
+                const vector up(points[tets[t][i]] - points[f[0]]);
+                visit((f.areaNormal(points) & up) > 0 ? t : -1);
+            }
+        }
+    }
+
+    for (label k = 0; k < found.size(); ++k)
+    {
+        for (label i = 0; i < 4; ++i)
+        {
+            if (triangleAt(found[k], i) < 0)
+            {
+                visit(neighbours[found[k]][i]);
+            }
+        }
+    }
+
+    return tetCellList(UIndirectList<tetCell>(tets, found));
 }
 
 
@@ -185,6 +261,16 @@ static void setEdges(backgroundMesh& mesh)
 }
 
 
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+scalar backgroundMesh::gap(const simplex& s) const
+{
+    const scalar least = min(gaps[s[1]], gaps[s[2]]);
+
+    return s[0] >= 0 ? min(least, gaps[s[0]]) : least;
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 List<FixedList<label, 4>> tetNeighbours(const tetCellList& tets)
@@ -221,6 +307,22 @@ List<FixedList<label, 4>> tetNeighbours(const tetCellList& tets)
 }
 
 
+void splitAt
+(
+    const simplexSet& simplices,
+    const UList<point>& points,
+    const UList<scalar>& gaps,
+    const UList<bool>& free,
+    backgroundMesh& mesh
+)
+{
+    splitTets(simplices, mesh.points.size(), mesh.tets);
+    mesh.points.append(points);
+    mesh.gaps.append(gaps);
+    mesh.free.append(free);
+}
+
+
 void setAddressing(backgroundMesh& mesh)
 {
     setEdges(mesh);
@@ -241,26 +343,41 @@ backgroundMesh makeBackgroundMesh
     domain.facets = wallTriangles(wall, triangleFace);
     domain.points = wall.points;
     domain.points.append(envelope.points);
-    domain.holes = bodySeeds(wall, search);
     const faceList triangles(domain.facets);
+    const boundBox box(boxAround(domain.points, envelope));
+    const bool isOpen = wall.border.sides.size();
+    labelList onSides;
 
-    if (enclosedVolume(wall) > 0)
+    if (isOpen)
     {
-        addBox(envelope, domain);
+        onSides = addSideFacets(wall, envelope, box, domain);
+    }
+    else
+    {
+        domain.holes = bodySeeds(wall, search);
+        if (enclosedVolume(wall) > 0)
+        {
+            addBox(box, domain);
+        }
     }
 
     tetMesh filled(tetrahedralize(domain));
+    if (isOpen)
+    {
+        filled.tets = frontOf(filled.points, filled.tets, triangles);
+    }
 
     backgroundMesh mesh;
     mesh.nWallPoints = wall.points.size();
     mesh.points.transfer(filled.points);
     setPointData(envelope, domain.points.size(), mesh);
+    UIndirectList<bool>(mesh.free, onSides) = true;
 
     mesh.tets = subsetList(filled.tets, [&](const tetCell& tet)
     {
         return std::any_of(tet.begin(), tet.end(), [&](const label p)
         {
-            return mesh.onWall(p) || mesh.free[p];
+            return mesh.inside(p);
         });
     });
 

@@ -71,6 +71,25 @@ static label crossedEdges
 }
 
 
+//- Whether the level set crosses the face of a tetrahedron opposite to point i
+static bool isCrossed
+(
+    const tetCell& tet,
+    const label i,
+    const scalarField& field,
+    const scalar level
+)
+{
+    label nAbove = 0;
+    for (label k = 1; k < 4; ++k)
+    {
+        nAbove += field[tet[(i + k) % 4]] > level;
+    }
+
+    return nAbove == 1 || nAbove == 2;
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 surfaceTopology wallTopology
@@ -116,6 +135,13 @@ surfaceTopology levelSetTopology
         nPolygons += n > 0;
         nSides += n;
 
+        // On the boundary of the mesh a side is of one polygon
+        for (label i = 0; n && i < 4; ++i)
+        {
+            nSides += mesh.neighbours[t][i] < 0
+                && isCrossed(mesh.tets[t], i, field, level);
+        }
+
         for (label i = 0; i < n; ++i)
         {
             const label e = mesh.tetEdges[t][crossed[i]];
@@ -133,7 +159,7 @@ surfaceTopology levelSetTopology
         topology.nComponents += crossedEdge[e] && components.find(e) == e;
     }
 
-    // Each side of a polygon is shared by two
+    // Each side of a polygon is counted twice
     topology.eulerCharacteristic = nPoints - nSides/2 + nPolygons;
 
     return topology;

@@ -4,120 +4,87 @@
 \*---------------------------------------------------------------------------*/
 
 #include "slitEdges.H"
-#include "splitTets.H"
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-namespace
+//- The edges inside of the envelope whose ends are nearest to faces that are
+//  opposite to each other. The feet of these ends are in feet on return.
+static simplexSet oppositeEdges
+(
+    const wallSearch& search,
+    const backgroundMesh& mesh,
+    Map<wallSearch::foot>& feet
+)
 {
-
-//- Finds the points that split edges
-class slitCrossings
-{
-    const wallSearch& search_;
-    const backgroundMesh& mesh_;
-
-    //- The projections on the wall, made where they are needed
-    mutable Map<wallSearch::foot> feet_;
-
-    const wallSearch::foot& footOf(const label p) const
+    const auto normal = [&](const label p)
     {
-        if (!feet_.found(p))
+        if (!feet.found(p))
         {
-            feet_.insert(p, search_.footOf(mesh_.points[p]));
+            feet.insert(p, search.footOf(mesh.points[p]));
         }
 
-        return feet_[p];
-    }
-
-    bool inside(const label p) const
-    {
-        return mesh_.onWall(p) || mesh_.free[p];
-    }
-
-public:
-
-    slitCrossings(const wallSearch& search, const backgroundMesh& mesh)
-    :
-        search_(search),
-        mesh_(mesh)
-    {}
-
-    scalar gap(const label a, const label b) const
-    {
-        return min(mesh_.gaps[a], mesh_.gaps[b]);
-    }
-
-    //- Whether the edge from a to b crosses a slit; if so, where
-    bool crosses(const label a, const label b, point& x) const
-    {
-        const vector ab = mesh_.points[b] - mesh_.points[a];
-
-        // From side to side it is two gaps, less what both are away from them
-        if (!inside(a) || !inside(b) || mag(ab) < 0.5*gap(a, b))
-        {
-            return false;
-        }
-
-        const wallSearch::foot& footA = footOf(a);
-        const wallSearch::foot& footB = footOf(b);
-
-        if ((footA.normal & footB.normal) > clearanceControls::oppositeFrom)
-        {
-            return false;
-        }
-
-        // Distances to both sides change linearly, and are equal in the middle
-        const scalar least = domainControls::leastPart*gap(a, b);
-        const scalar fromA = max(gap(a, b) - footA.distance, least);
-        const scalar fromB = max(gap(a, b) - footB.distance, least);
-        x = mesh_.points[a] + fromA/(fromA + fromB)*ab;
-
-        return !search_.nearer(x, domainControls::bridgeShare*gap(a, b));
-    }
-};
-
-} // End anonymous namespace
-
-
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
-label splitSlitEdges(const wallSearch& search, backgroundMesh& mesh)
-{
-    const slitCrossings crossings(search, mesh);
+        return feet[p].normal;
+    };
     simplexSet edges;
-    point x;
 
     for (const tetCell& tet : mesh.tets)
     {
         for (label i = 0; i < 6; ++i)
         {
             const edge e(tet.tetEdge(i));
+            const label a = e[0], b = e[1];
 
-            if (crossings.crosses(min(e[0], e[1]), max(e[0], e[1]), x))
+            // From side to side it is two gaps, less what both ends are away
+            if
+            (
+                mesh.inside(a) && mesh.inside(b)
+             && e.mag(mesh.points) >= 0.5*min(mesh.gaps[a], mesh.gaps[b])
+             && (normal(a) & normal(b)) <= clearanceControls::oppositeFrom
+            )
             {
-                edges.append(sortedSimplex(-1, e[0], e[1]));
+                edges.append(sortedSimplex(-1, a, b));
             }
         }
     }
     edges.sort();
 
+    return edges;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+label splitSlitEdges(const wallSearch& search, backgroundMesh& mesh)
+{
+    Map<wallSearch::foot> feet;
+    const simplexSet candidates(oppositeEdges(search, mesh, feet));
+    simplexSet edges;
     DynamicList<point> points;
     DynamicList<scalar> gaps;
-    for (const simplex& s : edges.simplices())
-    {
-        crossings.crosses(s[1], s[2], x);
-        points.append(x);
-        gaps.append(crossings.gap(s[1], s[2]));
-    }
 
-    splitTets(edges, mesh.points.size(), mesh.tets);
-    mesh.points.append(points);
-    mesh.gaps.append(gaps);
-    mesh.free.append(boolList(points.size(), false));
+    for (const simplex& s : candidates.simplices())
+    {
+        // Distances to both sides change linearly, and are equal in the middle
+        const scalar gap = mesh.gap(s);
+        const scalar least = domainControls::leastPart*gap;
+        const scalar fromA = max(gap - feet[s[1]].distance, least);
+        const scalar fromB = max(gap - feet[s[2]].distance, least);
+        const vector ab = mesh.points[s[2]] - mesh.points[s[1]];
+        const point x = mesh.points[s[1]] + fromA/(fromA + fromB)*ab;
+
+        if (!search.nearer(x, domainControls::bridgeShare*gap))
+        {
+            edges.append(s);
+            points.append(x);
+            gaps.append(gap);
+        }
+    }
+    edges.sort();
+
+    splitAt(edges, points, gaps, boolList(points.size(), false), mesh);
 
     return points.size();
 }

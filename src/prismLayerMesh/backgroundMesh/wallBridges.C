@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallBridges.H"
-#include "splitTets.H"
 
 namespace Foam
 {
@@ -116,24 +115,13 @@ label splitWallBridges
 )
 {
     const simplexSet bridges(findBridges(wallTriangles, mesh));
-    const label firstNewPoint = mesh.points.size();
-
     DynamicList<point> points;
     DynamicList<scalar> gaps;
     DynamicList<bool> free;
 
     for (const simplex& s : bridges.simplices())
     {
-        scalar gap = GREAT;
-
-        for (const label p : s)
-        {
-            if (p >= 0)
-            {
-                gap = min(gap, mesh.gaps[p]);
-            }
-        }
-
+        const scalar gap = mesh.gap(s);
         points.append(centreOf(s, mesh.points));
         gaps.append(gap);
         free.append
@@ -144,12 +132,9 @@ label splitWallBridges
         );
     }
 
-    splitTets(bridges, firstNewPoint, mesh.tets);
-    mesh.points.append(points);
-    mesh.gaps.append(gaps);
-    mesh.free.append(free);
+    splitAt(bridges, points, gaps, free, mesh);
 
-    return bridges.simplices().size();
+    return points.size();
 }
 
 } // End namespace Foam

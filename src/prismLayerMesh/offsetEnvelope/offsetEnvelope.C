@@ -210,14 +210,25 @@ struct sheetMaker
             share < 1 ? d : min(d, sheetControls::slitSpacing);
         DynamicField<point> points;
         DynamicField<scalar> spacings, gaps;
+        DynamicList<labelPair> sides;
 
         for (const stem& s : stems)
         {
             const scalar height = share*s.radius;
-            const point x = wall.points[s.p] + height*s.offset;
+            point x = wall.points[s.p] + height*s.offset;
+            labelPair side;
 
-            if (onSheet(s) && !search.nearer(x, sheetControls::ownShare*height))
+            if
+            (
+                onSheet(s)
+             && search.putOnSides
+                (
+                    wall.points[s.p], sheetControls::sideShare*height, x, side
+                )
+             && !search.nearer(x, sheetControls::ownShare*height)
+            )
             {
+                sides.append(side);
                 points.append(x);
                 spacings.append(height*(limited(s.p, s.radius) ? inSlits : d));
                 gaps.append(s.radius);
@@ -227,6 +238,11 @@ struct sheetMaker
         const labelList kept(sparsePoints(points, spacings));
         envelope.points.append(pointField(points, kept));
         envelope.gaps.append(scalarField(gaps, kept));
+
+        if (wall.border.sides.size())
+        {
+            envelope.sides.append(UIndirectList<labelPair>(sides, kept));
+        }
     }
 };
 
