@@ -63,8 +63,9 @@ scalarField changesOverEdges
 
     forAll(changes, edgei)
     {
-        const scalar a = ofFaces[addressing.edgeFaces[edgei].first()];
-        const scalar b = ofFaces[addressing.edgeFaces[edgei].second()];
+        const labelPair& faces = addressing.edgeFaces[edgei];
+        const scalar a = ofFaces[faces.first()];
+        const scalar b = faces.second() < 0 ? a : ofFaces[faces.second()];
 
         changes[edgei] = max(a, b)/max(min(a, b), VSMALL);
     }

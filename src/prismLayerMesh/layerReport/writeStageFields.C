@@ -141,7 +141,10 @@ static scalarField largestOfFaces
     {
         for (const label facei : addressing.edgeFaces[edgei])
         {
-            largest[facei] = max(largest[facei], ofEdges[edgei]);
+            if (facei >= 0)
+            {
+                largest[facei] = max(largest[facei], ofEdges[edgei]);
+            }
         }
     }
 

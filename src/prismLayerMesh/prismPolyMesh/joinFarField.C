@@ -162,6 +162,22 @@ static void addTetFaces
 }
 
 
+static void addPatchFaces
+(
+    const polyMeshTopology& prisms,
+    const label patchi,
+    polyMeshTopology& mesh
+)
+{
+    const label start = prisms.patchStarts[patchi];
+
+    for (label i = start; i < start + prisms.patchSizes[patchi]; ++i)
+    {
+        mesh.append(face(prisms.faces[i]), prisms.owner[i]);
+    }
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 polyMeshTopology joinFarField
@@ -184,13 +200,8 @@ polyMeshTopology joinFarField
 
     forAll(layers.patchNames, patchi)
     {
-        const label start = prisms.patchStarts[patchi];
         mesh.startPatch();
-
-        for (label i = start; i < start + prisms.patchSizes[patchi]; ++i)
-        {
-            mesh.append(face(prisms.faces[i]), prisms.owner[i]);
-        }
+        addPatchFaces(prisms, patchi, mesh);
     }
 
     // Seen from inside, the normals of the boundary's triangles point at us
@@ -199,11 +210,21 @@ polyMeshTopology joinFarField
         invertOneToMany(far.patchNames.size(), far.patchIDs)
     );
 
-    for (const labelList& triangles : farFaces)
+    const wordList sideNames(sidePatchNames(layers.border));
+
+    forAll(farFaces, patchi)
     {
         mesh.startPatch();
 
-        for (const label i : triangles)
+        // After those of the wall and the outer surface
+        const label side = sideNames.find(far.patchNames[patchi]);
+        if (side >= 0)
+        {
+            const label sidei = layers.patchNames.size() + 1 + side;
+            addPatchFaces(prisms, sidei, mesh);
+        }
+
+        for (const label i : farFaces[patchi])
         {
             mesh.append
             (

@@ -50,6 +50,20 @@ static void addPatches
 }
 
 
+static const word& typeOfSide(const wallBorder& border, const word& name)
+{
+    for (const sidePatch& side : border.sides)
+    {
+        if (side.name == name)
+        {
+            return side.type;
+        }
+    }
+
+    return word::null;
+}
+
+
 //- The points of the mesh, which leaves nothing of layers and far field
 static pointField takePoints(prismLayers& layers, farFieldMesh& far)
 {
@@ -132,6 +146,7 @@ autoPtr<polyMesh> makePrismPolyMesh
     polyMeshTopology topology(makePrismTopology(layers));
     wordList names(prismPatchNames(layers.patchNames));
     wordList types(names.size(), word("wall"));
+    SubList<word>(types, layers.patchTypes.size()) = layers.patchTypes;
 
     if (hasFarField)
     {
@@ -144,7 +159,19 @@ autoPtr<polyMesh> makePrismPolyMesh
         types.append(far.patchTypes);
     }
 
-    names.append(wordList({layerOuterName, layerSidesName}));
+    else
+    {
+        names.append(layerOuterName);
+        types.append("patch");
+
+        for (const word& name : sidePatchNames(layers.border))
+        {
+            names.append(name);
+            types.append(typeOfSide(layers.border, name));
+        }
+    }
+
+    names.append(layerSidesName);
     names.setSize(topology.patchStarts.size());
     types.setSize(names.size(), word("patch"));
 

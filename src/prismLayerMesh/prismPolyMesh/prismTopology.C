@@ -3,8 +3,8 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-
 #include "prismPolyMesh.H"
+#include "EdgeMap.H"
 #include "ListOps.H"
 
 #include <algorithm>
@@ -187,28 +187,63 @@ static void addOuterFaces(const prismLayers& layers, polyMeshTopology& mesh)
 }
 
 
+//- Edges of front faces with nothing beyond, as face and index, by the patch of
+//  sidePatchNames that they are on; those on none come last
+static List<DynamicList<labelPair>> openEdges
+(
+    const prismLayers& layers,
+    const labelListList& columnFaces
+)
+{
+    const wordList names(sidePatchNames(layers.border));
+    EdgeMap<label> patchOf(2*layers.border.edges.size());
+    forAll(layers.border.edges, i)
+    {
+        const sidePatch& side =
+            layers.border.sides[layers.border.edgeSides[i]];
+        patchOf.insert(layers.border.edges[i], names.find(side.name));
+    }
+
+    List<DynamicList<labelPair>> edges(names.size() + 1);
+
+    forAll(layers.faces, facei)
+    {
+        const face& f = layers.faces[facei];
+
+        forAll(f, k)
+        {
+            if (faceBeyond(layers, columnFaces, facei, k) < 0)
+            {
+                edges[patchOf.lookup(f.faceEdge(k), names.size())].append
+                (
+                    labelPair(facei, k)
+                );
+            }
+        }
+    }
+
+    return edges;
+}
+
+
 static void addOpenSides
 (
     const prismLayers& layers,
-    const labelListList& columnFaces,
+    const UList<labelPair>& edges,
     polyMeshTopology& mesh
 )
 {
     mesh.startPatch();
 
-    forAll(layers.faces, facei)
+    for (const labelPair& e : edges)
     {
-        forAll(layers.faces[facei], k)
+        for (label i = 1; i <= layers.nLayers; ++i)
         {
-            const bool open = faceBeyond(layers, columnFaces, facei, k) < 0;
-
-            for (label i = 1; open && i <= layers.nLayers; ++i)
-            {
-                mesh.append
-                (
-                    sideFace(layers, facei, k, i), cellLabel(layers, facei, i)
-                );
-            }
+            mesh.append
+            (
+                sideFace(layers, e.first(), e.second(), i),
+                cellLabel(layers, e.first(), i)
+            );
         }
     }
 }
@@ -254,20 +289,36 @@ void polyMeshTopology::startPatch()
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
+wordList sidePatchNames(const wallBorder& border)
+{
+    DynamicList<word> names;
+    for (const sidePatch& side : border.sides)
+    {
+        if (!names.found(side.name))
+        {
+            names.append(side.name);
+        }
+    }
+
+    return wordList(std::move(names));
+}
+
+
 polyMeshTopology makePrismTopology(const prismLayers& layers)
 {
     const labelListList columnFaces
     (
         invertManyToMany<face, labelList>(layers.nColumns(), layers.faces)
     );
+    const List<DynamicList<labelPair>> open(openEdges(layers, columnFaces));
     label nEdges = 0, nOpen = 0;
-    forAll(layers.faces, facei)
+    for (const face& f : layers.faces)
     {
-        forAll(layers.faces[facei], k)
-        {
-            ++nEdges;
-            nOpen += faceBeyond(layers, columnFaces, facei, k) < 0;
-        }
+        nEdges += f.size();
+    }
+    for (const DynamicList<labelPair>& edges : open)
+    {
+        nOpen += edges.size();
     }
 
     const label n = layers.nLayers;
@@ -280,9 +331,12 @@ polyMeshTopology makePrismTopology(const prismLayers& layers)
     addWallFaces(layers, mesh);
     addOuterFaces(layers, mesh);
 
-    if (nOpen)
+    forAll(open, patchi)
     {
-        addOpenSides(layers, columnFaces, mesh);
+        if (patchi < open.size() - 1 || open[patchi].size())
+        {
+            addOpenSides(layers, open[patchi], mesh);
+        }
     }
 
     return mesh;

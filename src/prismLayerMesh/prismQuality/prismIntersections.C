@@ -6,6 +6,7 @@
 #include "nestedBodies.H"
 #include "labelledTriangle.H"
 #include "prismQuality.H"
+#include "sideCrossings.H"
 
 namespace Foam
 {
@@ -66,7 +67,13 @@ List<labelPair> findOverlaps
     const labelUList& outerFaces
 )
 {
-    const List<labelPair> pairs(findIntersections(layers, outerFaces));
+    List<labelPair> pairs(findIntersections(layers, outerFaces));
+
+    for (const label facei : findSideCrossings(layers, outerFaces))
+    {
+        const label outer = layers.faces.size() + facei;
+        pairs.append(labelPair(outer, outer));
+    }
 
     return pairs.empty() ? findNestedBodies(layers) : pairs;
 }

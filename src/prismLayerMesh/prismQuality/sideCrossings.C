@@ -1,0 +1,229 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "sideCrossings.H"
+#include "boundBox.H"
+#include "labelledTriangle.H"
+
+#include <algorithm>
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Triangles without those that are degenerate
+static std::vector<labelledTriangle> withArea
+(
+    const faceList& triangles,
+    const pointField& points,
+    const labelList& faces
+)
+{
+    std::vector<labelledTriangle> all
+    (
+        labelledTriangles(triangles, points, faces)
+    );
+    all.erase
+    (
+        std::remove_if
+        (
+            all.begin(), all.end(),
+            [](const labelledTriangle& t) { return t.degenerate(); }
+        ),
+        all.end()
+    );
+
+    return all;
+}
+
+
+namespace
+{
+
+//- A side patch and the columns that stand on it
+struct sideColumns
+{
+    const prismLayers& layers;
+    const sidePatch& side;
+    labelHashSet columns;
+
+    sideColumns(const prismLayers& l, const label s)
+    :
+        layers(l),
+        side(l.border.sides[s])
+    {
+        forAll(layers.border.edges, i)
+        {
+            if (layers.border.edgeSides[i] == s)
+            {
+                columns.insert(layers.border.edges[i]);
+            }
+        }
+    }
+
+
+    bool touches(const face& f) const
+    {
+        return std::any_of
+        (
+            f.begin(), f.end(),
+            [&](const label c) { return columns.found(c); }
+        );
+    }
+
+
+    //- Whether a stack has points that are not in front of the plane, but for
+    //  the columns in it
+    bool isBeyond(const face& f) const
+    {
+        for (const label c : f)
+        {
+            if (columns.found(c))
+            {
+                continue;
+            }
+
+            for (label i = 0; i <= layers.nLayers; ++i)
+            {
+                if (side.distance(layers(c, i)) >= 0)
+                {
+                    return true;
+                }
+            }
+        }
+
+        return false;
+    }
+
+
+    //- The outer triangles of the faces of a list that are near to the part of
+    //  the plane and do not touch it
+    void takeOuter
+    (
+        const labelUList& faces,
+        faceList& triangles,
+        labelList& triangleFaces
+    ) const
+    {
+        const boundBox bounds(side.points, false);
+
+        for (const label facei : faces)
+        {
+            const face& f = layers.faces[facei];
+            boundBox box(boundBox::invertedBox);
+            for (const label c : f)
+            {
+                box.add(layers(c, layers.nLayers));
+            }
+
+            for
+            (
+                label k = 1;
+                k + 1 < f.size() && bounds.overlaps(box) && !touches(f);
+                ++k
+            )
+            {
+                triangles.append(face({f[0], f[k], f[k + 1]}));
+                triangleFaces.append(facei);
+            }
+        }
+    }
+
+
+    //- Add the faces of a list whose outer faces intersect the part of the
+    //  plane, but for those that touch it
+    void addIntersecting(const labelUList& faces, labelHashSet& crossing) const;
+};
+
+
+void sideColumns::addIntersecting
+(
+    const labelUList& faces,
+    labelHashSet& crossing
+) const
+{
+    faceList outer;
+    labelList outerFaces;
+    takeOuter(faces, outer, outerFaces);
+
+    if (outer.empty())
+    {
+        return;
+    }
+
+    // One set of points: the outer ones, then those of the side patch
+    pointField points(layers.outerPoints());
+    const label nOuter = points.size();
+    points.append(side.points);
+    faceList triangles;
+    for (const face& f : side.faces)
+    {
+        for (label k = 1; k + 1 < f.size(); ++k)
+        {
+            triangles.append
+            (
+                face({f[0] + nOuter, f[k] + nOuter, f[k + 1] + nOuter})
+            );
+        }
+    }
+
+    DynamicList<labelPair> pairs;
+    addIntersections
+    (
+        withArea(outer, points, outerFaces),
+        withArea(triangles, points, labelList(triangles.size(), labelMax)),
+        pairs
+    );
+
+    for (const labelPair& pair : pairs)
+    {
+        if (pair.second() == labelMax)
+        {
+            crossing.insert(pair.first());
+        }
+    }
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+labelList findSideCrossings
+(
+    const prismLayers& layers,
+    const labelUList& faces
+)
+{
+    labelHashSet crossing;
+
+    forAll(layers.border.sides, s)
+    {
+        const sideColumns columns(layers, s);
+        const bool isPart = columns.side.faces.size();
+
+        for (const label facei : faces)
+        {
+            const face& f = layers.faces[facei];
+
+            if ((!isPart || columns.touches(f)) && columns.isBeyond(f))
+            {
+                crossing.insert(facei);
+            }
+        }
+
+        if (isPart)
+        {
+            columns.addIntersecting(faces, crossing);
+        }
+    }
+
+    return crossing.sortedToc();
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
