@@ -5,53 +5,54 @@
 
 #include "farBoundary.H"
 #include "labelledTriangle.H"
+#include "refineSurface.H"
 #include "wallSearch.H"
 
 namespace Foam
 {
 
-void checkFarBoundary(const wallSurface& outer, const wallSurface& far)
+void checkFarBoundary(const wallSurface& both, const label nOuter)
 {
-    const label n = outer.faces.size();
-    std::vector<labelledTriangle> farTriangles
-    (
-        labelledTriangles(far.faces, far.points, identity(far.faces.size(), n))
-    );
-
-    for (labelledTriangle& t : farTriangles)
+    const label nFar = both.faces.size() - nOuter;
+    const auto triangles = [&](const label start, const label n)
     {
-        for (label& p : t.labels)
-        {
-            p += outer.points.size();
-        }
-    }
+        return labelledTriangles
+        (
+            SubList<face>(both.faces, n, start), both.points,
+            identity(n, start)
+        );
+    };
 
     DynamicList<labelPair> pairs;
-    addIntersections
-    (
-        farTriangles,
-        labelledTriangles(outer.faces, outer.points, identity(n)),
-        pairs
-    );
+    addIntersections(triangles(nOuter, nFar), triangles(0, nOuter), pairs);
 
     if (pairs.size())
     {
-        const face& f = far.faces[pairs[0].second() - n];
+        const face& f = both.faces[pairs[0].second()];
 
         FatalErrorInFunction
             << "The far boundary cuts "
-            << (pairs[0].first() < n ? "the layers" : "itself") << " at "
+            << (pairs[0].first() < nOuter ? "the layers" : "itself") << " at "
             << pairs.size() << " places, first at "
-            << f.centre(far.points) << nl
+            << f.centre(both.points) << nl
             << "Move it away from the wall, or make the layers thinner"
             << exit(FatalError);
     }
 
+    wallSurface far(both);
+    far.faces = SubList<face>(both.faces, nFar, nOuter);
+    if (openEdges(far).size())
+    {
+        return;
+    }
+
+    wallSurface outer(both);
+    outer.faces.setSize(nOuter);
     const wallSearch search(far);
 
     for (const label facei : largestFaces(outer))
     {
-        const point& x = outer.points[outer.faces[facei][0]];
+        const point x(both.faces[facei].centre(both.points));
 
         if (!search.inFront(x))
         {

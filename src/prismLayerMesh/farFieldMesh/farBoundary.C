@@ -167,12 +167,13 @@ static wallSurface readSurface
 )
 {
     wallSurfaceControls asWall;
-    asWall.file = controls.file;
+    asWall.files = fileNameList(1, controls.file);
     asWall.fluidOutside = false;
     asWall.scale = controls.scale;
 
     wallReading reading;
-    wallSurface surface(readWallSurface(file(controls.file), asWall, reading));
+    const fileNameList files(1, file(controls.file));
+    wallSurface surface(readWallSurface(files, asWall, reading));
     const List<wallDefect> defects(findWallDefects(surface));
 
     if (defects.size())
@@ -233,6 +234,7 @@ static void setPatches(const List<farPatch>& wanted, farBoundary& boundary)
     }
 
     inplaceRenumber(patchOf, boundary.surface.patchIDs);
+    boundary.boxPatches.transfer(patchOf);
     boundary.surface.patchNames.transfer(names);
     boundary.patchTypes.transfer(types);
 }
@@ -269,6 +271,10 @@ farBoundary makeFarBoundary
     }
 
     setPatches(controls.patches, boundary);
+    if (controls.type != "box")
+    {
+        boundary.boxPatches.clear();
+    }
 
     return boundary;
 }

@@ -109,10 +109,16 @@ static bool flipOnce(wallSurface& surface, const bool inPlane)
 }
 
 
-//- Whether the triangles of each point are of one patch, and in a plane
+//- Whether the triangles of each point are of one patch, and in a plane, and
+//  all around it
 static boolList findFree(const wallSurface& surface, const bool inPlane)
 {
     boolList isFree(surface.points.size(), true);
+    for (const edge& e : openEdges(surface))
+    {
+        isFree[e.start()] = isFree[e.end()] = false;
+    }
+
     labelList first(surface.points.size(), -1);
     const vectorField normals(surface.faceNormals());
 
@@ -207,6 +213,25 @@ static void smoothOnce
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+edgeHashSet openEdges(const wallSurface& surface)
+{
+    edgeHashSet open;
+    for (const face& f : surface.faces)
+    {
+        for (const edge& e : f.edges())
+        {
+            // The second face closes it
+            if (!open.insert(e))
+            {
+                open.erase(e);
+            }
+        }
+    }
+
+    return open;
+}
+
 
 void flipEdges(wallSurface& surface, const bool inPlane)
 {

@@ -10,6 +10,7 @@
 #include "limitGradient.H"
 #include "outerTriangles.H"
 #include "refineSurface.H"
+#include "sideRemainders.H"
 #include "tetrahedralize.H"
 #include "unitConversion.H"
 #include "wallSearch.H"
@@ -33,12 +34,21 @@ static wallSurface outerSurface(const prismLayers& layers, labelList& faces)
 }
 
 
-//- The points and triangles of both, those of the first before the others
-static wallSurface joined(const wallSurface& a, const wallSurface& b)
+//- The points and triangles of both, those of the first before the others. The
+//  first points of the second surface are points of the first.
+static wallSurface joined
+(
+    const wallSurface& a,
+    const wallSurface& b,
+    const labelUList& common
+)
 {
+    const label nCommon = common.size();
+    const label n = b.points.size() - nCommon;
+
     wallSurface both;
     both.points = a.points;
-    both.points.append(b.points);
+    both.points.append(SubList<point>(b.points, n, nCommon));
     both.faces = a.faces;
     both.faces.append(b.faces);
 
@@ -46,7 +56,7 @@ static wallSurface joined(const wallSurface& a, const wallSurface& b)
     {
         for (label& p : both.faces[i])
         {
-            p += a.points.size();
+            p = p < nCommon ? common[p] : p - nCommon + a.points.size();
         }
     }
 
@@ -244,16 +254,24 @@ farFieldMesh makeFarFieldMesh
         makeSizes(outer.points, sizes, box, controls, bounds)
     );
 
-    wallSurface far(boundary.surface);
+    const bool isEnded = layers.border.sides.size();
+    const endedBoundary ended
+    (
+        isEnded
+      ? makeEndedBoundary(layers, boundary)
+      : endedBoundary{boundary.surface, boundary.patchTypes, {}}
+    );
+    const label nCommon = ended.columns.size();
+    wallSurface far(ended.surface);
     refineSurface(far, std::cref(fromLayers), boundary.project);
-    sizes.append(meanEdges(far, makeWallAddressing(far)));
+    const scalarField farSizes(meanEdges(far, makeWallAddressing(far)));
+    sizes.append(SubList<scalar>(farSizes, farSizes.size() - nCommon, nCommon));
 
+    const wallSurface both(joined(outer, far, ended.columns));
     if (far.faces.size())
     {
-        checkFarBoundary(outer, far);
+        checkFarBoundary(both, outer.faces.size());
     }
-
-    const wallSurface both(joined(outer, far));
     tetMesh filled
     (
         fill
@@ -275,7 +293,7 @@ farFieldMesh makeFarFieldMesh
     );
     mesh.patchIDs = far.patchIDs;
     mesh.patchNames = far.patchNames;
-    mesh.patchTypes = boundary.patchTypes;
+    mesh.patchTypes = ended.patchTypes;
     compact(mesh);
     improve(layers, mesh);
 

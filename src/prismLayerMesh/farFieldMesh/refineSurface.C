@@ -13,8 +13,14 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- The longest edge; of equally long ones the same from both sides
-static edge longestEdge(const pointField& points, const face& f)
+//- The longest edge that is not kept; of equally long ones the same from both
+//  sides
+static edge longestEdge
+(
+    const pointField& points,
+    const edgeHashSet& kept,
+    const face& f
+)
 {
     edge longest;
     edge ends;
@@ -26,7 +32,10 @@ static edge longestEdge(const pointField& points, const face& f)
         edge sorted(e);
         sorted.sort();
 
-        if (length > most || (length == most && sorted < ends))
+        const bool longer =
+            length > most || (length == most && sorted < ends);
+
+        if (longer && !kept.found(e))
         {
             most = length;
             longest = e;
@@ -43,6 +52,7 @@ static edge longestEdge(const pointField& points, const face& f)
 static EdgeMap<label> markEdges
 (
     const wallSurface& surface,
+    const edgeHashSet& kept,
     const std::function<scalar(const point&)>& size
 )
 {
@@ -55,7 +65,8 @@ static EdgeMap<label> markEdges
         {
             if
             (
-                e.mag(points)
+                !kept.found(e)
+             && e.mag(points)
               > farFieldTuned.maxLength*size(e.centre(points))
             )
             {
@@ -76,7 +87,8 @@ static EdgeMap<label> markEdges
              || marked.found(f.faceEdge(2));
 
             more =
-                (divided && marked.insert(longestEdge(points, f), -1)) || more;
+                (divided && marked.insert(longestEdge(points, kept, f), -1))
+             || more;
         }
     }
 
@@ -136,11 +148,13 @@ void refineSurface
     const std::function<point(const point&)>& project
 )
 {
+    const edgeHashSet kept(openEdges(surface));
+
     for (bool divided = true; divided;)
     {
         flipEdges(surface, !project);
 
-        EdgeMap<label> marked(markEdges(surface, size));
+        EdgeMap<label> marked(markEdges(surface, kept, size));
         divided = marked.size();
 
         DynamicList<point> points(surface.points);

@@ -1,0 +1,146 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "layerBorder.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+scalar layerBorder::shareAt(const corner& c, const point& x) const
+{
+    const vector up(tops_[c.top] - c.root);
+    const scalar share = ((x - c.root) & up)/magSqr(up);
+    const bool onLine = mag(x - c.root - share*up) < tolerance_;
+
+    return onLine && share*mag(up) > -tolerance_
+      ? max(share, scalar(0)) : -1;
+}
+
+
+label layerBorder::columnAt(const point& x) const
+{
+    const auto found = roots_.find({{x.x(), x.y(), x.z()}});
+
+    return found == roots_.end() ? -1 : found->second;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+layerBorder::layerBorder(const prismLayers& layers, const scalar tolerance)
+:
+    tolerance_(tolerance)
+{
+    const Map<labelPair> sidesOf(layers.border.pointSides());
+    columns_ = sidesOf.sortedToc();
+    tops_.setSize(columns_.size());
+    Map<label> topOf;
+
+    forAll(columns_, i)
+    {
+        const label c = columns_[i];
+        const labelPair& sides = sidesOf[c];
+        const point& root = layers(c, 0);
+        tops_[i] = layers(c, layers.nLayers);
+        topOf.insert(c, i);
+        roots_.insert({{{root.x(), root.y(), root.z()}}, c});
+
+        if (sides.first() != sides.second())
+        {
+            corners_.append({sides, root, i});
+        }
+    }
+
+    outerEdges_.setSize(layers.border.edges.size());
+    forAll(outerEdges_, i)
+    {
+        const edge& e = layers.border.edges[i];
+        wallEdges_.insert(e, i);
+        outerEdges_[i] = edge(topOf[e.end()], topOf[e.start()]);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool layerBorder::covers
+(
+    const point& a,
+    const point& b,
+    labelPair& ends
+) const
+{
+    ends = labelPair(-1, -1);
+    const edge columns(columnAt(a), columnAt(b));
+
+    if
+    (
+        columns.start() >= 0 && columns.end() >= 0
+     && wallEdges_.found(columns)
+    )
+    {
+        return true;
+    }
+
+    for (const corner& c : corners_)
+    {
+        const scalar shareA = shareAt(c, a);
+        const scalar shareB = shareAt(c, b);
+
+        if (shareA >= 0 && shareB >= 0)
+        {
+            if (shareA < 1 && shareB < 1)
+            {
+                return true;
+            }
+
+            ends.first() = shareA < 1 ? c.top : ends.first();
+            ends.second() = shareB < 1 ? c.top : ends.second();
+        }
+    }
+
+    return false;
+}
+
+
+labelList layerBorder::topsBetween
+(
+    const point& a,
+    const point& b,
+    const label side
+) const
+{
+    const vector ab(b - a);
+    std::map<scalar, label> along;
+
+    for (const corner& c : corners_)
+    {
+        const vector d(tops_[c.top] - a);
+        const scalar t = (d & ab)/magSqr(ab);
+
+        if
+        (
+            c.sides.found(side) && t > 0 && t < 1
+         && mag(d - t*ab) < tolerance_
+        )
+        {
+            along.insert({t, c.top});
+        }
+    }
+
+    labelList tops;
+    for (const auto& next : along)
+    {
+        tops.append(next.second);
+    }
+
+    return tops;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

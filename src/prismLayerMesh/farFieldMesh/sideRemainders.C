@@ -1,0 +1,400 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "sideRemainders.H"
+#include "convexPolyhedron.H"
+#include "planeTriangulation.H"
+#include "readWallSurface.H"
+#include "edgeHashes.H"
+#include "layerBorder.H"
+
+#include <array>
+#include <map>
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+class endedBoundaryMaker
+{
+    const prismLayers& layers_;
+    const farBoundary& far_;
+    const List<sidePatch>& sides_;
+    const boundBox box_;
+    const scalar tolerance_;
+    const layerBorder border_;
+
+    endedBoundary made_;
+
+    //- Of each side patch
+    List<planeRegion> regions_;
+
+    //- Labels of points of parts by place
+    std::map<std::array<scalar, 3>, label> labels_;
+
+    pointField& points() { return made_.surface.points; }
+
+    static boundBox boxOf(const prismLayers& layers, const farBoundary& far)
+    {
+        if (far.surface.points.size())
+        {
+            return boundBox(far.surface.points, false);
+        }
+
+        boundBox box(layers.points, false);
+        box.inflate(1);
+        return box;
+    }
+
+    label patchOf(const sidePatch& side)
+    {
+        wordList& names = made_.surface.patchNames;
+        label patchi = names.find(side.name);
+
+        if (patchi < 0)
+        {
+            patchi = names.size();
+            names.append(side.name);
+            made_.patchTypes.append(side.type);
+        }
+
+        return patchi;
+    }
+
+    void addTriangle(const face& f, const label patchi)
+    {
+        made_.surface.faces.append(f);
+        made_.surface.patchIDs.append(patchi);
+    }
+
+    //- The outer edges of the layers on side patches
+    void addLayers();
+
+    label labelOf(const point& x);
+
+    void addEdge(const label s, const edge& e);
+
+    //- The outline of parts, beyond the layers
+    void addParts();
+
+    //- The far boundary, cut by the planes
+    convexPolyhedron cutBoundary();
+
+    void triangulate();
+
+    //- The sides of the box that the far field reaches
+    void addBoxSides(const convexPolyhedron& cut, label first);
+
+public:
+
+    endedBoundaryMaker(const prismLayers& layers, const farBoundary& far)
+    :
+        layers_(layers),
+        far_(far),
+        sides_(layers.border.sides),
+        box_(boxOf(layers, far)),
+        tolerance_(1e-9*box_.mag()),
+        border_(layers, tolerance_),
+        regions_(sides_.size())
+    {
+        made_.surface.patchNames = far.surface.patchNames;
+        made_.patchTypes = far.patchTypes;
+    }
+
+    endedBoundary make();
+};
+
+void endedBoundaryMaker::addLayers()
+{
+    made_.columns = border_.columns();
+    points() = border_.tops();
+
+    for (const point& top : points())
+    {
+        // The nearest point in the box is the point itself
+        const point inBox(min(max(top, box_.min()), box_.max()));
+
+        if (far_.surface.faces.size() && mag(top - inBox) > tolerance_)
+        {
+            FatalErrorInFunction
+                << "The far boundary is not around the wall: the layers at "
+                << top << " are outside of it" << exit(FatalError);
+        }
+    }
+
+    forAll(border_.outerEdges(), i)
+    {
+        regions_[layers_.border.edgeSides[i]].boundary.append
+        (
+            border_.outerEdges()[i]
+        );
+    }
+}
+
+
+label endedBoundaryMaker::labelOf(const point& x)
+{
+    const std::array<scalar, 3> place{{x.x(), x.y(), x.z()}};
+
+    if (!labels_.count(place))
+    {
+        labels_[place] = points().size();
+        points().append(x);
+    }
+
+    return labels_[place];
+}
+
+
+void endedBoundaryMaker::addEdge(const label s, const edge& e)
+{
+    regions_[s].boundary.append(e);
+
+    // A plane ends there too, seen from the other side
+    forAll(sides_, t)
+    {
+        if
+        (
+            sides_[t].faces.empty()
+         && mag(sides_[t].distance(points()[e.start()])) < tolerance_
+         && mag(sides_[t].distance(points()[e.end()])) < tolerance_
+        )
+        {
+            regions_[t].boundary.append(edge(e.end(), e.start()));
+        }
+    }
+}
+
+
+void endedBoundaryMaker::addParts()
+{
+    forAll(sides_, s)
+    {
+        for (const edge& e : outline(sides_[s].faces))
+        {
+            const point& a = sides_[s].points[e.start()];
+            const point& b = sides_[s].points[e.end()];
+            labelPair ends;
+
+            if (!border_.covers(a, b, ends))
+            {
+                addEdge
+                (
+                    s,
+                    edge
+                    (
+                        ends.first() < 0 ? labelOf(a) : ends.first(),
+                        ends.second() < 0 ? labelOf(b) : ends.second()
+                    )
+                );
+            }
+        }
+    }
+}
+
+
+convexPolyhedron endedBoundaryMaker::cutBoundary()
+{
+    const convexPolyhedron cut(cutBox(box_, sides_));
+    const label first = points().size();
+    points().append(cut.points);
+
+    forAll(cut.faces, facei)
+    {
+        const label s = cut.planes[facei];
+        const face f(labelList(cut.faces[facei] + first));
+
+        for (label k = 0; s >= 0 && k < f.size(); ++k)
+        {
+            const edge e(f.faceEdge(k));
+            const labelList tops
+            (
+                border_.topsBetween
+                (
+                    points()[e.start()], points()[e.end()], s
+                )
+            );
+
+            label start = e.start();
+            for (const label top : tops)
+            {
+                regions_[s].fence.append(edge(start, top));
+                start = top;
+            }
+            regions_[s].fence.append(edge(start, e.end()));
+        }
+    }
+
+    return cut;
+}
+
+
+void endedBoundaryMaker::triangulate()
+{
+    forAll(sides_, s)
+    {
+        planeRegion& region = regions_[s];
+        region.normal = -sides_[s].normal;
+        const label patchi = patchOf(sides_[s]);
+
+        for (const face& f : triangulatePlane(points(), region))
+        {
+            addTriangle(f, patchi);
+        }
+    }
+}
+
+
+void endedBoundaryMaker::addBoxSides
+(
+    const convexPolyhedron& cut,
+    const label first
+)
+{
+    edgeHashSet reached;
+    for (const face& f : made_.surface.faces)
+    {
+        reached.insert(f.edges());
+    }
+
+    boolList added(cut.faces.size(), false);
+    for (bool more = true; more;)
+    {
+        more = false;
+
+        forAll(cut.faces, facei)
+        {
+            const face f(labelList(cut.faces[facei] + first));
+            const edgeList edges(f.edges());
+
+            if
+            (
+                added[facei] || cut.planes[facei] >= 0
+             || !std::any_of
+                (
+                    edges.begin(), edges.end(),
+                    [&](const edge& e) { return reached.found(e); }
+                )
+            )
+            {
+                continue;
+            }
+
+            if (far_.surface.faces.empty())
+            {
+                FatalErrorInFunction
+                    << "The fluid is open beyond the side planes at "
+                    << f.centre(points()) << nl
+                    << "Give the far field a boundary of type box"
+                    << exit(FatalError);
+            }
+
+            for (label k = 1; k + 1 < f.size(); ++k)
+            {
+                addTriangle
+                (
+                    face({f[0], f[k], f[k + 1]}),
+                    far_.boxPatches[cut.boxSides[facei]]
+                );
+            }
+            reached.insert(edges);
+            added[facei] = more = true;
+        }
+    }
+}
+
+
+endedBoundary endedBoundaryMaker::make()
+{
+    addLayers();
+    addParts();
+
+    const bool hasPlanes = std::any_of
+    (
+        sides_.begin(), sides_.end(),
+        [](const sidePatch& side) { return side.faces.empty(); }
+    );
+
+    if (hasPlanes)
+    {
+        if (far_.surface.faces.size() && far_.boxPatches.empty())
+        {
+            FatalErrorInFunction
+                << "With side planes the far boundary has to be a box"
+                << exit(FatalError);
+        }
+
+        const label first = points().size();
+        const convexPolyhedron cut(cutBoundary());
+        triangulate();
+        addBoxSides(cut, first);
+    }
+    else
+    {
+        triangulate();
+        const label first = points().size();
+        points().append(far_.surface.points);
+        forAll(far_.surface.faces, facei)
+        {
+            addTriangle
+            (
+                face(labelList(far_.surface.faces[facei] + first)),
+                far_.surface.patchIDs[facei]
+            );
+        }
+    }
+
+    return made_;
+}
+
+} // End anonymous namespace
+
+
+//- Leave out patches without triangles, but for those of side patches
+static void compactPatches
+(
+    const UList<sidePatch>& sides,
+    endedBoundary& boundary
+)
+{
+    wallSurface& surface = boundary.surface;
+    boolList used(surface.patchNames.size(), false);
+    UIndirectList<bool>(used, surface.patchIDs) = true;
+    for (const sidePatch& side : sides)
+    {
+        used[surface.patchNames.find(side.name)] = true;
+    }
+
+    const labelList kept(findIndices(used, true));
+    inplaceRenumber(invert(used.size(), kept), surface.patchIDs);
+    surface.patchNames =
+        wordList(UIndirectList<word>(surface.patchNames, kept));
+    boundary.patchTypes =
+        wordList(UIndirectList<word>(boundary.patchTypes, kept));
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+endedBoundary makeEndedBoundary
+(
+    const prismLayers& layers,
+    const farBoundary& boundary
+)
+{
+    endedBoundary made(endedBoundaryMaker(layers, boundary).make());
+    compactPatches(layers.border.sides, made);
+    removeUnusedPoints(made.surface.faces, made.surface.points);
+
+    return made;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
