@@ -44,10 +44,11 @@ layerBorder::layerBorder(const prismLayers& layers, const scalar tolerance)
     {
         const label c = columns_[i];
         const labelPair& sides = sidesOf[c];
-        const point& root = layers(c, 0);
+        const label rootColumn = layers.root(c);
+        const point& root = layers(rootColumn, 0);
         tops_[i] = layers(c, layers.nLayers);
         topOf.insert(c, i);
-        roots_.insert({{{root.x(), root.y(), root.z()}}, c});
+        roots_.insert({{{root.x(), root.y(), root.z()}}, rootColumn});
 
         if (sides.first() != sides.second())
         {
@@ -59,7 +60,10 @@ layerBorder::layerBorder(const prismLayers& layers, const scalar tolerance)
     forAll(outerEdges_, i)
     {
         const edge& e = layers.border.edges[i];
-        wallEdges_.insert(e, i);
+        wallEdges_.insert
+        (
+            edge(layers.root(e.start()), layers.root(e.end())), i
+        );
         outerEdges_[i] = edge(topOf[e.end()], topOf[e.start()]);
     }
 }

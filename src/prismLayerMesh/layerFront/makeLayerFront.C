@@ -12,25 +12,6 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Points of which the cone is empty or narrow
-static boolList narrowCones
-(
-    const wallVisibility& visibility,
-    const scalar smallestAngle
-)
-{
-    boolList narrow(visibility.cones.size());
-
-    forAll(narrow, p)
-    {
-        const visibilityCone& cone = visibility.cones[p];
-        narrow[p] = cone.empty() || cone.cosine < ::sin(smallestAngle);
-    }
-
-    return narrow;
-}
-
-
 namespace
 {
 
@@ -227,6 +208,8 @@ class frontBuilder
 
         for (const label i : sectors_[k].starts)
         {
+            if (i == 0 && addressing_.isOnBorder(p)) continue;
+
             const label before = addressing_.pointFaces[p].rcIndex(i);
             const label q = addressing_.pointPoints[p][i];
 
@@ -243,6 +226,36 @@ class frontBuilder
             else if (p < q)
             {
                 addFace(face({column(p, before), right, left, column(p, i)}));
+            }
+        }
+    }
+
+
+    //- The edges of the border stand on the columns of their sectors; further
+    //  ones are between the first and the last column of each divided point
+    void moveBorder()
+    {
+        wallBorder& border = front_.surface.border;
+
+        for (edge& e : border.edges)
+        {
+            e = edge
+            (
+                column(e.start(), 0),
+                column(e.end(), addressing_.pointFaces[e.end()].size() - 1)
+            );
+        }
+
+        forAll(points_, k)
+        {
+            if (addressing_.isOnBorder(points_[k]))
+            {
+                const label last = sectors_[k].starts.size() - 1;
+                border.edges.append
+                (
+                    edge(sectorColumn(k, last), sectorColumn(k, 0))
+                );
+                border.edgeSides.append(addressing_.sidesOf(points_[k])[0]);
             }
         }
     }
@@ -299,7 +312,6 @@ public:
         front_(front)
     {
         DynamicList<label> lost;
-
         for (const label p : findIndices(narrow, true))
         {
             normalSectors sectors(sectorsOf(p));
@@ -337,6 +349,7 @@ public:
     {
         addColumns();
         moveFaces();
+        moveBorder();
 
         forAll(points_, k)
         {
@@ -370,7 +383,7 @@ layerFront makeLayerFront
     front.wallPoints = identity(wall.points.size());
     front.nWallFaces = wall.faces.size();
 
-    const boolList narrow(narrowCones(visibility, smallestAngle));
+    const boolList narrow(visibility.narrowCones(smallestAngle));
 
     if (narrow.found(true))
     {

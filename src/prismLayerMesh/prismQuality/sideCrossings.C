@@ -86,7 +86,7 @@ struct sideColumns
                 continue;
             }
 
-            for (label i = 0; i <= layers.nLayers; ++i)
+            for (label i = 1; i <= layers.nLayers; ++i)
             {
                 if (side.distance(layers(c, i)) >= 0)
                 {

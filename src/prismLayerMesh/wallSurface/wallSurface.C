@@ -182,7 +182,7 @@ vectorField wallSurface::faceNormals() const
 
 labelList wallAddressing::sidesOf(const label p) const
 {
-    if (pointSides.empty() || pointSides[p].first() < 0)
+    if (!isOnBorder(p))
     {
         return labelList();
     }

@@ -148,6 +148,20 @@ vectorField wallVisibility::axes() const
 }
 
 
+boolList wallVisibility::narrowCones(const scalar smallestAngle) const
+{
+    boolList narrow(cones.size());
+
+    forAll(narrow, p)
+    {
+        narrow[p] =
+            cones[p].empty() || cones[p].cosine < ::sin(smallestAngle);
+    }
+
+    return narrow;
+}
+
+
 labelList wallVisibility::emptyCones() const
 {
     return subsetList
