@@ -258,8 +258,8 @@ farFieldMesh makeFarFieldMesh
     const endedBoundary ended
     (
         isEnded
-      ? makeEndedBoundary(layers, boundary)
-      : endedBoundary{boundary.surface, boundary.patchTypes, {}}
+      ? makeEndedBoundary(layers, boundary, std::cref(fromLayers))
+      : endedBoundary{boundary.surface, {}}
     );
     const label nCommon = ended.columns.size();
     wallSurface far(ended.surface);
@@ -293,7 +293,7 @@ farFieldMesh makeFarFieldMesh
     );
     mesh.patchIDs = far.patchIDs;
     mesh.patchNames = far.patchNames;
-    mesh.patchTypes = ended.patchTypes;
+    mesh.patchTypes = isEnded ? far.patchTypes : boundary.patchTypes;
     compact(mesh);
     improve(layers, mesh);
 

@@ -47,6 +47,32 @@ static edge longestEdge
 }
 
 
+//- For the edges of triangles with kept edges the longest of these: triangles
+//  beside kept edges can be no smaller
+static EdgeMap<scalar> lengthsBeside
+(
+    const wallSurface& surface,
+    const edgeHashSet& kept
+)
+{
+    EdgeMap<scalar> lengths;
+
+    for (const face& f : surface.faces)
+    {
+        for (const edge& k : f.edges())
+        {
+            for (label i = 0; kept.found(k) && i < 3; ++i)
+            {
+                scalar& length = lengths(f.faceEdge(i), 0);
+                length = max(length, k.mag(surface.points));
+            }
+        }
+    }
+
+    return lengths;
+}
+
+
 //- The edges to divide: those that are too long, and the longest edge of each
 //  triangle that has one of them (Rivara)
 static EdgeMap<label> markEdges
@@ -57,6 +83,7 @@ static EdgeMap<label> markEdges
 )
 {
     const pointField& points = surface.points;
+    const EdgeMap<scalar> beside(lengthsBeside(surface, kept));
     EdgeMap<label> marked;
 
     for (const face& f : surface.faces)
@@ -67,7 +94,8 @@ static EdgeMap<label> markEdges
             (
                 !kept.found(e)
              && e.mag(points)
-              > farFieldTuned.maxLength*size(e.centre(points))
+              > farFieldTuned.maxLength
+               *max(size(e.centre(points)), beside.lookup(e, 0))
             )
             {
                 marked.insert(e, -1);

@@ -9,6 +9,7 @@
 #include "readWallSurface.H"
 #include "edgeHashes.H"
 #include "layerBorder.H"
+#include "planePoints.H"
 
 #include <array>
 #include <map>
@@ -25,6 +26,7 @@ class endedBoundaryMaker
 {
     const prismLayers& layers_;
     const farBoundary& far_;
+    const std::function<scalar(const point&)>& size_;
     const List<sidePatch>& sides_;
     const boundBox box_;
     const scalar tolerance_;
@@ -61,7 +63,7 @@ class endedBoundaryMaker
         {
             patchi = names.size();
             names.append(side.name);
-            made_.patchTypes.append(side.type);
+            made_.surface.patchTypes.append(side.type);
         }
 
         return patchi;
@@ -93,10 +95,16 @@ class endedBoundaryMaker
 
 public:
 
-    endedBoundaryMaker(const prismLayers& layers, const farBoundary& far)
+    endedBoundaryMaker
+    (
+        const prismLayers& layers,
+        const farBoundary& far,
+        const std::function<scalar(const point&)>& size
+    )
     :
         layers_(layers),
         far_(far),
+        size_(size),
         sides_(layers.border.sides),
         box_(boxOf(layers, far)),
         tolerance_(1e-9*box_.mag()),
@@ -104,7 +112,7 @@ public:
         regions_(sides_.size())
     {
         made_.surface.patchNames = far.surface.patchNames;
-        made_.patchTypes = far.patchTypes;
+        made_.surface.patchTypes = far.patchTypes;
     }
 
     endedBoundary make();
@@ -241,6 +249,12 @@ void endedBoundaryMaker::triangulate()
     {
         planeRegion& region = regions_[s];
         region.normal = -sides_[s].normal;
+        const pointField inside
+        (
+            planePoints(points(), region, sides_[s], size_)
+        );
+        region.points = identity(inside.size(), points().size());
+        points().append(inside);
         const label patchi = patchOf(sides_[s]);
 
         for (const face& f : triangulatePlane(points(), region))
@@ -356,40 +370,17 @@ endedBoundary endedBoundaryMaker::make()
 } // End anonymous namespace
 
 
-//- Leave out patches without triangles, but for those of side patches
-static void compactPatches
-(
-    const UList<sidePatch>& sides,
-    endedBoundary& boundary
-)
-{
-    wallSurface& surface = boundary.surface;
-    boolList used(surface.patchNames.size(), false);
-    UIndirectList<bool>(used, surface.patchIDs) = true;
-    for (const sidePatch& side : sides)
-    {
-        used[surface.patchNames.find(side.name)] = true;
-    }
-
-    const labelList kept(findIndices(used, true));
-    inplaceRenumber(invert(used.size(), kept), surface.patchIDs);
-    surface.patchNames =
-        wordList(UIndirectList<word>(surface.patchNames, kept));
-    boundary.patchTypes =
-        wordList(UIndirectList<word>(boundary.patchTypes, kept));
-}
-
-
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 endedBoundary makeEndedBoundary
 (
     const prismLayers& layers,
-    const farBoundary& boundary
+    const farBoundary& boundary,
+    const std::function<scalar(const point&)>& size
 )
 {
-    endedBoundary made(endedBoundaryMaker(layers, boundary).make());
-    compactPatches(layers.border.sides, made);
+    endedBoundary made(endedBoundaryMaker(layers, boundary, size).make());
+    mergePatches(made.surface);
     removeUnusedPoints(made.surface.faces, made.surface.points);
 
     return made;

@@ -182,6 +182,19 @@ static void namePatches(wallSurface& wall, const fileName& file)
 }
 
 
+//- Turn the faces that are not oriented as most of their component: those of
+//  one file need not be oriented as those of another
+static void orientAlike(wallSurface& wall)
+{
+    const wallSides sides(makeWallSides(wall.faces, wall.points.size()));
+
+    for (const label facei : findTurnedFaces(sides, wall.faces.size()))
+    {
+        wall.faces[facei].flip();
+    }
+}
+
+
 static void append(const wallSurface& part, wallSurface& wall)
 {
     const label nPoints = wall.points.size();
@@ -246,7 +259,7 @@ void mergePatches(wallSurface& wall)
     bitSet used(wall.patchNames.size());
     used.set(wall.patchIDs);
 
-    DynamicList<word> names;
+    DynamicList<word> names, types;
     labelList numbers(used.size(), -1);
 
     for (const label i : used)
@@ -257,11 +270,17 @@ void mergePatches(wallSurface& wall)
         {
             numbers[i] = names.size();
             names.append(wall.patchNames[i]);
+
+            if (wall.patchTypes.size())
+            {
+                types.append(wall.patchTypes[i]);
+            }
         }
     }
 
     inplaceRenumber(numbers, wall.patchIDs);
     wall.patchNames = names;
+    wall.patchTypes = types;
 }
 
 
@@ -304,6 +323,10 @@ wallSurface readWallSurface
     removeUnusedPoints(wall.faces, wall.points);
     mergePatches(wall);
     reading.cutFaces = cutReflexFaces(wall);
+    if (files.size() > 1)
+    {
+        orientAlike(wall);
+    }
     reading.flippedFaces = orientWallSurface(wall, controls.fluidOutside);
 
     return wall;

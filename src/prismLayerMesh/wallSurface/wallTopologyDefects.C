@@ -5,7 +5,6 @@
 
 #include "wallTopologyDefects.H"
 #include "disjointSets.H"
-#include "bitSet.H"
 
 #include <algorithm>
 
@@ -179,14 +178,8 @@ static labelList walkFrom
 }
 
 
-void findFlippedFaces
-(
-    const wallSurface& wall,
-    const wallSides& sides,
-    defectList& defects
-)
+bitSet findTurnedFaces(const wallSides& sides, const label nFaces)
 {
-    const label nFaces = wall.faces.size();
     const auto adjacent(neighbours(sides, nFaces));
     faceWalk walk(nFaces);
 
@@ -214,7 +207,18 @@ void findFlippedFaces
         }
     }
 
-    for (const label facei : walk.flipped)
+    return walk.flipped;
+}
+
+
+void findFlippedFaces
+(
+    const wallSurface& wall,
+    const wallSides& sides,
+    defectList& defects
+)
+{
+    for (const label facei : findTurnedFaces(sides, wall.faces.size()))
     {
         defects.addFace(wallDefect::kind::flippedFace, facei);
     }
