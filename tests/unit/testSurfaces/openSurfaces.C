@@ -1,0 +1,192 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "openSurfaces.H"
+#include "endWall.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+wallSurface testSurfaces::beyond
+(
+    const wallSurface& surface,
+    const direction d,
+    const scalar value
+)
+{
+    wallSurface part;
+    part.points = surface.points;
+    part.patchNames = surface.patchNames;
+
+    forAll(surface.faces, facei)
+    {
+        const face& f = surface.faces[facei];
+
+        if (f.centre(surface.points)[d] > value)
+        {
+            part.faces.append(f);
+            part.patchIDs.append(surface.patchIDs[facei]);
+        }
+    }
+
+    removeUnusedPoints(part.faces, part.points);
+
+    return part;
+}
+
+
+wallSurface testSurfaces::halfCube(const label n)
+{
+    return beyond(translated(quadCube(n), vector(0, 0, -0.5)), vector::Z, 0);
+}
+
+
+wallSurface testSurfaces::quarterCube(const label n)
+{
+    return beyond(translated(halfCube(n), vector(0, -0.5, 0)), vector::Y, 0);
+}
+
+
+wallSurface testSurfaces::halfSphere(const label n)
+{
+    return beyond(sphere(n), vector::Z, 0);
+}
+
+
+wallSurface testSurfaces::duct(const label n)
+{
+    wallSurface surface(reversed(quadCube(n)));
+    surface.patchNames = wordList({"walls", "inlet", "outlet"});
+
+    forAll(surface.faces, facei)
+    {
+        const scalar x = surface.faces[facei].centre(surface.points).x();
+        surface.patchIDs[facei] = x < SMALL ? 1 : x > 1 - SMALL ? 2 : 0;
+    }
+
+    return surface;
+}
+
+
+wallSurface testSurfaces::sheet(const label n, const scalar height)
+{
+    wallSurface top(beyond(quadCube(n), vector::Z, 1 - 0.1/n));
+
+    for (point& x : top.points)
+    {
+        x.z() = height;
+    }
+
+    return top;
+}
+
+
+sidePatch testSurfaces::sidePlane
+(
+    const word& name,
+    const point& origin,
+    const vector& n
+)
+{
+    sidePatch plane;
+    plane.name = name;
+    plane.type = "symmetryPlane";
+    plane.origin = origin;
+    plane.normal = n;
+
+    return plane;
+}
+
+
+List<sidePatch> testSurfaces::halfPlanes()
+{
+    return List<sidePatch>(1, sidePlane("bottom", Zero, vector(0, 0, -1)));
+}
+
+
+List<sidePatch> testSurfaces::quarterPlanes()
+{
+    List<sidePatch> planes(halfPlanes());
+    planes.append(sidePlane("side", Zero, vector(0, -1, 0)));
+
+    return planes;
+}
+
+
+layerControls testSurfaces::withoutLayers(const wordList& patches)
+{
+    layerControls layers;
+
+    for (const word& name : patches)
+    {
+        patchLayers entry;
+        entry.patches = name;
+        entry.isSide = true;
+        layers.patches.append(entry);
+    }
+
+    return layers;
+}
+
+
+wallSurface testSurfaces::endedOn
+(
+    const wallSurface& surface,
+    const List<sidePatch>& planes,
+    const bool fluidOutside
+)
+{
+    wallSurfaceControls controls;
+    controls.sidePlanes = planes;
+    controls.fluidOutside = fluidOutside;
+    wallReading reading;
+
+    return endWall(surface, controls, layerControls(), reading);
+}
+
+
+wallSurface testSurfaces::endedOn
+(
+    const wallSurface& surface,
+    const wordList& patches
+)
+{
+    wallReading reading;
+
+    return endWall
+    (
+        surface, wallSurfaceControls(), withoutLayers(patches), reading
+    );
+}
+
+
+label testSurfaces::nEdgesOn(const wallBorder& border, const label side)
+{
+    label n = 0;
+
+    for (const label s : border.edgeSides)
+    {
+        n += s == side;
+    }
+
+    return n;
+}
+
+
+scalar testSurfaces::volumeTo
+(
+    const wallSurface& wall,
+    const point& onAllPlanes
+)
+{
+    // Seen from there the planes bound nothing
+    return testSurfaces::enclosedVolume(translated(wall, -onAllPlanes));
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
