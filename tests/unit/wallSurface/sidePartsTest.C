@@ -1,0 +1,150 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "openSurfaces.H"
+#include "sideParts.H"
+#include "thrownMessage.H"
+#include "wallSides.H"
+
+using namespace Foam;
+using namespace Foam::testSurfaces;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+static sideParts partsOf
+(
+    const wallSurface& surface,
+    const wordList& patches,
+    const scalar tolerance = 1e-6
+)
+{
+    return findSideParts
+    (
+        surface,
+        makeWallSides(surface.faces, surface.points.size()),
+        withoutLayers(patches),
+        tolerance
+    );
+}
+
+
+//- Area of each part, by faces
+static scalarField areas(const wallSurface& surface, const sideParts& parts)
+{
+    scalarField sums(parts.sides.size(), 0);
+
+    forAll(surface.faces, facei)
+    {
+        const label s = parts.sideOfFace[facei];
+        if (s >= 0)
+        {
+            sums[s] += surface.faces[facei].mag(surface.points);
+        }
+    }
+
+    return sums;
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(sideParts, ofPatchesWithoutLayersOnly)
+{
+    const wallSurface surface(duct(3));
+    const sideParts parts(partsOf(surface, {"outlet"}));
+
+    ASSERT_EQ(parts.sides.size(), 1);
+    EXPECT_EQ(parts.sides[0].name, "outlet");
+    EXPECT_TRUE(parts.sides[0].faces.empty());
+
+    forAll(surface.faces, facei)
+    {
+        EXPECT_EQ
+        (
+            parts.sideOfFace[facei], surface.patchIDs[facei] == 2 ? 0 : -1
+        );
+    }
+}
+
+
+TEST(sideParts, normalsPointOutOfTheFluid)
+{
+    const sideParts parts(partsOf(duct(3), {"inlet", "outlet"}));
+
+    ASSERT_EQ(parts.sides.size(), 2);
+    EXPECT_LT(mag(parts.sides[0].normal - vector(-1, 0, 0)), 1e-15);
+    EXPECT_LT(mag(parts.sides[1].normal - vector(1, 0, 0)), 1e-15);
+    EXPECT_LT(mag(parts.sides[0].origin - point(0, 0.5, 0.5)), 1e-15);
+    EXPECT_LT(mag(parts.sides[1].origin - point(1, 0.5, 0.5)), 1e-15);
+}
+
+
+TEST(sideParts, sharpEdgesDivideAPatch)
+{
+    wallSurface surface(duct(3));
+    surface.patchNames = wordList({"around", "wall", "wall2"});
+    const sideParts parts(partsOf(surface, {"around"}));
+
+    ASSERT_EQ(parts.sides.size(), 4);
+    vectorField normals(4);
+    forAll(normals, s)
+    {
+        EXPECT_EQ(parts.sides[s].name, "around");
+        EXPECT_NEAR(areas(surface, parts)[s], 1, 1e-14);
+        normals[s] = parts.sides[s].normal;
+    }
+    EXPECT_LT(mag(sum(normals)), 1e-15);
+}
+
+
+TEST(sideParts, apartInAPlaneTheyAreSeveral)
+{
+    const wallSurface one(duct(2));
+    const wallSurface surface
+    (
+        merge(one, translated(one, vector(0, 3, 0)))
+    );
+    const sideParts parts(partsOf(surface, {"inlet"}));
+
+    ASSERT_EQ(parts.sides.size(), 2);
+    EXPECT_EQ(parts.sides[0].name, parts.sides[1].name);
+    EXPECT_NEAR(areas(surface, parts)[1], 1, 1e-14);
+}
+
+
+TEST(sideParts, wrinklesWithinTheToleranceAreOfOnePart)
+{
+    // Faces at 60 degrees to each other, but all within 1e-4 of a plane
+    wallSurface surface(duct(2));
+    for (point& x : surface.points)
+    {
+        x.y() *= 1e-4;
+        x.x() += x.x() < 0.1 && mag(x.z() - 0.5) < 0.1
+          ? (mag(x.y() - 0.5e-4) < 1e-5 ? 5e-5 : -5e-5) : 0;
+    }
+    const label n = partsOf(surface, {"inlet"}, 1e-4).sides.size();
+
+    EXPECT_EQ(n, 1);
+}
+
+
+TEST(sideParts, curvedPatchesAreRefused)
+{
+    // Angles between faces are small, their sum is not
+    wallSurface surface(duct(24));
+    for (point& x : surface.points)
+    {
+        x.x() -= x.x() < 1e-9 ? 0.1*x.y()*(1 - x.y()) : 0;
+    }
+
+    expectWords
+    (
+        thrownMessage<error>([&]() { partsOf(surface, {"inlet"}); }),
+        {"side patch inlet is not plane at (", "points are up to 0.0"}
+    );
+}
+
+
+// ************************************************************************* //
