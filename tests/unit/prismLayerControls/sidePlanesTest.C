@@ -1,0 +1,105 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "minimalControls.H"
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+static List<sidePatch> planesOf(const std::string& entries)
+{
+    return readControls
+    (
+        "surface { file a.stl; sidePlanes { " + entries + " } }" + layers
+    ).surface.sidePlanes;
+}
+
+
+static std::string errorOfPlanes(const std::string& entries)
+{
+    return thrownMessage([&]() { planesOf(entries); });
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(sidePlanes, areReadInTheirOrder)
+{
+    const List<sidePatch> planes
+    (
+        planesOf
+        (
+            "middle { point (1 2 3); normal (0 -2 0); type symmetryPlane; }"
+            "ground { point (0 0 0); normal (0 0 -1); }"
+        )
+    );
+
+    ASSERT_EQ(planes.size(), 2);
+    EXPECT_EQ(planes[0].name, "middle");
+    EXPECT_EQ(planes[0].type, "symmetryPlane");
+    EXPECT_EQ(planes[0].origin, point(1, 2, 3));
+    EXPECT_EQ(planes[0].normal, vector(0, -1, 0));
+    EXPECT_TRUE(planes[0].faces.empty());
+    EXPECT_EQ(planes[1].name, "ground");
+    EXPECT_EQ(planes[1].type, "patch");
+}
+
+
+TEST(sidePlanes, wrongEntriesAreErrors)
+{
+    expectWords
+    (
+        errorOfPlanes("middle { point (0 0 0); normal (0 0 0); }"),
+        {"side plane middle", "normal that is not zero"}
+    );
+    expectWords
+    (
+        errorOfPlanes("\"mid.*\" { point (0 0 0); normal (0 0 1); }"),
+        {"mid.*", "must have a name"}
+    );
+    expectWords(errorOfPlanes("middle { normal (0 0 1); }"), {"point"});
+    expectWords(errorOfPlanes("middle { point (0 0 1); }"), {"normal"});
+    expectWords
+    (
+        errorOfPlanes("middle { point (0 0 0); normal (0 0 1); type cyclic; }"),
+        {"type is cyclic", "symmetryPlane"}
+    );
+    expectWords
+    (
+        errorOfPlanes("middle { point (0 0 0); normals (0 0 1); }"),
+        {"Unknown key normals", "did you mean normal"}
+    );
+}
+
+
+TEST(sidePlanes, filesAreOneOrSeveral)
+{
+    const auto files = [](const std::string& entries)
+    {
+        return readControls("surface { " + entries + " }" + layers)
+            .surface.files;
+    };
+    const auto errorOf = [&](const std::string& entries)
+    {
+        return thrownMessage([&]() { files(entries); });
+    };
+
+    EXPECT_EQ(files("file a.stl;"), fileNameList({"a.stl"}));
+    EXPECT_EQ
+    (
+        files("files (a.stl \"b.obj\");"), fileNameList({"a.stl", "b.obj"})
+    );
+    expectWords
+    (
+        errorOf("file a.stl; files (b.stl);"), {"file or files, not both"}
+    );
+    expectWords(errorOf("files ();"), {"files is empty"});
+    expectWords(errorOf("file \"\";"), {"file is empty"});
+    expectWords(errorOf(""), {"file"});
+}
+
+
+// ************************************************************************* //
