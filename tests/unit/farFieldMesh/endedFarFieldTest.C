@@ -269,6 +269,72 @@ TEST(endedFarField, sidePatchesBeginWithTheSidesOfTheLayers)
 }
 
 
+TEST(endedFarField, groundOfABox)
+{
+    const endedFarField c
+    (
+        "ground",
+        endedOn
+        (
+            sheet(6, 0),
+            List<sidePatch>
+            ({
+                sidePlane("west", Zero, vector(-1, 0, 0)),
+                sidePlane("east", point(1, 0, 0), vector(1, 0, 0)),
+                sidePlane("south", Zero, vector(0, -1, 0)),
+                sidePlane("north", point(0, 1, 0), vector(0, 1, 0))
+            })
+        ),
+        boundBox(point(0, 0, -1), point(1, 1, 2))
+    );
+
+    EXPECT_NEAR(sum(c.mesh().cellVolumes()), 2, 1e-12);
+    EXPECT_EQ(c.mesh().boundaryMesh().size(), 6);
+    for (const word side : {"west", "east", "south", "north"})
+    {
+        EXPECT_NEAR(c.area(side), 2, 1e-12);
+    }
+    EXPECT_NEAR(c.area("zMax"), 1, 1e-12);
+    EXPECT_FALSE(c.mesh().checkTopology(false));
+    EXPECT_FALSE(c.mesh().checkClosedBoundary(false));
+}
+
+
+TEST(endedFarField, bodyFromOnePlaneToAnother)
+{
+    // The cube without its sides at x = 0 and x = 1
+    wallSurface tube(beyond(quadCube(4), vector::X, 1e-6));
+    for (point& x : tube.points)
+    {
+        x.x() = 1 - x.x();
+    }
+    tube = beyond(reversed(tube), vector::X, 1e-6);
+
+    const endedFarField c
+    (
+        "tube",
+        endedOn
+        (
+            tube,
+            List<sidePatch>
+            ({
+                sidePlane("west", Zero, vector(-1, 0, 0)),
+                sidePlane("east", point(1, 0, 0), vector(1, 0, 0))
+            })
+        ),
+        boundBox(point(-1, -1, -1), point(2, 2, 2))
+    );
+
+    EXPECT_EQ(c.wall.faces.size(), 64);
+    EXPECT_NEAR(sum(c.mesh().cellVolumes()), 9 - 1, 1e-12);
+    EXPECT_NEAR(c.area("west"), 9 - 1, 1e-12);
+    EXPECT_NEAR(c.area("east"), 9 - 1, 1e-12);
+    EXPECT_NEAR(c.area("zMin"), 3, 1e-12);
+    EXPECT_FALSE(c.mesh().checkTopology(false));
+    EXPECT_FALSE(c.mesh().checkClosedBoundary(false));
+}
+
+
 TEST(endedFarField, boundariesInTheWrongPlaceAreRefused)
 {
     // Cuts the layers, which are up to x = 1.1, and does not hold the plane
