@@ -13,6 +13,20 @@ using namespace Foam::testSurfaces;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
+//- The boundary with triangles as large as they can be
+static endedBoundary endedBoundaryOf
+(
+    const prismLayers& layers,
+    const farBoundary& far
+)
+{
+    return makeEndedBoundary
+    (
+        layers, far, [](const point&) { return scalar(100); }
+    );
+}
+
+
 //- One layer
 static prismLayers oneLayer(const wallSurface& wall, const scalar height = 0.1)
 {
@@ -38,7 +52,7 @@ static farBoundary boxOf(const point& low, const point& high)
 
 static endedBoundary ofHalfCube(const farBoundary& far)
 {
-    return makeEndedBoundary
+    return endedBoundaryOf
     (
         oneLayer(endedOn(halfCube(4), halfPlanes())), far
     );
@@ -113,7 +127,7 @@ TEST(sideRemainders, ofAPlaneAreTheBoxWithoutTheLayers)
         const prismLayers layers(oneLayer(endedOn(halfCube(4), halfPlanes())));
         const endedBoundary boundary
         (
-            makeEndedBoundary
+            endedBoundaryOf
             (
                 layers, boxOf(point(-2, -2, low), point(3, 3, 2))
             )
@@ -140,12 +154,12 @@ TEST(sideRemainders, haveTheTypesOfTheirSides)
     );
     const wordList& names = boundary.surface.patchNames;
 
-    ASSERT_EQ(boundary.patchTypes.size(), names.size());
+    ASSERT_EQ(boundary.surface.patchTypes.size(), names.size());
     forAll(names, i)
     {
         EXPECT_EQ
         (
-            boundary.patchTypes[i],
+            boundary.surface.patchTypes[i],
             names[i] == "bottom" ? "symmetryPlane" : "patch"
         );
     }
@@ -160,7 +174,7 @@ TEST(sideRemainders, ofTwoPlanesMeetOnTheirLine)
     );
     const endedBoundary boundary
     (
-        makeEndedBoundary
+        endedBoundaryOf
         (
             layers, boxOf(point(-2, -1, -1), point(3, 3, 2))
         )
@@ -185,7 +199,7 @@ TEST(sideRemainders, ofInletsAreWhatTheLayersLeave)
     (
         oneLayer(endedOn(duct(4), wordList({"inlet", "outlet"})))
     );
-    const endedBoundary boundary(makeEndedBoundary(layers, farBoundary()));
+    const endedBoundary boundary(endedBoundaryOf(layers, farBoundary()));
 
     expectFits(boundary, layers);
     EXPECT_EQ(boundary.surface.patchNames, wordList({"inlet", "outlet"}));
@@ -203,7 +217,7 @@ TEST(sideRemainders, severalBodiesStandOnOnePlane)
     const prismLayers layers(oneLayer(endedOn(both, halfPlanes())));
     const endedBoundary boundary
     (
-        makeEndedBoundary(layers, boxOf(point(-2, -2, 0), point(5, 3, 2)))
+        endedBoundaryOf(layers, boxOf(point(-2, -2, 0), point(5, 3, 2)))
     );
 
     expectFits(boundary, layers);
@@ -227,7 +241,7 @@ TEST(sideRemainders, groundBelowABoxIsNoRemainder)
     const prismLayers layers(oneLayer(endedOn(sheet(4, 0), planes)));
     const endedBoundary boundary
     (
-        makeEndedBoundary(layers, boxOf(point(0, 0, -1), point(1, 1, 2)))
+        endedBoundaryOf(layers, boxOf(point(0, 0, -1), point(1, 1, 2)))
     );
 
     expectFits(boundary, layers);
@@ -275,7 +289,7 @@ TEST(sideRemainders, layersAcrossAnOutlineAreRefused)
     (
         thrownMessage<error>
         (
-            [&]() { makeEndedBoundary(layers, farBoundary()); }
+            [&]() { endedBoundaryOf(layers, farBoundary()); }
         ),
         {"The edge from (", "crosses another edge"}
     );
