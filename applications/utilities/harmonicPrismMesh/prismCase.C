@@ -11,6 +11,7 @@
 #include "polyMesh.H"
 #include "prismPolyMesh.H"
 #include "replacedFiles.H"
+#include "sideRemainders.H"
 #include "Time.H"
 #include "wallPointsError.H"
 #include "writeStageFields.H"
@@ -47,6 +48,54 @@ static MeshedSurface<face> outerSurface(const prismLayers& layers)
         layers.outerPoints(),
         faceList(layers.faces),
         List<surfZone>(1, surfZone(layerOuterName, layers.faces.size(), 0, 0))
+    );
+}
+
+
+//- What the layers leave of side patches, in large triangles; normals point into
+//  the fluid
+static MeshedSurface<face> sideSurface(const prismLayers& layers)
+{
+    const wallSurface left
+    (
+        makeEndedBoundary
+        (
+            layers, farBoundary(), [](const point&) { return GREAT; }
+        ).surface
+    );
+    const labelListList patchFaces
+    (
+        invertOneToMany(left.patchNames.size(), left.patchIDs)
+    );
+    faceList faces;
+    List<surfZone> zones(patchFaces.size());
+
+    forAll(patchFaces, patchi)
+    {
+        zones[patchi] = surfZone
+        (
+            left.patchNames[patchi], patchFaces[patchi].size(), faces.size(),
+            patchi
+        );
+        faces.append(UIndirectList<face>(left.faces, patchFaces[patchi])());
+    }
+
+    return MeshedSurface<face>
+    (
+        pointField(left.points), std::move(faces), zones
+    );
+}
+
+
+//- Whether the side patches of layers are parts of planes, all of them
+static bool endOnParts(const prismLayers& layers)
+{
+    const List<sidePatch>& sides = layers.border.sides;
+
+    return sides.size() && std::all_of
+    (
+        sides.begin(), sides.end(),
+        [](const sidePatch& side) { return side.faces.size(); }
     );
 }
 
@@ -136,12 +185,15 @@ Foam::fileNameList Foam::prismCase::surfaceFiles
 
 void Foam::prismCase::checkOverwrite(const UList<fileName>& surfaces) const
 {
-    if (surfaces.found(outerFile()))
+    for (const fileName& file : {outerFile(), sidesFile()})
     {
-        FatalErrorInFunction
-            << "The surface " << outerFile() << " would be overwritten by the"
-            << " outer surface of the layers; give it another name"
-            << exit(FatalError);
+        if (surfaces.found(file))
+        {
+            FatalErrorInFunction
+                << "The surface " << file << " would be overwritten by what is"
+                << " written for other meshers; give it another name"
+                << exit(FatalError);
+        }
     }
 
     const fileName folder(polyMeshFolder());
@@ -187,29 +239,55 @@ Foam::fileName Foam::prismCase::writeFailedPoints
 }
 
 
-Foam::fileName Foam::prismCase::outerFile() const
+Foam::fileName Foam::prismCase::surfaceOf(const word& name) const
 {
     const word stem
     (
-        region_ == polyMesh::defaultRegion
-      ? layerOuterName : word(layerOuterName + '_' + region_)
+        region_ == polyMesh::defaultRegion ? name : word(name + '_' + region_)
     );
 
     return time_.path()/time_.constant()/"triSurface"/(stem + ".obj");
 }
 
 
+Foam::fileName Foam::prismCase::outerFile() const
+{
+    return surfaceOf(layerOuterName);
+}
+
+
+Foam::fileName Foam::prismCase::sidesFile() const
+{
+    return surfaceOf("sides");
+}
+
+
 void Foam::prismCase::writeOuter
 (
     const prismLayers& layers,
+    const bool hasFarField,
     replacedFiles& files
 ) const
 {
-    const word name(outerFile().name());
-    const fileName file(files.scratch(outerFile(), name)/name);
+    const auto write = [&]
+    (
+        const fileName& target,
+        const MeshedSurface<face>& surface
+    )
+    {
+        const word name(target.name());
+        const fileName file(files.scratch(target, name)/name);
 
-    outerSurface(layers).write(file);
-    checkEnd(file, "# </faces>");
+        surface.write(file);
+        checkEnd(file, "# </faces>");
+    };
+
+    write(outerFile(), outerSurface(layers));
+
+    if (!hasFarField && endOnParts(layers))
+    {
+        write(sidesFile(), sideSurface(layers));
+    }
 }
 
 
@@ -270,7 +348,7 @@ void Foam::prismCase::writeAll
     // What was certified is what is written: no digit may be lost
     IOstream::defaultPrecision(17);
 
-    writeOuter(m.made.layers, files);
+    writeOuter(m.made.layers, hasFarField, files);
     layerReport report
     (
         makeLayerReport
