@@ -6,12 +6,11 @@
 #include "prismCase.H"
 #include "argList.H"
 #include "farFieldReport.H"
-#include "MeshedSurface.H"
+#include "layerSurfaces.H"
 #include "OSspecific.H"
 #include "polyMesh.H"
 #include "prismPolyMesh.H"
 #include "replacedFiles.H"
-#include "sideRemainders.H"
 #include "Time.H"
 #include "wallPointsError.H"
 #include "writeStageFields.H"
@@ -36,66 +35,6 @@ static IOobject dictObject(const argList& args, const Time& time)
             IOobject::MUST_READ, IOobject::NO_WRITE
         ),
         args.found("dict") ? fileName(args["dict"]) : fileName::null
-    );
-}
-
-
-//- The outer surface of the layers
-static MeshedSurface<face> outerSurface(const prismLayers& layers)
-{
-    return MeshedSurface<face>
-    (
-        layers.outerPoints(),
-        faceList(layers.faces),
-        List<surfZone>(1, surfZone(layerOuterName, layers.faces.size(), 0, 0))
-    );
-}
-
-
-//- What the layers leave of side patches, in large triangles; normals point into
-//  the fluid
-static MeshedSurface<face> sideSurface(const prismLayers& layers)
-{
-    const wallSurface left
-    (
-        makeEndedBoundary
-        (
-            layers, farBoundary(), [](const point&) { return GREAT; }
-        ).surface
-    );
-    const labelListList patchFaces
-    (
-        invertOneToMany(left.patchNames.size(), left.patchIDs)
-    );
-    faceList faces;
-    List<surfZone> zones(patchFaces.size());
-
-    forAll(patchFaces, patchi)
-    {
-        zones[patchi] = surfZone
-        (
-            left.patchNames[patchi], patchFaces[patchi].size(), faces.size(),
-            patchi
-        );
-        faces.append(UIndirectList<face>(left.faces, patchFaces[patchi])());
-    }
-
-    return MeshedSurface<face>
-    (
-        pointField(left.points), std::move(faces), zones
-    );
-}
-
-
-//- Whether the side patches of layers are parts of planes, all of them
-static bool endOnParts(const prismLayers& layers)
-{
-    const List<sidePatch>& sides = layers.border.sides;
-
-    return sides.size() && std::all_of
-    (
-        sides.begin(), sides.end(),
-        [](const sidePatch& side) { return side.faces.size(); }
     );
 }
 

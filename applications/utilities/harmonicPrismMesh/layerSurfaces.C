@@ -1,0 +1,73 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "layerSurfaces.H"
+#include "ListOps.H"
+#include "prismPolyMesh.H"
+#include "sideRemainders.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+MeshedSurface<face> outerSurface(const prismLayers& layers)
+{
+    return MeshedSurface<face>
+    (
+        layers.outerPoints(),
+        faceList(layers.faces),
+        List<surfZone>(1, surfZone(layerOuterName, layers.faces.size(), 0, 0))
+    );
+}
+
+
+MeshedSurface<face> sideSurface(const prismLayers& layers)
+{
+    const wallSurface left
+    (
+        makeEndedBoundary
+        (
+            layers, farBoundary(), [](const point&) { return GREAT; }
+        ).surface
+    );
+    const labelListList patchFaces
+    (
+        invertOneToMany(left.patchNames.size(), left.patchIDs)
+    );
+    faceList faces;
+    List<surfZone> zones(patchFaces.size());
+
+    forAll(patchFaces, patchi)
+    {
+        zones[patchi] = surfZone
+        (
+            left.patchNames[patchi], patchFaces[patchi].size(), faces.size(),
+            patchi
+        );
+        faces.append(UIndirectList<face>(left.faces, patchFaces[patchi])());
+    }
+
+    return MeshedSurface<face>
+    (
+        pointField(left.points), std::move(faces), zones
+    );
+}
+
+
+bool endOnParts(const prismLayers& layers)
+{
+    const List<sidePatch>& sides = layers.border.sides;
+
+    return sides.size() && std::all_of
+    (
+        sides.begin(), sides.end(),
+        [](const sidePatch& side) { return side.faces.size(); }
+    );
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
