@@ -199,8 +199,15 @@ static tetMesh fill
         refuse(nCells, maxCells);
     }
 
+    // What TetGen may take, in cells and in time, is for a mesh of that size
+    const label mostCells = min
+    (
+        scalar(maxCells),
+        farFieldTuned.cellsPerEstimated*nCells
+      + farFieldTuned.cellsPerTriangle*both.faces.size()
+    );
     const tetDomain domain{both.points, both.faces, holes};
-    tetMesh filled(tetrahedralize(domain, std::cref(sizes), maxCells));
+    tetMesh filled(tetrahedralize(domain, std::cref(sizes), mostCells));
 
     if (filled.tets.size() > maxCells)
     {
