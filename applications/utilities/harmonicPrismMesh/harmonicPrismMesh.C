@@ -14,7 +14,8 @@ Description
 
     Reads system/harmonicPrismMeshDict and the surface in constant/triSurface
     that it names; writes constant/polyMesh, constant/triSurface/layerOuter.obj
-    and postProcessing/harmonicPrismMesh/report.
+    and postProcessing/harmonicPrismMesh/report. The wall is closed, or ends on
+    side patches; what the layers leave of these is constant/triSurface/sides.obj.
 
 Usage
     \b harmonicPrismMesh [OPTIONS]
@@ -66,7 +67,8 @@ static void addOptions()
         "Reads system/harmonicPrismMeshDict and the surface that it names;"
         " writes\n"
         "  constant/polyMesh\n"
-        "  constant/triSurface/layerOuter.obj\n"
+        "  constant/triSurface/layerOuter.obj, and sides.obj where the wall"
+        " ends\n"
         "  postProcessing/harmonicPrismMesh/report\n"
         "Every key is described in"
         " etc/caseDicts/annotated/harmonicPrismMeshDict."
