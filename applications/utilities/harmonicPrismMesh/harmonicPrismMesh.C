@@ -15,7 +15,7 @@ Description
     Reads system/harmonicPrismMeshDict and the surface in constant/triSurface
     that it names; writes constant/polyMesh, constant/triSurface/layerOuter.obj
     and postProcessing/harmonicPrismMesh/report. The wall is closed, or ends on
-    side patches; what the layers leave of these is constant/triSurface/sides.obj.
+    side patches; constant/triSurface/sides.obj is what the layers leave of them.
 
 Usage
     \b harmonicPrismMesh [OPTIONS]
