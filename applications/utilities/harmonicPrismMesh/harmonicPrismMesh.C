@@ -15,7 +15,7 @@ Description
     Reads system/harmonicPrismMeshDict and the surface in constant/triSurface
     that it names; writes constant/polyMesh, constant/triSurface/layerOuter.obj
     and postProcessing/harmonicPrismMesh/report. The wall is closed, or ends on
-    side patches; constant/triSurface/sides.obj is what the layers leave of them.
+    side patches; constant/triSurface/sides.obj has what layers leave of them.
 
 Usage
     \b harmonicPrismMesh [OPTIONS]
