@@ -6,6 +6,7 @@
 #include "sidePatch.H"
 #include "DynamicList.H"
 #include "EdgeMap.H"
+#include "error.H"
 
 namespace Foam
 {
@@ -57,6 +58,40 @@ Map<labelPair> wallBorder::pointSides() const
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void checkSides
+(
+    const UList<sidePatch>& sides,
+    const UList<word>& wallPatchNames
+)
+{
+    for (const sidePatch& side : sides)
+    {
+        if (wallPatchNames.found(side.name))
+        {
+            FatalErrorInFunction
+                << "The side patch " << side.name << " has the name of a patch"
+                << " of the wall" << exit(FatalError);
+        }
+
+        for (const sidePatch& other : sides)
+        {
+            if
+            (
+                other.name == side.name && side.type == "symmetryPlane"
+             && (side.normal & other.normal) < 1 - 1e-6
+            )
+            {
+                FatalErrorInFunction
+                    << "The side patch " << side.name << " of type"
+                    << " symmetryPlane is in several planes, at "
+                    << side.origin << " and at " << other.origin << nl
+                    << "Give it the type symmetry" << exit(FatalError);
+            }
+        }
+    }
+}
+
 
 edgeList outline(const faceList& faces)
 {

@@ -388,6 +388,7 @@ wallSurface endWall
       ? wallEnder(surface, controls, layers).end(reading) : surface
     );
     wall.patchTypes = patchTypes(wall.patchNames, layers);
+    checkSides(wall.border.sides, wall.patchNames);
 
     return wall;
 }

@@ -4,7 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "openSurfaces.H"
+#include "minimalControls.H"
 #include "Random.H"
+#include "thrownMessage.H"
 
 #include <gtest/gtest.h>
 
@@ -121,6 +123,41 @@ TEST(sidePatch, pointSidesAreOfTheEdgesFromAndToAPoint)
     EXPECT_EQ(sides[4], labelPair(0, 1));
     EXPECT_EQ(sides[7], labelPair(1, 0));
     EXPECT_EQ(sides[9], labelPair(1, 1));
+}
+
+
+TEST(sidePatch, namesAreNotThoseOfTheWall)
+{
+    List<sidePatch> sides(1, sidePlane("a", point::zero, vector(0, 0, -1)));
+
+    EXPECT_NO_THROW(checkSides(sides, wordList({"wall"})));
+    expectWords
+    (
+        thrownMessage<error>([&]() { checkSides(sides, wordList({"a"})); }),
+        {"side patch a", "patch of the wall"}
+    );
+}
+
+
+TEST(sidePatch, symmetryPlanesAreInOnePlane)
+{
+    List<sidePatch> sides
+    ({
+        sidePlane("a", point::zero, vector(0, 0, -1)),
+        sidePlane("a", point(1, 0, 0), vector(0, 0, -1))
+    });
+    sides[0].type = sides[1].type = "symmetryPlane";
+    EXPECT_NO_THROW(checkSides(sides, wordList()));
+
+    sides[1].normal = vector(1, 0, 0);
+    expectWords
+    (
+        thrownMessage<error>([&]() { checkSides(sides, wordList()); }),
+        {"several planes", "type symmetry"}
+    );
+
+    sides[0].type = sides[1].type = "symmetry";
+    EXPECT_NO_THROW(checkSides(sides, wordList()));
 }
 
 
