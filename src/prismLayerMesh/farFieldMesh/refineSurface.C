@@ -47,24 +47,39 @@ static edge longestEdge
 }
 
 
-//- For the edges of triangles with kept edges the longest of these: triangles
-//  beside kept edges can be no smaller
-static EdgeMap<scalar> lengthsBeside
+//- Floors on the sizes at points: the lengths of the kept edges there, falling
+//  with the distance along edges. With none an edge that is kept, if it were
+//  much longer than the size, would have its triangle divided without end.
+static scalarField keptLengths
 (
     const wallSurface& surface,
     const edgeHashSet& kept
 )
 {
-    EdgeMap<scalar> lengths;
+    const pointField& points = surface.points;
+    scalarField lengths(points.size(), 0);
 
-    for (const face& f : surface.faces)
+    for (const edge& e : kept)
     {
-        for (const edge& k : f.edges())
+        const scalar length = e.mag(points);
+        lengths[e.start()] = max(lengths[e.start()], length);
+        lengths[e.end()] = max(lengths[e.end()], length);
+    }
+
+    for (bool more = kept.size(); more;)
+    {
+        more = false;
+
+        for (const face& f : surface.faces)
         {
-            for (label i = 0; kept.found(k) && i < 3; ++i)
+            for (const edge& e : f.edges())
             {
-                scalar& length = lengths(f.faceEdge(i), 0);
-                length = max(length, k.mag(surface.points));
+                const scalar fall = farFieldTuned.keptSlope*e.mag(points);
+                scalar& a = lengths[e.start()];
+                scalar& b = lengths[e.end()];
+                more = more || a < b - fall || b < a - fall;
+                a = max(a, b - fall);
+                b = max(b, a - fall);
             }
         }
     }
@@ -83,19 +98,20 @@ static EdgeMap<label> markEdges
 )
 {
     const pointField& points = surface.points;
-    const EdgeMap<scalar> beside(lengthsBeside(surface, kept));
+    const scalarField lengths(keptLengths(surface, kept));
     EdgeMap<label> marked;
 
     for (const face& f : surface.faces)
     {
         for (const edge& e : f.edges())
         {
+            const scalar floor = 0.5*(lengths[e.start()] + lengths[e.end()]);
+
             if
             (
                 !kept.found(e)
              && e.mag(points)
-              > farFieldTuned.maxLength
-               *max(size(e.centre(points)), beside.lookup(e, 0))
+              > farFieldTuned.maxLength*max(size(e.centre(points)), floor)
             )
             {
                 marked.insert(e, -1);
@@ -178,7 +194,14 @@ void refineSurface
 {
     const edgeHashSet kept(openEdges(surface));
 
-    for (bool divided = true; divided;)
+    bool divided = true;
+
+    for
+    (
+        label pass = 0;
+        divided && pass < farFieldTuned.maxDivisions;
+        ++pass
+    )
     {
         flipEdges(surface, !project);
 

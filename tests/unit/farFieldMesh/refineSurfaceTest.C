@@ -5,7 +5,7 @@
 
 #include "farBoundary.H"
 #include "refineSurface.H"
-#include "testSurfaces.H"
+#include "openSurfaces.H"
 #include "thrownMessage.H"
 #include "triPointRef.H"
 
@@ -122,6 +122,61 @@ TEST(refineSurface, theSurfaceStaysWhereItIs)
     {
         EXPECT_NEAR(areas[side], exact[side], 1e-12*exact[side]) << side;
     }
+}
+
+
+TEST(refineSurface, edgesWithOneFaceAreKept)
+{
+    // A cube without one square, shorter than its edges and much shorter
+    for (const scalar size : {0.4, 0.1})
+    {
+        wallSurface surface(testSurfaces::quadCube(4, 4));
+        surface.faces[5] = surface.faces.last();
+        surface.faces.setSize(95);
+        surface = testSurfaces::triangulated(surface);
+        const edgeHashSet kept(openEdges(surface));
+        const pointField before(surface.points);
+        refineSurface(surface, [=](const point&) { return size; }, nullptr);
+
+        EXPECT_EQ(kept.size(), 4);
+        EXPECT_TRUE(openEdges(surface) == kept);
+        for (const edge& e : kept)
+        {
+            EXPECT_EQ(surface.points[e.start()], before[e.start()]);
+            EXPECT_EQ(surface.points[e.end()], before[e.end()]);
+        }
+
+        scalar area = 0;
+        for (const face& f : surface.faces)
+        {
+            area += f.mag(surface.points);
+        }
+        EXPECT_NEAR(area, 95, 1e-11);
+
+        // They are as short as the size, except near to the hole
+        point centre(Zero);
+        for (const edge& e : kept)
+        {
+            centre += 0.25*e.centre(before);
+        }
+        const auto ofSize = [=](const point& x)
+        {
+            return max(size, min(scalar(1), 1.2 - 0.25*mag(x - centre)));
+        };
+        EXPECT_LE(longestOverSize(surface, ofSize), 1.6);
+        EXPECT_GT(surface.faces.size(), 95/sqr(2*size));
+        EXPECT_GT(worstQuality(surface), 0.1);
+    }
+}
+
+
+TEST(refineSurface, longEdgesWithOneFaceDoNotDivideWithoutEnd)
+{
+    wallSurface surface(testSurfaces::triangulated(testSurfaces::sheet(1, 0)));
+    refineSurface(surface, [](const point&) { return 0.01; }, nullptr);
+
+    // The diagonal is longer than the sides
+    EXPECT_EQ(surface.faces.size(), 4);
 }
 
 
