@@ -109,16 +109,28 @@ static bool flipOnce(wallSurface& surface, const bool inPlane)
 }
 
 
-//- Whether the triangles of each point are of one patch, and in a plane, and
-//  all around it
-static boolList findFree(const wallSurface& surface, const bool inPlane)
+//- Whether triangles are all around each point
+static boolList findInner(const wallSurface& surface)
 {
-    boolList isFree(surface.points.size(), true);
+    boolList isInner(surface.points.size(), true);
     for (const edge& e : openEdges(surface))
     {
-        isFree[e.start()] = isFree[e.end()] = false;
+        isInner[e.start()] = isInner[e.end()] = false;
     }
 
+    return isInner;
+}
+
+
+//- Whether the triangles of each inner point are of one patch, and in a plane
+static boolList findFree
+(
+    const wallSurface& surface,
+    const boolList& isInner,
+    const bool inPlane
+)
+{
+    boolList isFree(isInner);
     labelList first(surface.points.size(), -1);
     const vectorField normals(surface.faceNormals());
 
@@ -173,10 +185,11 @@ static bool isTurned
 static void smoothOnce
 (
     wallSurface& surface,
+    const boolList& isInner,
     const std::function<point(const point&)>& project
 )
 {
-    const boolList isFree(findFree(surface, !project));
+    const boolList isFree(findFree(surface, isInner, !project));
     const vectorField normals(surface.faceNormals());
     const labelListList pointFaces
     (
@@ -251,9 +264,11 @@ void smoothPoints
     const std::function<point(const point&)>& project
 )
 {
+    const boolList isInner(findInner(surface));
+
     for (label i = 0; i < farFieldTuned.nSmoothings; ++i)
     {
-        smoothOnce(surface, project);
+        smoothOnce(surface, isInner, project);
         flipEdges(surface, !project);
     }
 }

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "planePoints.H"
+#include "farFieldMeshControls.H"
 #include "sparsePoints.H"
 #include "DynamicField.H"
 #include "HashSet.H"
@@ -13,14 +14,6 @@ namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- Width of a square over the size at its centre
-static constexpr scalar squareShare = 0.85;
-
-//- Least distance from points of the region over the size, and from its fence
-static constexpr scalar apartShare = 0.7;
-static constexpr scalar fenceShare = 0.5;
-
 
 //- The points of the edges of a region
 static pointField verticesOf
@@ -66,7 +59,7 @@ class planeSquares
         const point x(at(a, b));
         const scalar size = size_(x);
 
-        if (width <= squareShare*size)
+        if (width <= farFieldTuned.squareShare*size)
         {
             centres_.append(x);
             sizes_.append(size);
@@ -131,7 +124,7 @@ pointField planePoints
     DynamicField<scalar> distances;
     for (const point& x : vertices)
     {
-        distances.append(apartShare*size(x));
+        distances.append(farFieldTuned.apartShare*size(x));
     }
 
     forAll(squares.centres(), i)
@@ -142,14 +135,14 @@ pointField planePoints
             region.fence.begin(), region.fence.end(), [&](const edge& e)
             {
                 return e.line(points).nearestDist(x).distance()
-                    < fenceShare*squares.sizes()[i];
+                    < farFieldTuned.fenceShare*squares.sizes()[i];
             }
         );
 
         if (!nearFence)
         {
             all.append(x);
-            distances.append(apartShare*squares.sizes()[i]);
+            distances.append(farFieldTuned.apartShare*squares.sizes()[i]);
         }
     }
 

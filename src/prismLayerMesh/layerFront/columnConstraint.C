@@ -16,12 +16,7 @@ columnConstraint columnConstraint::inPlane
     const vector& normal
 )
 {
-    columnConstraint constraint;
-    constraint.kind_ = kind::inPlane;
-    constraint.origin_ = origin;
-    constraint.direction_ = normal;
-
-    return constraint;
+    return columnConstraint(kind::inPlane, origin, normal);
 }
 
 
@@ -31,19 +26,13 @@ columnConstraint columnConstraint::onLine
     const vector& direction
 )
 {
-    columnConstraint constraint;
-    constraint.kind_ = kind::onLine;
-    constraint.origin_ = origin;
-    constraint.direction_ = direction;
-
-    return constraint;
+    return columnConstraint(kind::onLine, origin, direction);
 }
 
 
 columnConstraint columnConstraint::onSurface(const nearestPoint& nearest)
 {
-    columnConstraint constraint;
-    constraint.kind_ = kind::onSurface;
+    columnConstraint constraint(kind::onSurface, Zero, Zero);
     constraint.nearest_ = nearest;
 
     return constraint;
@@ -52,10 +41,7 @@ columnConstraint columnConstraint::onSurface(const nearestPoint& nearest)
 
 columnConstraint columnConstraint::fixed()
 {
-    columnConstraint constraint;
-    constraint.kind_ = kind::fixed;
-
-    return constraint;
+    return columnConstraint(kind::fixed, Zero, Zero);
 }
 
 
