@@ -5,39 +5,13 @@
 
 #include "sideFacets.H"
 #include "convexPolyhedron.H"
+#include "equalPoints.H"
 #include "planeTriangulation.H"
-
-#include <array>
-#include <map>
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- Six times the volume that the wall bounds with parts of planes
-static scalar closedVolume(const wallSurface& wall)
-{
-    const point& origin = wall.points[0];
-    scalar volume = 0;
-
-    const auto add = [&](const faceList& faces, const pointField& points)
-    {
-        for (const face& f : faces)
-        {
-            volume += 2*((f.centre(points) - origin) & f.areaNormal(points));
-        }
-    };
-
-    add(wall.faces, wall.points);
-    for (const sidePatch& side : wall.border.sides)
-    {
-        add(side.faces, side.points);
-    }
-
-    return volume;
-}
-
 
 namespace
 {
@@ -50,33 +24,25 @@ class sideFacets
     const scalar tolerance_;
     tetDomain& domain_;
 
-    //- Of each side patch
+    //- Of each side patch, and the points on it and another
     List<planeRegion> regions_;
+    List<DynamicList<label>> corners_;
 
-    //- Points on two side patches, and which these are
-    DynamicList<label> corners_;
-    DynamicList<labelPair> cornerSides_;
-
-    //- Points of the border of the wall, and of parts, by place
-    std::map<std::array<scalar, 3>, label> labels_;
+    //- Points of the border of the wall, and of parts
+    equalPoints labels_;
 
     DynamicList<label> added_;
 
 
     label labelOf(const point& x)
     {
-        const auto found = labels_.insert
-        (
-            {{x.x(), x.y(), x.z()}, domain_.points.size()}
-        );
-
-        if (found.second)
+        if (labels_.insert(x, domain_.points.size()))
         {
             added_.append(domain_.points.size());
             domain_.points.append(x);
         }
 
-        return found.first->second;
+        return labels_.find(x);
     }
 
 
@@ -84,8 +50,8 @@ class sideFacets
     {
         if (sides.second() >= 0 && sides.first() != sides.second())
         {
-            corners_.append(p);
-            cornerSides_.append(sides);
+            corners_[sides.first()].append(p);
+            corners_[sides.second()].append(p);
         }
     }
 
@@ -95,8 +61,7 @@ class sideFacets
         const Map<labelPair> sides(wall_.border.pointSides());
         forAllConstIters(sides, iter)
         {
-            const point& x = wall_.points[iter.key()];
-            labels_.insert({{x.x(), x.y(), x.z()}, iter.key()});
+            labels_.insert(wall_.points[iter.key()], iter.key());
             addCorner(iter.key(), iter.val());
         }
 
@@ -104,7 +69,7 @@ class sideFacets
         {
             const label s = wall_.border.edgeSides[i];
 
-            if (wall_.border.sides[s].faces.empty())
+            if (!wall_.border.sides[s].isPart())
             {
                 regions_[s].edges.append(wall_.border.edges[i]);
             }
@@ -154,31 +119,24 @@ class sideFacets
     //- The edges of parts that are in side planes
     void addEdgesOfParts()
     {
-        const auto isOn = [&](const label s, const edge& e)
-        {
-            const sidePatch& side = wall_.border.sides[s];
+        const List<sidePatch>& sides = wall_.border.sides;
+        const pointField& points = domain_.points;
 
-            return
-                mag(side.distance(domain_.points[e.start()])) < tolerance_
-             && mag(side.distance(domain_.points[e.end()])) < tolerance_;
-        };
-
-        forAll(regions_, s)
+        forAll(sides, s)
         {
-            forAll(regions_, part)
+            forAll(sides, part)
             {
-                if
-                (
-                    wall_.border.sides[s].faces.size()
-                 || wall_.border.sides[part].faces.empty()
-                )
+                if (sides[s].isPart() || !sides[part].isPart())
                 {
                     continue;
                 }
 
                 for (const edge& e : regions_[part].boundary)
                 {
-                    if (isOn(s, e))
+                    const point& a = points[e.start()];
+                    const point& b = points[e.end()];
+
+                    if (sides[s].hasEdge(a, b, tolerance_))
                     {
                         regions_[s].edges.append(e);
                     }
@@ -211,46 +169,6 @@ class sideFacets
     }
 
 
-    //- Edges divided by the points on two side patches that are on them
-    DynamicList<edge> divided(const UList<edge>& edges, const label s) const
-    {
-        DynamicList<edge> result(edges.size());
-
-        for (const edge& e : edges)
-        {
-            const point& a = domain_.points[e.start()];
-            const vector ab(domain_.points[e.end()] - a);
-            std::map<scalar, label> along;
-
-            forAll(corners_, i)
-            {
-                const label p = corners_[i];
-                const vector ap(domain_.points[p] - a);
-                const scalar t = (ap & ab)/magSqr(ab);
-
-                if
-                (
-                    cornerSides_[i].found(s)
-                 && e.found(p) == false && t > 0 && t < 1
-                 && mag(ap - t*ab) < tolerance_
-                )
-                {
-                    along.insert({t, p});
-                }
-            }
-
-            label start = e.start();
-            for (const auto& next : along)
-            {
-                result.append(edge(start, next.second));
-                start = next.second;
-            }
-            result.append(edge(start, e.end()));
-        }
-
-        return result;
-    }
-
 public:
 
     sideFacets
@@ -266,23 +184,18 @@ public:
         box_(box),
         tolerance_(1e-9*box.mag()),
         domain_(domain),
-        regions_(wall.border.sides.size())
+        regions_(wall.border.sides.size()),
+        corners_(regions_.size())
     {}
 
 
     labelList add()
     {
-        bool hasPlanes = closedVolume(wall_) > 0;
-        for (const sidePatch& side : wall_.border.sides)
-        {
-            hasPlanes = hasPlanes || side.faces.empty();
-        }
-
         addBorder();
         addEnvelope();
         addParts();
         addEdgesOfParts();
-        if (hasPlanes)
+        if (hasPlanes(wall_.border.sides) || enclosedVolume(wall_) > 0)
         {
             addPlanes();
         }
@@ -291,8 +204,13 @@ public:
         {
             planeRegion& region = regions_[s];
             region.normal = -wall_.border.sides[s].normal;
-            region.boundary = divided(region.boundary, s);
-            region.edges = divided(region.edges, s);
+            for (DynamicList<edge>* edges : {&region.boundary, &region.edges})
+            {
+                *edges = dividedEdges
+                (
+                    domain_.points, *edges, corners_[s], tolerance_
+                );
+            }
             domain_.facets.append(triangulatePlane(domain_.points, region));
         }
 

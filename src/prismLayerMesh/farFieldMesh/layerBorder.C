@@ -21,14 +21,6 @@ scalar layerBorder::shareAt(const corner& c, const point& x) const
 }
 
 
-label layerBorder::columnAt(const point& x) const
-{
-    const auto found = roots_.find({{x.x(), x.y(), x.z()}});
-
-    return found == roots_.end() ? -1 : found->second;
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 layerBorder::layerBorder(const prismLayers& layers, const scalar tolerance)
@@ -48,7 +40,7 @@ layerBorder::layerBorder(const prismLayers& layers, const scalar tolerance)
         const point& root = layers(rootColumn, 0);
         tops_[i] = layers(c, layers.nLayers);
         topOf.insert(c, i);
-        roots_.insert({{{root.x(), root.y(), root.z()}}, rootColumn});
+        roots_.insert(root, rootColumn);
 
         if (sides.first() != sides.second())
         {
@@ -79,7 +71,7 @@ bool layerBorder::covers
 ) const
 {
     ends = labelPair(-1, -1);
-    const edge columns(columnAt(a), columnAt(b));
+    const edge columns(roots_.find(a), roots_.find(b));
 
     if
     (
@@ -111,38 +103,19 @@ bool layerBorder::covers
 }
 
 
-labelList layerBorder::topsBetween
-(
-    const point& a,
-    const point& b,
-    const label side
-) const
+labelList layerBorder::topsOn(const label side) const
 {
-    const vector ab(b - a);
-    std::map<scalar, label> along;
+    DynamicList<label> tops;
 
     for (const corner& c : corners_)
     {
-        const vector d(tops_[c.top] - a);
-        const scalar t = (d & ab)/magSqr(ab);
-
-        if
-        (
-            c.sides.found(side) && t > 0 && t < 1
-         && mag(d - t*ab) < tolerance_
-        )
+        if (c.sides.found(side))
         {
-            along.insert({t, c.top});
+            tops.append(c.top);
         }
     }
 
-    labelList tops;
-    for (const auto& next : along)
-    {
-        tops.append(next.second);
-    }
-
-    return tops;
+    return labelList(std::move(tops));
 }
 
 } // End namespace Foam

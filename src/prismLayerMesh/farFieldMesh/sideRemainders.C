@@ -11,9 +11,6 @@
 #include "layerBorder.H"
 #include "planePoints.H"
 
-#include <array>
-#include <map>
-
 namespace Foam
 {
 
@@ -37,8 +34,8 @@ class endedBoundaryMaker
     //- Of each side patch
     List<planeRegion> regions_;
 
-    //- Labels of points of parts by place
-    std::map<std::array<scalar, 3>, label> labels_;
+    //- Points of parts
+    equalPoints labels_;
 
     pointField& points() { return made_.surface.points; }
 
@@ -148,31 +145,25 @@ void endedBoundaryMaker::addLayers()
 
 label endedBoundaryMaker::labelOf(const point& x)
 {
-    const std::array<scalar, 3> place{{x.x(), x.y(), x.z()}};
-
-    if (!labels_.count(place))
+    if (labels_.insert(x, points().size()))
     {
-        labels_[place] = points().size();
         points().append(x);
     }
 
-    return labels_[place];
+    return labels_.find(x);
 }
 
 
 void endedBoundaryMaker::addEdge(const label s, const edge& e)
 {
+    const point& a = points()[e.start()];
+    const point& b = points()[e.end()];
     regions_[s].boundary.append(e);
 
     // A plane ends there too, seen from the other side
     forAll(sides_, t)
     {
-        if
-        (
-            sides_[t].faces.empty()
-         && mag(sides_[t].distance(points()[e.start()])) < tolerance_
-         && mag(sides_[t].distance(points()[e.end()])) < tolerance_
-        )
+        if (!sides_[t].isPart() && sides_[t].hasEdge(a, b, tolerance_))
         {
             regions_[t].boundary.append(edge(e.end(), e.start()));
         }
@@ -220,23 +211,16 @@ convexPolyhedron endedBoundaryMaker::cutBoundary()
 
         for (label k = 0; s >= 0 && k < f.size(); ++k)
         {
-            const edge e(f.faceEdge(k));
-            const labelList tops
-            (
-                border_.topsBetween
-                (
-                    points()[e.start()], points()[e.end()], s
-                )
-            );
-
-            label start = e.start();
-            for (const label top : tops)
-            {
-                regions_[s].fence.append(edge(start, top));
-                start = top;
-            }
-            regions_[s].fence.append(edge(start, e.end()));
+            regions_[s].fence.append(f.faceEdge(k));
         }
+    }
+
+    forAll(regions_, s)
+    {
+        regions_[s].fence = dividedEdges
+        (
+            points(), regions_[s].fence, border_.topsOn(s), tolerance_
+        );
     }
 
     return cut;
@@ -329,13 +313,7 @@ endedBoundary endedBoundaryMaker::make()
     addLayers();
     addParts();
 
-    const bool hasPlanes = std::any_of
-    (
-        sides_.begin(), sides_.end(),
-        [](const sidePatch& side) { return side.faces.empty(); }
-    );
-
-    if (hasPlanes)
+    if (hasPlanes(sides_))
     {
         if (far_.surface.faces.size() && far_.boxPatches.empty())
         {

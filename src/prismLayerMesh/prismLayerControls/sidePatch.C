@@ -93,6 +93,16 @@ void checkSides
 }
 
 
+bool hasPlanes(const UList<sidePatch>& sides)
+{
+    return std::any_of
+    (
+        sides.begin(), sides.end(),
+        [](const sidePatch& side) { return !side.isPart(); }
+    );
+}
+
+
 edgeList outline(const faceList& faces)
 {
     EdgeMap<label> nFaces;

@@ -11,6 +11,7 @@
 #include "Map.H"
 #include "error.H"
 
+#include <map>
 #include <set>
 
 namespace Foam
@@ -207,6 +208,50 @@ faceList planeTriangulator::inside(const planeRegion& region) const
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+DynamicList<edge> dividedEdges
+(
+    const pointField& points,
+    const UList<edge>& edges,
+    const labelUList& at,
+    const scalar tolerance
+)
+{
+    DynamicList<edge> divided(edges.size());
+
+    for (const edge& e : edges)
+    {
+        const point& a = points[e.start()];
+        const vector ab(points[e.end()] - a);
+        std::map<scalar, label> along;
+
+        for (const label p : at)
+        {
+            const vector ap(points[p] - a);
+            const scalar t = (ap & ab)/magSqr(ab);
+
+            if
+            (
+                !e.found(p) && t > 0 && t < 1
+             && mag(ap - t*ab) < tolerance
+            )
+            {
+                along.insert({t, p});
+            }
+        }
+
+        label start = e.start();
+        for (const auto& next : along)
+        {
+            divided.append(edge(start, next.second));
+            start = next.second;
+        }
+        divided.append(edge(start, e.end()));
+    }
+
+    return divided;
+}
+
 
 faceList triangulatePlane(const pointField& points, const planeRegion& region)
 {

@@ -175,7 +175,7 @@ convexPolyhedron cutBox(const boundBox& box, const UList<sidePatch>& sides)
 
     forAll(sides, s)
     {
-        if (sides[s].faces.empty())
+        if (!sides[s].isPart())
         {
             cutter.cut(sides[s], s);
         }

@@ -256,12 +256,21 @@ scalarField meanEdges(const wallSurface& wall, const wallAddressing& addressing)
 
 scalar enclosedVolume(const wallSurface& wall)
 {
+    const point& origin = wall.points[0];
     scalar volume = 0;
 
-    for (const face& f : wall.faces)
+    const auto add = [&](const faceList& faces, const pointField& points)
     {
-        volume += (f.centre(wall.points) - wall.points[0])
-            & f.areaNormal(wall.points);
+        for (const face& f : faces)
+        {
+            volume += (f.centre(points) - origin) & f.areaNormal(points);
+        }
+    };
+
+    add(wall.faces, wall.points);
+    for (const sidePatch& side : wall.border.sides)
+    {
+        add(side.faces, side.points);
     }
 
     return volume/3;
