@@ -61,11 +61,7 @@ bool endOnParts(const prismLayers& layers)
 {
     const List<sidePatch>& sides = layers.border.sides;
 
-    return sides.size() && std::all_of
-    (
-        sides.begin(), sides.end(),
-        [](const sidePatch& side) { return side.faces.size(); }
-    );
+    return sides.size() && !hasPlanes(sides);
 }
 
 } // End namespace Foam

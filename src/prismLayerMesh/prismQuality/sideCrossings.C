@@ -203,7 +203,7 @@ labelList findSideCrossings
     forAll(layers.border.sides, s)
     {
         const sideColumns columns(layers, s);
-        const bool isPart = columns.side.faces.size();
+        const bool isPart = columns.side.isPart();
 
         for (const label facei : faces)
         {

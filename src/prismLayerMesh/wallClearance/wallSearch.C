@@ -10,22 +10,6 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-static triSurface triangulated(const wallSurface& wall)
-{
-    labelList triangleFace;
-    const faceList triangles(wallTriangles(wall, triangleFace));
-
-    List<labelledTri> tris(triangles.size());
-    forAll(tris, i)
-    {
-        const face& f = triangles[i];
-        tris[i] = labelledTri(f[0], f[1], f[2], 0);
-    }
-
-    return triSurface(tris, wall.points);
-}
-
-
 static vectorField unitNormals(const triSurface& surface)
 {
     vectorField normals(surface.size());
@@ -97,7 +81,7 @@ struct oppositeOnly
 
 wallSearch::wallSearch(const wallSurface& wall)
 :
-    surface_(triangulated(wall)),
+    surface_(toTriSurface(wall)),
     normals_(unitNormals(surface_)),
     tree_
     (
@@ -113,12 +97,12 @@ wallSearch::wallSearch(const wallSurface& wall)
 {
     forAll(sides_, s)
     {
-        if (sides_[s].faces.size())
+        if (sides_[s].isPart())
         {
             wallSurface part;
             part.points = sides_[s].points;
             part.faces = sides_[s].faces;
-            parts_.set(s, new triSurface(triangulated(part)));
+            parts_.set(s, new triSurface(toTriSurface(part)));
             partTrees_.set
             (
                 s,
