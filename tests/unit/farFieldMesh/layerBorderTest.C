@@ -132,27 +132,20 @@ TEST(layerBorder, topsTakeThePlaceOfCoveredEnds)
 }
 
 
-TEST(layerBorder, topsBetweenAreInOrder)
+TEST(layerBorder, topsOnASideAreThoseOnTwo)
 {
     const layerBorder border(quarter(), 1e-9);
     const label high = topAt(border, point(1.1, 0, 0));
     const label low = topAt(border, point(-0.1, 0, 0));
-    const point a(-2, 0, 0), b(3, 0, 0);
 
     for (const label side : {0, 1})
     {
-        EXPECT_EQ(border.topsBetween(a, b, side), labelList({low, high}));
-        EXPECT_EQ(border.topsBetween(b, a, side), labelList({high, low}));
+        const labelList tops(border.topsOn(side));
+        EXPECT_EQ(tops.size(), 2);
+        EXPECT_TRUE(tops.found(low));
+        EXPECT_TRUE(tops.found(high));
     }
-    EXPECT_EQ
-    (
-        border.topsBetween(point(0.5, 0, 0), b, 0), labelList({high})
-    );
-    EXPECT_TRUE(border.topsBetween(a, b, 2).empty());
-    EXPECT_TRUE
-    (
-        border.topsBetween(point(-2, 0, 1), point(3, 0, 1), 1).empty()
-    );
+    EXPECT_TRUE(border.topsOn(2).empty());
 }
 
 

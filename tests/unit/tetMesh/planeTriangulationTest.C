@@ -225,4 +225,28 @@ TEST(planeTriangulation, pointsOnAnEdgeDivideIt)
 }
 
 
+TEST(planeTriangulation, edgesAreDividedAtPointsInOrder)
+{
+    const pointField points
+    ({
+        point(-2, 0, 0), point(3, 0, 0), point(1, 1e-10, 0), point(0, 0, 0),
+        point(0.5, 1e-3, 0), point(4, 0, 0)
+    });
+    const labelList at({0, 2, 3, 4, 5});
+    const DynamicList<edge> edges(List<edge>({edge(0, 1), edge(1, 0)}));
+    const DynamicList<edge> divided(dividedEdges(points, edges, at, 1e-9));
+    const List<edge> expected
+    ({
+        edge(0, 3), edge(3, 2), edge(2, 1), edge(1, 2), edge(2, 3), edge(3, 0)
+    });
+
+    ASSERT_EQ(divided.size(), expected.size());
+    forAll(expected, i)
+    {
+        EXPECT_EQ(divided[i].start(), expected[i].start());
+        EXPECT_EQ(divided[i].end(), expected[i].end());
+    }
+}
+
+
 // ************************************************************************* //
