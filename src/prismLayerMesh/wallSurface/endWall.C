@@ -5,28 +5,13 @@
 
 #include "endWall.H"
 #include "boundBox.H"
+#include "checkInFront.H"
 #include "sideParts.H"
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- Number of places and the first ten
-static string placesOf(const UList<point>& places)
-{
-    string text(name(places.size()) + " places:");
-
-    for (label i = 0; i < min(places.size(), label(10)); ++i)
-    {
-        OStringStream os;
-        os  << nl << "    " << places[i];
-        text += os.str();
-    }
-
-    return text;
-}
-
 
 namespace
 {
@@ -75,6 +60,17 @@ class wallEnder
         }
 
         return nearest;
+    }
+
+    bitSet pointsOn(const label s) const
+    {
+        bitSet on(pointSides_.size());
+        forAll(pointSides_, p)
+        {
+            on.set(p, pointSides_[p].found(s));
+        }
+
+        return on;
     }
 
     void addPointSide(const label p, const label s)
@@ -176,13 +172,14 @@ void wallEnder::findBorders()
         }
     }
 
-    if (lost.size())
-    {
-        FatalErrorInFunction
-            << "The surface is open and its border is further than "
-            << tolerance_ << " m from all side planes at "
-            << placesOf(lost).c_str() << exit(FatalError);
-    }
+    OStringStream bound;
+    bound << tolerance_;
+    refuseAt
+    (
+        lost,
+        "The surface is open and its border is further than " + bound.str()
+      + " m from all side planes"
+    );
 
     forAll(sideOfFace_, facei)
     {
@@ -211,21 +208,9 @@ void wallEnder::checkSides() const
                 << exit(FatalError);
         }
 
-        DynamicList<point> beyond;
-        for (label p = 0; s >= nParts_ && p < surface_.points.size(); ++p)
+        if (s >= nParts_)
         {
-            if (sides_[s].distance(surface_.points[p]) > tolerance_)
-            {
-                beyond.append(surface_.points[p]);
-            }
-        }
-
-        if (beyond.size())
-        {
-            FatalErrorInFunction
-                << "The surface is beyond the side plane " << sides_[s].name
-                << ", whose normal must point out of the fluid, at "
-                << placesOf(beyond).c_str() << exit(FatalError);
+            checkInFront(surface_, sides_[s], pointsOn(s), tolerance_);
         }
     }
 

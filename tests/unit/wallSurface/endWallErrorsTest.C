@@ -103,6 +103,36 @@ TEST(endWallErrors, planeWithoutBorderIsRefused)
 }
 
 
+TEST(endWallErrors, wallThatTouchesThePlaneIsRefused)
+{
+    // A cube that stands on the plane with 9 of its points
+    const wallSurface cube(translated(quadCube(2), vector(5, 0, 0.5)));
+
+    expectWords
+    (
+        errorOf(merge(halfCube(4), cube), halfPlanes()),
+        {"wall touches the side plane bottom at 9 places", "(4.5 -0.5 0)"}
+    );
+}
+
+
+TEST(endWallErrors, faceInThePlaneIsRefused)
+{
+    wallSurface wall(halfCube(4));
+    const edge open(outline(wall.faces)[0]);
+    const vector outwards(4*open.centre(wall.points));
+    wall.faces.append(face({open.end(), open.start(), wall.points.size()}));
+    wall.points.append(outwards);
+    wall.patchIDs.append(0);
+
+    expectWords
+    (
+        errorOf(wall, halfPlanes()),
+        {"wall touches the side plane bottom at 1 places"}
+    );
+}
+
+
 TEST(endWallErrors, normalIntoTheFluidIsRefused)
 {
     expectWords
