@@ -4,7 +4,38 @@
 \*---------------------------------------------------------------------------*/
 
 #include "embeddingFault.H"
+#include "readWallSurface.H"
 #include "wallDefects.H"
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace Foam
+{
+
+//- The side of layer i (1..n) between two columns of a border; a triangle where
+//  both begin at one point of the wall
+static face sideFace
+(
+    const prismLayers& layers,
+    const edge& columns,
+    const label i
+)
+{
+    const label a = columns.start();
+    const label b = columns.end();
+    face side({layers.pointLabel(b, i), layers.pointLabel(a, i)});
+    side.append(layers.pointLabel(a, i - 1));
+
+    if (layers.pointLabel(b, i - 1) != side.last())
+    {
+        side.append(layers.pointLabel(b, i - 1));
+    }
+
+    return side;
+}
+
+} // End namespace Foam
+
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
@@ -14,29 +45,39 @@ std::string Foam::findEmbeddingFault
     const prismLayers& layers
 )
 {
-    const label n = wall.points.size();
     wallSurface body(wall);
+    body.border = wallBorder();
+    body.points = layers.meshPoints();
 
     for (face& f : body.faces)
     {
-        f.flip();
-    }
+        for (label& p : f)
+        {
+            p = layers.pointLabel(p, 0);
+        }
 
-    for (label c = 0; c < layers.nColumns(); ++c)
-    {
-        body.points.append(layers(c, layers.nLayers));
+        f.flip();
     }
 
     for (face f : layers.faces)
     {
         for (label& column : f)
         {
-            column += n;
+            column = layers.pointLabel(column, layers.nLayers);
         }
 
         body.faces.append(f);
     }
 
+    for (const edge& columns : layers.border.edges)
+    {
+        for (label i = 1; i <= layers.nLayers; ++i)
+        {
+            body.faces.append(sideFace(layers, columns, i));
+        }
+    }
+
+    removeUnusedPoints(body.faces, body.points);
     body.patchIDs.setSize(body.faces.size(), 0);
     const List<wallDefect> defects(findWallDefects(body));
 

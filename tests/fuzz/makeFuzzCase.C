@@ -120,7 +120,7 @@ void Foam::fuzzCase::make
 ) const
 {
     Random random(mixed(seed, index));
-    wall = randomSurfaces::makeRandomSurface(kind(), random);
+    wall = randomSurfaces::makeRandomSurface(kind, random);
     cutReflexFaces(wall);
 
     const scalar size = cmptMax(boundBox(wall.points, false).span());

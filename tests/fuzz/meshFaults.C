@@ -291,7 +291,13 @@ std::string cellMesh::stackFault() const
 
 std::string cellMesh::volumeFault() const
 {
-    const point& origin = wall_.points[0];
+    const List<sidePatch>& sides = wall_.border.sides;
+
+    // Sides that it is on enclose no volume with it
+    const point origin
+    (
+        onAll(sides, identity(sides.size()), wall_.points[0])
+    );
     const label outer = wall_.patchNames.size();
     const SubList<face> outerFaces
     (

@@ -6,10 +6,10 @@ Application
     prismLayerMeshFuzz
 
 Description
-    Makes layers on random closed surfaces and checks the meshes, each in a
-    process of its own. Prints a line for each failure, and for each mesh that
-    had to do without a field; at the end one line with the cases of each kind,
-    as failed/run. Exits with 1 if any failed.
+    Makes layers on random surfaces and checks the meshes, each in a process of
+    its own. Prints a line for each failure, and for each mesh that had to do
+    without a field; at the end one line with the cases of each kind, as
+    failed/run. Exits with 1 if any failed.
 
 Usage
     \b prismLayerMeshFuzz [OPTION]
@@ -24,7 +24,7 @@ Usage
         Run until the time is over instead
 
       - \par -kind \<name\>
-        Cases of one kind only
+        All cases of that kind of surface; without it of all kinds in turn
 
       - \par -index \<i\>
         That case alone, in this process
@@ -58,7 +58,10 @@ static void addOptions()
     argList::addOption("seed", "s", "Seed of all cases (default: 1)");
     argList::addOption("count", "n", "Number of cases (default: 150)");
     argList::addOption("seconds", "t", "Run until the time is over instead");
-    argList::addOption("kind", "name", "Cases of one kind of surface only");
+    argList::addOption
+    (
+        "kind", "name", "All cases of that kind of surface (default: in turn)"
+    );
     argList::addOption("index", "i", "That case alone, in this process");
     argList::addOption
     (
@@ -80,8 +83,8 @@ struct tally
     {
         typedef fuzzResult::verdict verdict;
 
-        nRun[int(one.kind())] += 1;
-        nFailed[int(one.kind())] += result.what == verdict::failed;
+        nRun[int(one.kind)] += 1;
+        nFailed[int(one.kind)] += result.what == verdict::failed;
         nSkipped += result.what == verdict::skipped;
         nNoField += result.noField.size() > 0;
     }
@@ -118,7 +121,7 @@ static void report
 
     Info<< (failed ? "FAIL" : "no field") << " -seed " << one.seed
         << " -index " << one.index << " ("
-        << randomSurfaces::name(one.kind()) << ") "
+        << randomSurfaces::name(one.kind) << ") "
         << (failed ? result.cause : result.noField).c_str() << endl;
 
     if (failed)
@@ -145,16 +148,29 @@ static void report(const tally& counts, const scalar seconds)
 }
 
 
+//- The case of an index, with the seed and kind of the options
+static fuzzCase caseOf(const argList& args, const label index)
+{
+    const string kind(args.lookupOrDefault<string>("kind", ""));
+
+    fuzzCase one;
+    one.seed = args.lookupOrDefault<label>("seed", 1);
+    one.index = index;
+    one.kind =
+        kind.size()
+      ? randomSurfaces::kindOf(kind)
+      : randomSurfaces::kind(index % randomSurfaces::nKinds);
+
+    return one;
+}
+
+
 //- Returns whether all is well
 static bool runCases(const argList& args, const fileName& folder)
 {
     const clockTime time;
     const scalar seconds = args.lookupOrDefault<scalar>("seconds", 0);
     const label count = args.lookupOrDefault<label>("count", 150);
-    const string kind(args.lookupOrDefault<string>("kind", ""));
-
-    fuzzCase one;
-    one.seed = args.lookupOrDefault<label>("seed", 1);
 
     tally counts;
     auto goesOn = [&]()
@@ -165,13 +181,9 @@ static bool runCases(const argList& args, const fileName& folder)
           : sum(counts.nRun) < count;
     };
 
-    for (one.index = 0; goesOn(); ++one.index)
+    for (label index = 0; goesOn(); ++index)
     {
-        if (kind.size() && one.kind() != randomSurfaces::kindOf(kind))
-        {
-            continue;
-        }
-
+        const fuzzCase one(caseOf(args, index));
         const fuzzResult result(run(one, cpuSeconds));
         counts.add(one, result);
         report(one, result, folder);
@@ -192,9 +204,7 @@ int main(int argc, char *argv[])
 
     if (args.found("index"))
     {
-        fuzzCase one;
-        one.seed = args.lookupOrDefault<label>("seed", 1);
-        one.index = args.get<label>("index");
+        const fuzzCase one(caseOf(args, args.get<label>("index")));
         write(one, folder);
         ok = runHere(one).what != fuzzResult::verdict::failed;
     }

@@ -19,7 +19,7 @@ namespace randomSurfaces
 static const char* const names[nKinds] =
 {
     "perturbedSphere", "boxUnion", "spikyPolyhedron", "starPrism",
-    "severalBodies"
+    "severalBodies", "cutBody"
 };
 
 
@@ -32,6 +32,7 @@ static wallSurface makeKind(const kind k, Random& random)
         case kind::spikyPolyhedron: return spikyPolyhedron(random);
         case kind::starPrism: return starPrism(random);
         case kind::severalBodies: return severalBodies(random);
+        case kind::cutBody: return cutBody(random);
     }
 
     return wallSurface();
@@ -80,6 +81,11 @@ Foam::wallSurface Foam::randomSurfaces::makeRandomSurface
 )
 {
     wallSurface wall(makeKind(k, random));
+
+    if (wall.border.sides.size())
+    {
+        return wall;
+    }
 
     if (chance(random, 0.5))
     {
