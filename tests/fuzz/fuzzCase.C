@@ -123,7 +123,10 @@ static void makeAndMesh(const fuzzCase& one, const listener& tell)
     {
         tell("stage", "surface");
         one.make(wall, controls, local);
-        const List<wallDefect> defects(findWallDefects(wall, wall.border.sides.size()));
+        const List<wallDefect> defects
+        (
+            findWallDefects(wall, wall.border.sides.size())
+        );
 
         if (defects.size())
         {
