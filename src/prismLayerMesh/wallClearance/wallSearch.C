@@ -224,15 +224,16 @@ bool wallSearch::putOnSides
 ) const
 {
     sides = labelPair(-1, -1);
-    label n = 0;
+    DynamicList<label> near;
 
     forAll(sides_, s)
     {
         const sidePatch& side = sides_[s];
 
-        if (n < 2 && isNear(s, x, distance))
+        if (near.size() < 2 && isNear(s, x, distance))
         {
-            sides[n++] = s;
+            sides[near.size()] = s;
+            near.append(s);
         }
         else if
         (
@@ -244,12 +245,7 @@ bool wallSearch::putOnSides
         }
     }
 
-    // The second time takes away what the other side patch has added
-    for (label i = 0; i < 2*n; ++i)
-    {
-        const sidePatch& side = sides_[sides[i % n]];
-        x -= side.distance(x)*side.normal;
-    }
+    x = onAll(sides_, near, x);
 
     return true;
 }

@@ -169,6 +169,24 @@ TEST(mirrorImages, pointsNearAPlaneArePutOnIt)
 }
 
 
+TEST(mirrorImages, pointsNearObliquePlanesArePutOnTheirLine)
+{
+    wallSurface wall(endedOn(quarterCube(4), quarterPlanes()));
+    wall.border.sides[1].normal = normalised(vector(0, -0.2, -1));
+    const wallSearch search(wall);
+    labelPair sides;
+
+    point x(1.5, 0.05, 0.05);
+    EXPECT_TRUE(search.putOnSides(point(1, 0.25, 0.25), 0.1, x, sides));
+    EXPECT_EQ(sides, labelPair(0, 1));
+
+    for (const label s : {0, 1})
+    {
+        EXPECT_LT(mag(wall.border.sides[s].distance(x)), 1e-16);
+    }
+}
+
+
 TEST(mirrorImages, pointsBeyondAPartAreThoseBehindIt)
 {
     wallSurface plate(plateOver(0.25));
