@@ -1,0 +1,137 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/border.h>
+#include <CGAL/Polygon_mesh_processing/internal/Snapping/snap.h>
+#include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
+#include <CGAL/Polygon_mesh_processing/stitch_borders.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
+#include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
+#include <CGAL/Surface_mesh.h>
+
+#include "stitchSurface.H"
+#include "boundBox.H"
+#include "cgalMeshes.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel gapKernel;
+typedef CGAL::Surface_mesh<gapKernel::Point_3> gapMesh;
+
+
+static point pointOf(const gapMesh& mesh, const gapMesh::Vertex_index v)
+{
+    const auto& x = mesh.point(v);
+
+    return point(x.x(), x.y(), x.z());
+}
+
+
+//- The points around a hole
+static pointField rimOf(const gapMesh& mesh, const gapMesh::Halfedge_index h)
+{
+    DynamicList<point> rim;
+    for (const auto v : mesh.vertices_around_face(h))
+    {
+        rim.append(pointOf(mesh, v));
+    }
+
+    return pointField(std::move(rim));
+}
+
+
+static bool isOnPlane
+(
+    const pointField& rim,
+    const UList<sidePatch>& planes,
+    const scalar tolerance
+)
+{
+    for (const sidePatch& plane : planes)
+    {
+        const bool isOn = std::all_of
+        (
+            rim.begin(), rim.end(),
+            [&](const point& x) { return mag(plane.distance(x)) < tolerance; }
+        );
+
+        if (isOn)
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void closeGaps
+(
+    wallSurface& surface,
+    const scalar gap,
+    const scalar hole,
+    const UList<sidePatch>& planes,
+    const scalar tolerance,
+    repairSteps& steps
+)
+{
+    gapMesh mesh;
+    addFaces(surface, mesh);
+    PMP::triangulate_faces(mesh);
+
+    auto gaps = mesh.add_property_map<gapMesh::Vertex_index, double>
+    (
+        "v:gap", gap
+    ).first;
+    PMP::experimental::snap_borders(mesh, gaps);
+    addStep
+    (
+        steps, "edges with one face joined across gaps",
+        PMP::stitch_borders(mesh)
+    );
+    PMP::remove_degenerate_faces(mesh);
+
+    std::vector<gapMesh::Halfedge_index> holes;
+    PMP::extract_boundary_cycles(mesh, std::back_inserter(holes));
+    DynamicList<point> places;
+    label nFilled = 0;
+
+    for (const auto h : holes)
+    {
+        const pointField rim(rimOf(mesh, h));
+
+        if
+        (
+            boundBox(rim, false).mag() < hole
+         && !isOnPlane(rim, planes, tolerance)
+        )
+        {
+            std::vector<gapMesh::Face_index> patch;
+            PMP::triangulate_hole(mesh, h, std::back_inserter(patch));
+            nFilled += !patch.empty();
+
+            if (places.size() < 10)
+            {
+                places.append(average(rim));
+            }
+        }
+    }
+
+    addStep(steps, "holes filled", nFilled, places);
+    mesh.collect_garbage();
+    setFaces(mesh, surface);
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

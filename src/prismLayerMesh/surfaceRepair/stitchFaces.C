@@ -1,0 +1,110 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
+#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
+#include <CGAL/Polygon_mesh_processing/stitch_borders.h>
+#include <CGAL/Surface_mesh.h>
+
+#include "stitchSurface.H"
+#include "cgalMeshes.H"
+#include "wallDefects.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel stitchKernel;
+typedef CGAL::Surface_mesh<stitchKernel::Point_3> stitchMesh;
+typedef std::vector<std::size_t> soupPolygon;
+
+
+//- Removes the faces whose area is zero, exactly
+static void removeWithoutArea(wallSurface& surface, repairSteps& steps)
+{
+    const vectorField normals(surface.faceNormals());
+    DynamicList<face> kept(surface.faces.size());
+    DynamicList<point> places;
+
+    forAll(normals, facei)
+    {
+        const face& f = surface.faces[facei];
+
+        if (normals[facei] != vector::zero)
+        {
+            kept.append(f);
+        }
+        else if (places.size() < 10)
+        {
+            places.append(surface.points[f[0]]);
+        }
+    }
+
+    addStep
+    (
+        steps, "faces without area removed",
+        surface.faces.size() - kept.size(), places
+    );
+    surface.faces = kept;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void stitchFaces(wallSurface& surface, repairSteps& steps)
+{
+    removeWithoutArea(surface, steps);
+
+    auto points = cgalPoints<stitchKernel::Point_3>(surface.points);
+    auto polygons = cgalPolygons<soupPolygon>(surface.faces);
+
+    addStep
+    (
+        steps, "equal points made one",
+        PMP::merge_duplicate_points_in_polygon_soup(points, polygons)
+    );
+
+    const std::size_t nFaces = polygons.size();
+    PMP::repair_polygon_soup
+    (
+        points, polygons,
+        CGAL::parameters::require_same_orientation(false)
+    );
+    addStep
+    (
+        steps, "faces on the same points removed", nFaces - polygons.size()
+    );
+
+    const std::size_t nPoints = points.size();
+    PMP::orient_polygon_soup(points, polygons);
+    addStep
+    (
+        steps, "points added where more than two faces or sheets met",
+        points.size() - nPoints
+    );
+
+    stitchMesh mesh;
+    PMP::polygon_soup_to_polygon_mesh(points, polygons, mesh);
+    addStep
+    (
+        steps, "edges stitched",
+        PMP::stitch_borders
+        (
+            mesh, CGAL::parameters::apply_per_connected_component(true)
+        )
+      + PMP::stitch_borders(mesh)
+    );
+    mesh.collect_garbage();
+    setFaces(mesh, surface);
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

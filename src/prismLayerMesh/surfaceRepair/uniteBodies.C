@@ -1,0 +1,139 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Polygon_mesh_processing/connected_components.h>
+#include <CGAL/Polygon_mesh_processing/corefinement.h>
+#include <CGAL/Polygon_mesh_processing/measure.h>
+#include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/repair_self_intersections.h>
+#include <CGAL/Polygon_mesh_processing/self_intersections.h>
+#include <CGAL/Surface_mesh.h>
+
+#include "stitchSurface.H"
+#include "cgalMeshes.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace PMP = CGAL::Polygon_mesh_processing;
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel unionKernel;
+typedef CGAL::Surface_mesh<unionKernel::Point_3> unionMesh;
+
+
+//- Removes the intersections of a body with itself. Returns whether there were
+//  any, all of which are gone.
+static bool untangle(unionMesh& body)
+{
+    if (!PMP::does_self_intersect(body))
+    {
+        return false;
+    }
+
+    unionMesh untangled(body);
+
+    if
+    (
+        !PMP::experimental::remove_self_intersections(untangled)
+     || PMP::does_self_intersect(untangled)
+    )
+    {
+        return false;
+    }
+    body = untangled;
+
+    return true;
+}
+
+
+static bool isBody(const unionMesh& mesh)
+{
+    return CGAL::is_closed(mesh) && !PMP::does_self_intersect(mesh);
+}
+
+
+//- Joins bodies to the first until nothing changes. Those that cannot be united
+//  are left.
+static label joinAll(std::vector<unionMesh>& bodies)
+{
+    label nUnited = 0;
+
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+    {
+        for (std::size_t j = i + 1; j < bodies.size();)
+        {
+            if
+            (
+                !CGAL::do_overlap(PMP::bbox(bodies[i]), PMP::bbox(bodies[j]))
+             || !isBody(bodies[i]) || !isBody(bodies[j])
+            )
+            {
+                ++j;
+                continue;
+            }
+
+            unionMesh a(bodies[i]), b(bodies[j]), both;
+            const double volumes = PMP::volume(a) + PMP::volume(b);
+            const bool done = PMP::corefine_and_compute_union(a, b, both);
+            const bool apart =
+                done && PMP::volume(both) > (1 - 1e-12)*volumes;
+
+            if (!done || apart)
+            {
+                ++j;
+                continue;
+            }
+
+            bodies[i] = both;
+            bodies.erase(bodies.begin() + j);
+            ++nUnited;
+
+            // What it has become may reach others
+            j = i + 1;
+        }
+    }
+
+    return nUnited;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void uniteBodies(wallSurface& surface, repairSteps& steps)
+{
+    unionMesh mesh;
+    addFaces(surface, mesh);
+
+    std::vector<unionMesh> bodies;
+    PMP::split_connected_components(mesh, bodies);
+    label nUntangled = 0;
+
+    for (unionMesh& body : bodies)
+    {
+        nUntangled += untangle(body);
+
+        if (CGAL::is_closed(body) && !PMP::is_outward_oriented(body))
+        {
+            PMP::reverse_face_orientations(body);
+        }
+    }
+
+    addStep(steps, "bodies freed of intersections with themselves", nUntangled);
+    addStep(steps, "bodies united with others", joinAll(bodies));
+
+    mesh.clear();
+    for (const unionMesh& body : bodies)
+    {
+        mesh += body;
+    }
+    setFaces(mesh, surface);
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
