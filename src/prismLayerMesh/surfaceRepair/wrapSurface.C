@@ -1,0 +1,92 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
+#include <CGAL/Surface_mesh.h>
+#include <CGAL/alpha_wrap_3.h>
+
+#include "wrapSurface.H"
+#include "cgalMeshes.H"
+
+#include <array>
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+typedef CGAL::Exact_predicates_inexact_constructions_kernel wrapKernel;
+typedef CGAL::Surface_mesh<wrapKernel::Point_3> wrapMesh;
+
+
+static std::vector<std::array<std::size_t, 3>> trianglesOf
+(
+    const wallSurface& surface
+)
+{
+    std::vector<std::array<std::size_t, 3>> triangles;
+
+    for (const face& f : surface.faces)
+    {
+        for (label k = 1; k + 1 < f.size(); ++k)
+        {
+            triangles.push_back
+            ({{
+                std::size_t(f[0]), std::size_t(f[k]), std::size_t(f[k + 1])
+            }});
+        }
+    }
+
+    return triangles;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+wallSurface wrapSurface
+(
+    const wallSurface& surface,
+    const scalar size,
+    const scalar offset,
+    const pointField& seeds
+)
+{
+    wrapMesh mesh;
+    auto seedPoints = cgalPoints<wrapKernel::Point_3>(seeds);
+    CGAL::alpha_wrap_3
+    (
+        cgalPoints<wrapKernel::Point_3>(surface.points), trianglesOf(surface),
+        size, offset, mesh,
+        CGAL::parameters::default_values(),
+        CGAL::parameters::seed_points(std::ref(seedPoints))
+    );
+
+    if (mesh.is_empty())
+    {
+        FatalErrorInFunction
+            << "There is no wrap of the size " << size << " m and the offset "
+            << offset << " m";
+
+        if (seeds.size())
+        {
+            FatalError
+                << " that begins at the seeds " << seeds << ": around one"
+                << " there must be room of about twice the size";
+        }
+
+        FatalError << exit(FatalError);
+    }
+
+    wallSurface wrap;
+    setFaces(mesh, wrap);
+    wrap.patchIDs.setSize(wrap.faces.size(), 0);
+    wrap.patchNames = wordList(1, word("wall"));
+
+    return wrap;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

@@ -1,0 +1,117 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "wrapSurface.H"
+#include "bringBack.H"
+#include "openSurfaces.H"
+#include "thrownMessage.H"
+#include "wallDefects.H"
+
+using namespace Foam;
+using namespace Foam::testSurfaces;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- A cube without one of its triangles
+static wallSurface leakyCube(const label n)
+{
+    wallSurface surface(cube(n));
+    surface.faces.setSize(surface.faces.size() - 1);
+    surface.patchIDs.setSize(surface.faces.size());
+
+    return surface;
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(wrapSurface, closesHolesNarrowerThanTheSize)
+{
+    // The hole is 0.29 across
+    const wallSurface wrap(wrapSurface(leakyCube(2), 0.4, 0.02, pointField()));
+
+    EXPECT_TRUE(findWallDefects(wrap).empty());
+    EXPECT_GT(testSurfaces::enclosedVolume(wrap), 1);
+    EXPECT_LT(testSurfaces::enclosedVolume(wrap), 1.2);
+}
+
+
+TEST(wrapSurface, goesThroughWiderHoles)
+{
+    const wallSurface wrap(wrapSurface(leakyCube(2), 0.1, 0.01, pointField()));
+
+    EXPECT_TRUE(findWallDefects(wrap).empty());
+    EXPECT_LT(testSurfaces::enclosedVolume(wrap), 0.3);
+}
+
+
+TEST(wrapSurface, beginsAtSeeds)
+{
+    const pointField seeds(1, point(0.5, 0.5, 0.5));
+    const wallSurface wrap(wrapSurface(leakyCube(4), 0.2, 0.02, seeds));
+    const scalar volume = mag(testSurfaces::enclosedVolume(wrap));
+
+    EXPECT_LT(volume, 1);
+    EXPECT_GT(volume, 0.7);
+}
+
+
+TEST(wrapSurface, seedsOnTheSurfaceAreRefused)
+{
+    const pointField seeds(1, point(1, 0.5, 0.5));
+
+    expectWords
+    (
+        thrownMessage<error>
+        (
+            [&]() { wrapSurface(cube(4), 0.2, 0.02, seeds); }
+        ),
+        {"no wrap", "(1 0.5 0.5)", "room of about twice the size"}
+    );
+}
+
+
+TEST(bringBack, putsPointsOnFacesAndSharpEdges)
+{
+    const wallSurface body(cube(4));
+    const nearestSurface nearest(body);
+    wallSurface wrap(wrapSurface(body, 0.1, 0.01, pointField()));
+    ASSERT_GT(distanceTo(nearest, wrap).largest, 0.009);
+    const broughtBack back(bringBack(body, nearest, 0.02, 30, wrap));
+
+    // Where points are close to each other, flat triangles hold some back
+    EXPECT_GT(back.nOnEdges, 60);
+    EXPECT_LT(back.nLeft + back.nBetween, 0.05*wrap.points.size());
+    EXPECT_LT(distanceTo(nearest, wrap).largest, 0.04);
+    EXPECT_LT(distanceTo(nearest, wrap).mean, 5e-4);
+    EXPECT_TRUE(findWallDefects(wrap).empty());
+    EXPECT_NEAR(testSurfaces::enclosedVolume(wrap), 1, 0.005);
+
+    label nOff = 0;
+    for (const point& x : wrap.points)
+    {
+        const vector d(cmptMag(x - point(0.5, 0.5, 0.5)));
+        nOff += mag(cmptMax(d) - 0.5) > 1e-12;
+    }
+    EXPECT_EQ(nOff, back.nLeft + back.nBetween);
+}
+
+
+TEST(bringBack, sheetsKeepAThickness)
+{
+    const wallSurface sheet(testSurfaces::sheet(4, 0));
+    wallSurface wrap(wrapSurface(sheet, 0.1, 0.01, pointField()));
+    const broughtBack back
+    (
+        bringBack(sheet, nearestSurface(sheet), 0.02, 30, wrap)
+    );
+
+    EXPECT_GT(back.nBetween, wrap.points.size()/2);
+    EXPECT_TRUE(findWallDefects(wrap).empty());
+    EXPECT_GT(testSurfaces::enclosedVolume(wrap), 0.005);
+}
+
+
+// ************************************************************************* //
