@@ -9,6 +9,7 @@
 #include "meshFaults.H"
 #include "prismLayerMesh.H"
 #include "wallDefects.H"
+#include "wallPointsError.H"
 
 #include <cfenv>
 #include <functional>
@@ -144,6 +145,17 @@ static void makeAndMesh(const fuzzCase& one, const listener& tell)
     try
     {
         mesh(wall, controls, local, tell);
+    }
+    catch (const wallPointsError& e)
+    {
+        // In a knife edge between wall and side patch there may be no layers
+        const Map<labelPair> border(wall.border.pointSides());
+        const bool onBorder = std::all_of
+        (
+            e.labels().begin(), e.labels().end(),
+            [&](const label p) { return border.found(p); }
+        );
+        tell(onBorder ? "skipped" : "failed", oneLine(e.message()));
     }
     catch (const Foam::error& e)
     {
