@@ -13,6 +13,32 @@ namespace Foam
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
+MeshedSurface<face> toMeshedSurface(const wallSurface& surface)
+{
+    const labelListList patchFaces
+    (
+        invertOneToMany(surface.patchNames.size(), surface.patchIDs)
+    );
+    faceList faces;
+    List<surfZone> zones(patchFaces.size());
+
+    forAll(patchFaces, patchi)
+    {
+        zones[patchi] = surfZone
+        (
+            surface.patchNames[patchi], patchFaces[patchi].size(),
+            faces.size(), patchi
+        );
+        faces.append(UIndirectList<face>(surface.faces, patchFaces[patchi])());
+    }
+
+    return MeshedSurface<face>
+    (
+        pointField(surface.points), std::move(faces), zones
+    );
+}
+
+
 MeshedSurface<face> outerSurface(const prismLayers& layers)
 {
     return MeshedSurface<face>
@@ -26,33 +52,12 @@ MeshedSurface<face> outerSurface(const prismLayers& layers)
 
 MeshedSurface<face> sideSurface(const prismLayers& layers)
 {
-    const wallSurface left
+    return toMeshedSurface
     (
         makeEndedBoundary
         (
             layers, farBoundary(), [](const point&) { return GREAT; }
         ).surface
-    );
-    const labelListList patchFaces
-    (
-        invertOneToMany(left.patchNames.size(), left.patchIDs)
-    );
-    faceList faces;
-    List<surfZone> zones(patchFaces.size());
-
-    forAll(patchFaces, patchi)
-    {
-        zones[patchi] = surfZone
-        (
-            left.patchNames[patchi], patchFaces[patchi].size(), faces.size(),
-            patchi
-        );
-        faces.append(UIndirectList<face>(left.faces, patchFaces[patchi])());
-    }
-
-    return MeshedSurface<face>
-    (
-        pointField(left.points), std::move(faces), zones
     );
 }
 

@@ -61,67 +61,6 @@ Foam::prismCase::prismCase(const argList& args, Time& time)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::fileName Foam::prismCase::polyMeshPath() const
-{
-    return time_.constant()
-       /(region_ == polyMesh::defaultRegion ? word::null : region_)
-       /polyMesh::meshSubDir;
-}
-
-
-Foam::fileName Foam::prismCase::polyMeshFolder() const
-{
-    return time_.path()/polyMeshPath();
-}
-
-
-Foam::fileName Foam::prismCase::reportFolder() const
-{
-    return time_.path()/"postProcessing"/"harmonicPrismMesh"
-       /(region_ == polyMesh::defaultRegion ? word::null : region_);
-}
-
-
-Foam::fileName Foam::prismCase::reportFile() const
-{
-    return reportFolder()/"report";
-}
-
-
-Foam::fileName Foam::prismCase::failedPointsFile() const
-{
-    return reportFolder()/"failedPoints.vtk";
-}
-
-
-Foam::fileName Foam::prismCase::surfaceFile(const fileName& name) const
-{
-    if (name.isAbsolute())
-    {
-        return name;
-    }
-
-    return name.find('/') == std::string::npos
-      ? time_.path()/time_.constant()/"triSurface"/name
-      : time_.path()/name;
-}
-
-
-Foam::fileNameList Foam::prismCase::surfaceFiles
-(
-    const wallSurfaceControls& controls
-) const
-{
-    fileNameList files(controls.files);
-    for (fileName& file : files)
-    {
-        file = surfaceFile(file);
-    }
-
-    return files;
-}
-
-
 void Foam::prismCase::checkOverwrite(const UList<fileName>& surfaces) const
 {
     for (const fileName& file : {outerFile(), sidesFile()})
@@ -178,26 +117,18 @@ Foam::fileName Foam::prismCase::writeFailedPoints
 }
 
 
-Foam::fileName Foam::prismCase::surfaceOf(const word& name) const
+void Foam::prismCase::writeSurface
+(
+    const fileName& target,
+    const MeshedSurface<face>& surface,
+    replacedFiles& files
+) const
 {
-    const word stem
-    (
-        region_ == polyMesh::defaultRegion ? name : word(name + '_' + region_)
-    );
+    const word name(target.name());
+    const fileName file(files.scratch(target, name)/name);
 
-    return time_.path()/time_.constant()/"triSurface"/(stem + ".obj");
-}
-
-
-Foam::fileName Foam::prismCase::outerFile() const
-{
-    return surfaceOf(layerOuterName);
-}
-
-
-Foam::fileName Foam::prismCase::sidesFile() const
-{
-    return surfaceOf("sides");
+    surface.write(file);
+    checkEnd(file, "# </faces>");
 }
 
 
@@ -208,24 +139,11 @@ void Foam::prismCase::writeOuter
     replacedFiles& files
 ) const
 {
-    const auto write = [&]
-    (
-        const fileName& target,
-        const MeshedSurface<face>& surface
-    )
-    {
-        const word name(target.name());
-        const fileName file(files.scratch(target, name)/name);
-
-        surface.write(file);
-        checkEnd(file, "# </faces>");
-    };
-
-    write(outerFile(), outerSurface(layers));
+    writeSurface(outerFile(), outerSurface(layers), files);
 
     if (!hasFarField && endOnParts(layers))
     {
-        write(sidesFile(), sideSurface(layers));
+        writeSurface(sidesFile(), sideSurface(layers), files);
     }
 }
 
@@ -284,9 +202,6 @@ void Foam::prismCase::writeAll
     log.begin("prismPolyMesh");
     const bool hasFarField = !m.farField.empty();
 
-    // What was certified is what is written: no digit may be lost
-    IOstream::defaultPrecision(17);
-
     writeOuter(m.made.layers, hasFarField, files);
     layerReport report
     (
@@ -320,23 +235,24 @@ void Foam::prismCase::writeAll
 
     IOstream::defaultPrecision(6);
     writeReport(files.scratch(reportFile(), "report")/"report", entries);
-    files.replaceAll();
 }
 
 
-void Foam::prismCase::write
+void Foam::prismCase::replace
 (
-    const wallSurface& wall,
-    prismLayerMesh& m,
-    stageLog& log
+    const std::function<void(replacedFiles&)>& write
 ) const
 {
     replacedFiles files;
     throwErrors(true);
 
+    // What was certified is what is written: no digit may be lost
+    IOstream::defaultPrecision(17);
+
     try
     {
-        writeAll(wall, m, log, files);
+        write(files);
+        files.replaceAll();
     }
     catch (const Foam::error& failure)
     {
@@ -350,11 +266,53 @@ void Foam::prismCase::write
     }
 
     throwErrors(false);
+}
+
+
+void Foam::prismCase::writePrepared
+(
+    const fileName& file,
+    const wallSurface& surface
+) const
+{
+    replace([&](replacedFiles& files)
+    {
+        writeSurface(file, toMeshedSurface(surface), files);
+    });
+
+    Info<< nl << "Surface: " << file << nl << endl;
+}
+
+
+void Foam::prismCase::write
+(
+    const wallSurface& wall,
+    prismLayerMesh& m,
+    stageLog& log,
+    const fileName& preparedFile,
+    const wallSurface& prepared
+) const
+{
+    replace([&](replacedFiles& files)
+    {
+        if (preparedFile.size())
+        {
+            writeSurface(preparedFile, toMeshedSurface(prepared), files);
+        }
+        writeAll(wall, m, log, files);
+    });
+
     rm(failedPointsFile());
 
     Info<< nl << "Mesh:   " << polyMeshFolder() << nl
         << "Outer:  " << outerFile() << nl
-        << "Report: " << reportFile() << nl << endl;
+        << "Report: " << reportFile() << nl;
+
+    if (preparedFile.size())
+    {
+        Info<< "Surface: " << preparedFile << nl;
+    }
+    Info<< endl;
 }
 
 
