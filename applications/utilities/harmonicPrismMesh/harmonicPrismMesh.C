@@ -33,6 +33,10 @@ Usage
       - \par -checkSurface
         Say what is wrong with the surface, write nothing
 
+      - \par -prepareSurface
+        Repair the surface as surface.repair says, and write it to
+        constant/triSurface/<name>.prepared.obj, but no mesh
+
       - \par -writeFields
         Write VTK files of the envelope, the background mesh with its fields,
         the columns, the layers, and the wall with what was reached on it; how
@@ -82,6 +86,11 @@ static void addOptions()
     argList::addBoolOption
     (
         "checkSurface", "Say what is wrong with the surface, write nothing"
+    );
+    argList::addBoolOption
+    (
+        "prepareSurface",
+        "Repair the surface and write it, <name>.prepared.obj, and no mesh"
     );
     argList::addBoolOption
     (
@@ -217,11 +226,22 @@ int main(int argc, char *argv[])
     stageLog log;
     const bool checkOnly = args.found("checkSurface");
     const fileNameList surfaceFiles(files.surfaceFiles(controls.surface));
-    const wallSurface wall(readWall(surfaceFiles, checkOnly, controls, log));
+    const readSurface read(readWall(surfaceFiles, checkOnly, controls, log));
+    const wallSurface& wall = read.wall;
 
     if (checkOnly)
     {
         endCheck("");
+    }
+
+    const fileName prepared(files.preparedFile(surfaceFiles));
+
+    if (args.found("prepareSurface"))
+    {
+        files.writePrepared(prepared, read.surface);
+        Info<< "End" << nl << endl;
+
+        return 0;
     }
 
     files.checkOverwrite(surfaceFiles);
@@ -247,7 +267,10 @@ int main(int argc, char *argv[])
         files.writeFields(wall, result);
     }
 
-    files.write(wall, result, log);
+    files.write
+    (
+        wall, result, log, read.isRepaired ? prepared : fileName(), read.surface
+    );
 
     Info<< "End" << nl << endl;
 

@@ -7,6 +7,7 @@
 #include "boxSidePlanes.H"
 #include "endWall.H"
 #include "prismPolyMesh.H"
+#include "repairSurface.H"
 #include "wallDefects.H"
 
 namespace Foam
@@ -22,8 +23,16 @@ static string sizesOf(const wallSurface& surface)
 }
 
 
+static void report(const char* which, const surfaceDistance& distance)
+{
+    Info<< "    distance " << which << " the given surface: "
+        << distance.largest << " m at most, at " << distance.place << ", mean "
+        << distance.mean << " m" << nl;
+}
+
+
 //- The surface, read and reported
-static wallSurface readSurface
+static wallSurface readFiles
 (
     const fileNameList& files,
     const wallSurfaceControls& controls,
@@ -50,6 +59,54 @@ static wallSurface readSurface
 }
 
 
+//- The surface, repaired and reported if that is wanted and needed
+static readSurface repair
+(
+    const wallSurface& surface,
+    const wallSurfaceControls& controls,
+    stageLog& log
+)
+{
+    readSurface result;
+    result.surface = surface;
+
+    if (controls.repair.repair == surfaceRepairControls::method::none)
+    {
+        return result;
+    }
+
+    log.begin("surfaceRepair");
+    const repairedSurface repaired(repairSurface(surface, controls));
+    log.end
+    (
+        repaired.steps.empty() ? "nothing to repair"
+      : sizesOf(repaired.surface)
+    );
+
+    for (const repairStep& step : repaired.steps)
+    {
+        Info<< "    " << step.what.c_str() << ' ' << step.count;
+        if (step.places.size())
+        {
+            Info<< ", at " << step.places[0];
+        }
+        Info<< nl;
+    }
+
+    if (repaired.steps.size())
+    {
+        report("from", repaired.distance);
+        report("of", repaired.distanceOfGiven);
+    }
+    Info<< flush;
+
+    result.surface = repaired.surface;
+    result.isRepaired = repaired.steps.size();
+
+    return result;
+}
+
+
 //- The defects of the wall, reported; empty if there are none
 static string checkWall
 (
@@ -73,6 +130,39 @@ static string checkWall
     }
 
     return defects;
+}
+
+
+//- Which repair would leave no defects, one sentence
+static string adviceOnRepair
+(
+    const wallSurface& surface,
+    const wallSurfaceControls& controls
+)
+{
+    typedef surfaceRepairControls::method method;
+
+    if (controls.repair.repair == method::wrap)
+    {
+        return "";
+    }
+
+    wallSurfaceControls stitching(controls);
+    stitching.repair.repair = method::stitch;
+    const repairedSurface stitched(repairSurface(surface, stitching));
+
+    if (findWallDefects(stitched.surface, controls.sidePlanes.size()).size())
+    {
+        return "surface.repair stitch does not mend this surface;"
+            " surface.repair wrap makes a closed surface of any.";
+    }
+
+    OStringStream os;
+    os  << "surface.repair stitch mends this surface: all of it is then within "
+        << max(stitched.distance.largest, stitched.distanceOfGiven.largest)
+        << " m.";
+
+    return os.str();
 }
 
 
@@ -132,7 +222,7 @@ void endCheck(const string& defects)
 }
 
 
-wallSurface readWall
+readSurface readWall
 (
     const fileNameList& surfaceFiles,
     const bool checkOnly,
@@ -141,20 +231,22 @@ wallSurface readWall
 )
 {
     wallReading reading;
-    const wallSurface surface
+    const wallSurface given
     (
-        readSurface(surfaceFiles, controls.surface, reading, log)
+        readFiles(surfaceFiles, controls.surface, reading, log)
     );
     controls.surface.sidePlanes = withBoxSides
     (
-        surface, controls.surface.sidePlanes, controls.farField.boundary
+        given, controls.surface.sidePlanes, controls.farField.boundary
     );
+    readSurface result(repair(given, controls.surface, log));
+    const wallSurface& surface = result.surface;
     const bool mayBeOpen = controls.surface.sidePlanes.size();
     const string defects(checkWall(surface, mayBeOpen, reading, log));
 
     if (defects.size() && checkOnly)
     {
-        endCheck(defects);
+        endCheck(defects + "\n" + adviceOnRepair(given, controls.surface));
     }
     else if (defects.size())
     {
@@ -164,7 +256,9 @@ wallSurface readWall
             << exit(FatalError);
     }
 
-    return takeWall(surface, controls, reading, log);
+    result.wall = takeWall(surface, controls, reading, log);
+
+    return result;
 }
 
 } // End namespace Foam

@@ -74,12 +74,40 @@ static sidePatch readSidePlane(const keyType& key, const dictionary& dict)
 }
 
 
+static surfaceRepairControls readRepair(const dictionary& dict)
+{
+    typedef surfaceRepairControls::method method;
+    const wordList names({"none", "stitch", "wrap"});
+
+    surfaceRepairControls controls;
+    word name(names[int(controls.repair)]);
+    readChoice(dict, "repair", names, name);
+    controls.repair = method(names.find(name));
+
+    const dictionary& stitch = optionalDict(dict, "stitchCoeffs");
+    checkKeys(stitch, {"gap", "hole"});
+    readBounded(stitch, "gap", SMALL, GREAT, controls.gap);
+    readBounded(stitch, "hole", SMALL, GREAT, controls.hole);
+
+    const dictionary& wrap = optionalDict(dict, "wrapCoeffs");
+    checkKeys(wrap, {"size", "offset", "seeds"});
+    readBounded(wrap, "size", SMALL, GREAT, controls.size);
+    readBounded(wrap, "offset", SMALL, GREAT, controls.offset);
+    wrap.readIfPresent("seeds", controls.seeds);
+
+    return controls;
+}
+
+
 static wallSurfaceControls readSurface(const dictionary& dict)
 {
     checkKeys
     (
         dict,
-        {"file", "files", "fluid", "scale", "mergeTolerance", "sidePlanes"}
+        {
+            "file", "files", "fluid", "scale", "mergeTolerance", "sidePlanes",
+            "repair", "stitchCoeffs", "wrapCoeffs"
+        }
     );
 
     wallSurfaceControls controls;
@@ -93,6 +121,7 @@ static wallSurfaceControls readSurface(const dictionary& dict)
 
     readBounded(dict, "scale", 1e-9, 1e9, controls.scale);
     readBounded(dict, "mergeTolerance", 0, 1e-3, controls.mergeTolerance);
+    controls.repair = readRepair(dict);
 
     return controls;
 }

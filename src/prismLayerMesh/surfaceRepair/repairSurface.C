@@ -1,0 +1,193 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "repairSurface.H"
+#include "boundBox.H"
+#include "bringBack.H"
+#include "cutReflexFaces.H"
+#include "endWall.H"
+#include "readWallSurface.H"
+#include "sigFpe.H"
+#include "stitchSurface.H"
+#include "wallDefects.H"
+#include "wrapSurface.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+class surfaceRepairer
+{
+    const wallSurface& given_;
+    const surfaceRepairControls& controls_;
+    const List<sidePatch>& planes_;
+    const bool fluidOutside_;
+
+    //- Diagonal of the bounding box [m], and the tolerance of side planes
+    const scalar diagonal_;
+    const scalar tolerance_;
+
+    repairedSurface repaired_;
+
+    //- A length, or a share of the diagonal where none is given
+    scalar orShare(const scalar length, const scalar share) const
+    {
+        return length > 0 ? length : share*diagonal_;
+    }
+
+    //- Whether the surface has no defects, and its border is on side planes
+    bool isSound() const;
+
+    void stitch();
+
+    void wrap();
+
+public:
+
+    surfaceRepairer
+    (
+        const wallSurface& surface,
+        const wallSurfaceControls& controls
+    )
+    :
+        given_(surface),
+        controls_(controls.repair),
+        planes_(controls.sidePlanes),
+        fluidOutside_(controls.fluidOutside),
+        diagonal_(boundBox(surface.points, false).mag()),
+        tolerance_(sideTolerance*diagonal_)
+    {
+        repaired_.surface = surface;
+    }
+
+    repairedSurface repair();
+};
+
+
+bool surfaceRepairer::isSound() const
+{
+    const wallSurface& surface = repaired_.surface;
+
+    for (const edge& e : outline(surface.faces))
+    {
+        const point& a = surface.points[e.start()];
+        const point& b = surface.points[e.end()];
+        const bool isOnPlane = std::any_of
+        (
+            planes_.begin(), planes_.end(), [&](const sidePatch& plane)
+            {
+                return plane.hasEdge(a, b, tolerance_);
+            }
+        );
+
+        if (!isOnPlane)
+        {
+            return false;
+        }
+    }
+
+    return findWallDefects(surface, planes_.size()).empty();
+}
+
+
+void surfaceRepairer::stitch()
+{
+    wallSurface& surface = repaired_.surface;
+    repairSteps& steps = repaired_.steps;
+
+    stitchFaces(surface, steps);
+    orientWallSurface(surface, true);
+
+    if (!isSound())
+    {
+        closeGaps
+        (
+            surface, orShare(controls_.gap, 1e-4),
+            orShare(controls_.hole, 0.05), planes_, tolerance_, steps
+        );
+        orientWallSurface(surface, true);
+    }
+    if (!isSound())
+    {
+        uniteBodies(surface, steps);
+    }
+}
+
+
+void surfaceRepairer::wrap()
+{
+    const scalar size = orShare(controls_.size, 0.01);
+    const scalar offset =
+        controls_.offset > 0 ? controls_.offset : 0.1*size;
+
+    wallSurface& surface = repaired_.surface;
+    surface = wrapSurface(given_, size, offset, controls_.seeds);
+    const label nPoints = surface.points.size();
+    const broughtBack back
+    (
+        bringBack(given_, nearestSurface(given_), 2*offset, 30, surface)
+    );
+
+    repairSteps& steps = repaired_.steps;
+    addStep(steps, "points of the wrap", nPoints);
+    addStep(steps, "of them on sharp edges", back.nOnEdges);
+    addStep(steps, "on faces", back.nOnFaces);
+    addStep(steps, "between", back.nBetween);
+    addStep(steps, "left where they were", back.nLeft);
+}
+
+
+repairedSurface surfaceRepairer::repair()
+{
+    if (controls_.repair == surfaceRepairControls::method::none || isSound())
+    {
+        return repaired_;
+    }
+
+    // CGAL's intervals may be infinite
+    const sigFpe::ignore untrapped;
+
+    if (controls_.repair == surfaceRepairControls::method::stitch)
+    {
+        stitch();
+    }
+    else
+    {
+        wrap();
+    }
+
+    wallSurface& surface = repaired_.surface;
+    const nearestSurface given(given_);
+    given.setPatches(surface);
+    cutReflexFaces(surface);
+    orientWallSurface(surface, fluidOutside_);
+
+    repaired_.distance = distanceTo(given, surface);
+    repaired_.distanceOfGiven = distanceTo(nearestSurface(surface), given_);
+
+    return repaired_;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+repairedSurface repairSurface
+(
+    const wallSurface& surface,
+    const wallSurfaceControls& controls
+)
+{
+    return surfaceRepairer(surface, controls).repair();
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
