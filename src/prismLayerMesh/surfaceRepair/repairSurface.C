@@ -12,12 +12,18 @@
 #include "sigFpe.H"
 #include "stitchSurface.H"
 #include "wallDefects.H"
+#include "wrapLeaks.H"
 #include "wrapSurface.H"
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Edges of a surface are sharp if the normals of their faces differ by more
+//  than this [deg]
+static constexpr scalar featureAngle = 30;
+
 
 namespace
 {
@@ -128,18 +134,19 @@ void surfaceRepairer::wrap()
 
     wallSurface& surface = repaired_.surface;
     surface = wrapSurface(given_, size, offset, controls_.seeds);
-    const label nPoints = surface.points.size();
+    const nearestSurface nearest(given_);
+    repairSteps& steps = repaired_.steps;
+    addStep(steps, "points of the wrap", surface.points.size());
+    addLeaks(given_, nearest, surface, size, steps);
+
     const broughtBack back
     (
-        bringBack(given_, nearestSurface(given_), 2*offset, 30, surface)
+        bringBack(given_, nearest, 2*offset, featureAngle, surface)
     );
-
-    repairSteps& steps = repaired_.steps;
-    addStep(steps, "points of the wrap", nPoints);
-    addStep(steps, "of them on sharp edges", back.nOnEdges);
-    addStep(steps, "on faces", back.nOnFaces);
-    addStep(steps, "between", back.nBetween);
-    addStep(steps, "left where they were", back.nLeft);
+    addStep(steps, "points brought back to sharp edges", back.nOnEdges);
+    addStep(steps, "points brought back to faces", back.nOnFaces);
+    addStep(steps, "points brought half way", back.nBetween);
+    addStep(steps, "points left at their distance", back.nLeft);
 }
 
 

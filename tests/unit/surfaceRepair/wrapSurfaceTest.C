@@ -8,6 +8,7 @@
 #include "openSurfaces.H"
 #include "thrownMessage.H"
 #include "wallDefects.H"
+#include "wrapLeaks.H"
 
 using namespace Foam;
 using namespace Foam::testSurfaces;
@@ -70,6 +71,40 @@ TEST(wrapSurface, seedsOnTheSurfaceAreRefused)
         ),
         {"no wrap", "(1 0.5 0.5)", "room of about twice the size"}
     );
+}
+
+
+TEST(wrapLeaks, namesTheOpeningsThatTheWrapWentThrough)
+{
+    const wallSurface surface(leakyCube(2));
+    const nearestSurface nearest(surface);
+
+    for (const scalar size : {0.4, 0.1})
+    {
+        const wallSurface wrap
+        (
+            wrapSurface(surface, size, 0.01, pointField())
+        );
+        repairSteps steps;
+        addLeaks(surface, nearest, wrap, size, steps);
+
+        if (size > 0.3)
+        {
+            EXPECT_TRUE(steps.empty());
+            continue;
+        }
+
+        ASSERT_EQ(steps.size(), 2);
+        EXPECT_GT(steps[0].count, 40);
+        EXPECT_NE(steps[1].what.find("openings"), std::string::npos);
+        EXPECT_EQ(steps[1].count, 1);
+        ASSERT_EQ(steps[1].places.size(), 1);
+
+        // Beside the face that is missing
+        const face missing(cube(2).faces.last());
+        const point centre(missing.centre(cube(2).points));
+        EXPECT_LT(mag(steps[1].places[0] - centre), 0.2);
+    }
 }
 
 
