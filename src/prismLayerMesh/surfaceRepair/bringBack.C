@@ -4,11 +4,11 @@
 \*---------------------------------------------------------------------------*/
 
 #include "bringBack.H"
+#include "cutSurface.H"
 #include "EdgeMap.H"
 #include "indexedOctree.H"
 #include "treeDataEdge.H"
 #include "unitConversion.H"
-#include "wallPredicates.H"
 #include "wallVisibility.H"
 
 namespace Foam
@@ -234,14 +234,7 @@ void returner::takeToEdges()
 
 labelList returner::facesAtFault() const
 {
-    bitSet degenerate(wrap_.faces.size());
-    const vectorField normals(wrap_.faceNormals());
-    forAll(normals, facei)
-    {
-        degenerate.set(facei, normals[facei] == vector::zero);
-    }
-
-    bitSet fault(degenerate);
+    bitSet fault(wrap_.faces.size(), facesInConflict(wrap_));
     forAll(wrap_.faces, facei)
     {
         const face& f = wrap_.faces[facei];
@@ -250,15 +243,10 @@ labelList returner::facesAtFault() const
         {
             longest = max(longest, e.mag(wrap_.points));
         }
-        fault.set
-        (
-            facei, 2*f.mag(wrap_.points) < leastHeight*sqr(longest)
-        );
-    }
-    for (const labelPair& pair : findIntersectingFaces(wrap_, degenerate))
-    {
-        fault.set(pair.first());
-        fault.set(pair.second());
+        if (2*f.mag(wrap_.points) < leastHeight*sqr(longest))
+        {
+            fault.set(facei);
+        }
     }
 
     const wallAddressing addressing(makeWallAddressing(wrap_));

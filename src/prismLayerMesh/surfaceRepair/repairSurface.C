@@ -7,6 +7,7 @@
 #include "boundBox.H"
 #include "bringBack.H"
 #include "cutReflexFaces.H"
+#include "cutSurface.H"
 #include "endWall.H"
 #include "readWallSurface.H"
 #include "sigFpe.H"
@@ -47,7 +48,10 @@ class surfaceRepairer
         return length > 0 ? length : share*diagonal_;
     }
 
-    //- Whether the surface has no defects, and its border is on side planes
+    bool isBeyond(const sidePatch& plane) const;
+
+    //- Whether the surface has no defects, its border is on side planes, and
+    //  none of it beyond these
     bool isSound() const;
 
     void stitch();
@@ -76,9 +80,29 @@ public:
 };
 
 
+bool surfaceRepairer::isBeyond(const sidePatch& plane) const
+{
+    const pointField& points = repaired_.surface.points;
+
+    return std::any_of
+    (
+        points.begin(), points.end(),
+        [&](const point& x) { return plane.distance(x) > tolerance_; }
+    );
+}
+
+
 bool surfaceRepairer::isSound() const
 {
     const wallSurface& surface = repaired_.surface;
+
+    for (const sidePatch& plane : planes_)
+    {
+        if (isBeyond(plane))
+        {
+            return false;
+        }
+    }
 
     for (const edge& e : outline(surface.faces))
     {
@@ -170,13 +194,36 @@ repairedSurface surfaceRepairer::repair()
     }
 
     wallSurface& surface = repaired_.surface;
+    bool isCut = false;
+    for (const sidePatch& plane : planes_)
+    {
+        if (isBeyond(plane))
+        {
+            cutSurface(surface, plane, repaired_.steps);
+            isCut = true;
+        }
+    }
+    if (isCut && fluidOutside_)
+    {
+        addStep
+        (
+            repaired_.steps, "cavities removed that a side plane closes",
+            removeCavities(surface, planes_)
+        );
+    }
+
     const nearestSurface given(given_);
     given.setPatches(surface);
     cutReflexFaces(surface);
     orientWallSurface(surface, fluidOutside_);
 
+    wallSurface inFront(given_);
+    for (const sidePatch& plane : planes_)
+    {
+        cutOff(inFront, plane, distancesTo(plane, inFront));
+    }
     repaired_.distance = distanceTo(given, surface);
-    repaired_.distanceOfGiven = distanceTo(nearestSurface(surface), given_);
+    repaired_.distanceOfGiven = distanceTo(nearestSurface(surface), inFront);
 
     return repaired_;
 }

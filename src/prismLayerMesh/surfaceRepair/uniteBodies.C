@@ -57,40 +57,53 @@ static bool isBody(const unionMesh& mesh)
 }
 
 
-//- Joins bodies to the first until nothing changes. Those that cannot be united
-//  are left.
+//- Unites two bodies unless they are apart, or cannot be united
+static bool unite(unionMesh& a, unionMesh& b, unionMesh& both)
+{
+    const double volumes = PMP::volume(a) + PMP::volume(b);
+
+    return
+        PMP::corefine_and_compute_union(a, b, both)
+     && PMP::volume(both) < (1 - 1e-12)*volumes;
+}
+
+
+//- Joins bodies to the first until nothing changes. Those that are not closed,
+//  or intersect themselves, are left.
 static label joinAll(std::vector<unionMesh>& bodies)
 {
+    std::vector<bool> sound(bodies.size());
+    std::vector<CGAL::Bbox_3> boxes(bodies.size());
+    for (std::size_t i = 0; i < bodies.size(); ++i)
+    {
+        sound[i] = isBody(bodies[i]);
+        boxes[i] = PMP::bbox(bodies[i]);
+    }
+
     label nUnited = 0;
 
     for (std::size_t i = 0; i < bodies.size(); ++i)
     {
-        for (std::size_t j = i + 1; j < bodies.size();)
+        for (std::size_t j = i + 1; sound[i] && j < bodies.size();)
         {
-            if
-            (
-                !CGAL::do_overlap(PMP::bbox(bodies[i]), PMP::bbox(bodies[j]))
-             || !isBody(bodies[i]) || !isBody(bodies[j])
-            )
+            if (!sound[j] || !CGAL::do_overlap(boxes[i], boxes[j]))
             {
                 ++j;
                 continue;
             }
 
             unionMesh a(bodies[i]), b(bodies[j]), both;
-            const double volumes = PMP::volume(a) + PMP::volume(b);
-            const bool done = PMP::corefine_and_compute_union(a, b, both);
-            const bool apart =
-                done && PMP::volume(both) > (1 - 1e-12)*volumes;
-
-            if (!done || apart)
+            if (!unite(a, b, both))
             {
                 ++j;
                 continue;
             }
 
             bodies[i] = both;
+            boxes[i] += boxes[j];
             bodies.erase(bodies.begin() + j);
+            boxes.erase(boxes.begin() + j);
+            sound.erase(sound.begin() + j);
             ++nUnited;
 
             // What it has become may reach others

@@ -147,13 +147,11 @@ static scalar cappedVolume
 }
 
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
-label orientOpenWall
+//- The components of a surface with their borders on planes
+static List<openComponent> componentsOf
 (
-    wallSurface& surface,
-    const UList<sidePatch>& planes,
-    const bool fluidOutside
+    const wallSurface& surface,
+    const UList<sidePatch>& planes
 )
 {
     const wallSides edges(makeWallSides(surface.faces, surface.points.size()));
@@ -162,7 +160,6 @@ label orientOpenWall
         findComponents(edges, surface.faces.size(), componentOfFace);
     List<openComponent> components(n);
     const labelListList faces(invertOneToMany(n, componentOfFace));
-    bool open = false;
 
     for (label e = 0; planes.size() && e < edges.nEdges(); ++e)
     {
@@ -176,24 +173,45 @@ label orientOpenWall
                 side.up ? edge(side.low, side.high) : edge(side.high, side.low)
             );
             component.planes.append(nearestPlane(surface, planes, side));
-            open = true;
         }
     }
 
-    label nFlipped = 0;
     forAll(components, i)
     {
         components[i].faces = faces[i];
-        const bool closed = components[i].borders.empty();
-        const scalar volume =
-            open ? cappedVolume(surface, planes, components[i]) : 1;
-        const bool outward = volume >= 0;
+    }
 
-        // All closed: they are oriented already
-        if (open && outward != (closed || fluidOutside))
+    return components;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+label orientOpenWall
+(
+    wallSurface& surface,
+    const UList<sidePatch>& planes,
+    const bool fluidOutside
+)
+{
+    const List<openComponent> components(componentsOf(surface, planes));
+    const bool open = std::any_of
+    (
+        components.begin(), components.end(),
+        [](const openComponent& c) { return c.borders.size(); }
+    );
+
+    // All closed: they are oriented already
+    label nFlipped = 0;
+    for (label i = 0; open && i < components.size(); ++i)
+    {
+        const openComponent& component = components[i];
+        const bool outward = cappedVolume(surface, planes, component) >= 0;
+
+        if (outward != (component.borders.empty() || fluidOutside))
         {
-            nFlipped += faces[i].size();
-            for (const label facei : faces[i])
+            nFlipped += component.faces.size();
+            for (const label facei : component.faces)
             {
                 surface.faces[facei].flip();
             }
@@ -201,6 +219,28 @@ label orientOpenWall
     }
 
     return nFlipped;
+}
+
+
+label removeCavities(wallSurface& surface, const UList<sidePatch>& planes)
+{
+    bitSet kept(surface.faces.size(), true);
+    label nCavities = 0;
+
+    for (const openComponent& component : componentsOf(surface, planes))
+    {
+        if (cappedVolume(surface, planes, component) < 0)
+        {
+            kept.unset(component.faces);
+            ++nCavities;
+        }
+    }
+
+    inplaceSubset(kept, surface.faces);
+    inplaceSubset(kept, surface.patchIDs);
+    removeUnusedPoints(surface.faces, surface.points);
+
+    return nCavities;
 }
 
 } // End namespace Foam

@@ -1,0 +1,276 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "cutSurface.H"
+#include "EdgeMap.H"
+#include "readWallSurface.H"
+#include "wallPredicates.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Points nearer to the plane than this share of their mean edge are put on it
+static constexpr scalar nearShare = 0.25;
+
+
+namespace
+{
+
+class planeCutter
+{
+    const sidePatch& plane_;
+    const scalarField& distances_;
+    wallSurface& surface_;
+
+    EdgeMap<label> cuts_;
+
+    //- The point of an edge that is on the plane
+    label cut(const edge& e)
+    {
+        if (!cuts_.found(e))
+        {
+            const label a = min(e.start(), e.end());
+            const label b = max(e.start(), e.end());
+            const scalar t = distances_[a]/(distances_[a] - distances_[b]);
+            const pointField& points = surface_.points;
+            const point x((1 - t)*points[a] + t*points[b]);
+
+            cuts_.insert(e, points.size());
+            surface_.points.append(x - plane_.distance(x)*plane_.normal);
+        }
+
+        return cuts_[e];
+    }
+
+    //- The part of a face that is not beyond the plane
+    face part(const face& f)
+    {
+        face left;
+
+        forAll(f, k)
+        {
+            const scalar d = distances_[f[k]];
+            const edge e(f.faceEdge(k));
+
+            if (d <= 0)
+            {
+                left.append(f[k]);
+            }
+            if (d*distances_[e.end()] < 0)
+            {
+                left.append(cut(e));
+            }
+        }
+
+        return left;
+    }
+
+public:
+
+    planeCutter
+    (
+        const sidePatch& plane,
+        const scalarField& distances,
+        wallSurface& surface
+    )
+    :
+        plane_(plane),
+        distances_(distances),
+        surface_(surface)
+    {}
+
+    void cutAll()
+    {
+        DynamicList<face> faces(surface_.faces.size());
+        DynamicList<label> patchIDs(faces.size());
+        const auto add = [&](const face& f, const label facei)
+        {
+            faces.append(f);
+            patchIDs.append(surface_.patchIDs[facei]);
+        };
+
+        forAll(surface_.faces, facei)
+        {
+            const face& f = surface_.faces[facei];
+            const bool isInFront = std::any_of
+            (
+                f.begin(), f.end(),
+                [&](const label p) { return distances_[p] < 0; }
+            );
+
+            // Faces on the plane are beyond it
+            const face left(isInFront ? part(f) : face());
+
+            for (label k = 1; left.size() > 4 && k + 1 < left.size(); ++k)
+            {
+                add(face({left[0], left[k], left[k + 1]}), facei);
+            }
+            if (left.size() && left.size() <= 4)
+            {
+                add(left, facei);
+            }
+        }
+
+        surface_.faces.transfer(faces);
+        surface_.patchIDs.transfer(patchIDs);
+        removeUnusedPoints(surface_.faces, surface_.points);
+    }
+};
+
+} // End anonymous namespace
+
+
+//- Points nearer to the plane than their share, with a neighbour that is further
+//  beyond
+static bitSet nearTheCut
+(
+    const wallSurface& surface,
+    const scalarField& distances
+)
+{
+    scalarField near(distances.size(), Zero);
+    labelList n(distances.size(), Zero);
+    for (const face& f : surface.faces)
+    {
+        for (const edge& e : f.edges())
+        {
+            const scalar length = e.mag(surface.points);
+            for (const label p : {e.start(), e.end()})
+            {
+                near[p] += length;
+                ++n[p];
+            }
+        }
+    }
+    forAll(near, p)
+    {
+        near[p] *= nearShare/max(n[p], label(1));
+    }
+
+    bitSet points(distances.size());
+    for (const face& f : surface.faces)
+    {
+        for (const edge& e : f.edges())
+        {
+            for (const label p : {e.start(), e.end()})
+            {
+                const label q = e.otherVertex(p);
+
+                if (mag(distances[p]) < near[p] && distances[q] >= near[q])
+                {
+                    points.set(p);
+                }
+            }
+        }
+    }
+
+    return points;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+scalarField distancesTo
+(
+    const sidePatch& plane,
+    const wallSurface& surface
+)
+{
+    scalarField distances(surface.points.size());
+    forAll(distances, p)
+    {
+        distances[p] = plane.distance(surface.points[p]);
+    }
+
+    return distances;
+}
+
+
+labelList facesInConflict(const wallSurface& surface)
+{
+    const vectorField normals(surface.faceNormals());
+    bitSet degenerate(surface.faces.size());
+    forAll(normals, facei)
+    {
+        degenerate.set(facei, normals[facei] == vector::zero);
+    }
+
+    bitSet faces(degenerate);
+    for (const labelPair& pair : findIntersectingFaces(surface, degenerate))
+    {
+        faces.set(pair.first());
+        faces.set(pair.second());
+    }
+
+    return faces.sortedToc();
+}
+
+
+void cutOff
+(
+    wallSurface& surface,
+    const sidePatch& plane,
+    const scalarField& distances
+)
+{
+    planeCutter(plane, distances, surface).cutAll();
+}
+
+
+void cutSurface
+(
+    wallSurface& surface,
+    const sidePatch& plane,
+    repairSteps& steps
+)
+{
+    scalarField distances(distancesTo(plane, surface));
+    const pointField from(surface.points);
+    bitSet onPlane(nearTheCut(surface, distances));
+    for (const label p : onPlane)
+    {
+        surface.points[p] -= distances[p]*plane.normal;
+    }
+
+    // Each pass takes some back
+    for (bool more = true; more;)
+    {
+        more = false;
+        for (const label facei : facesInConflict(surface))
+        {
+            for (const label p : surface.faces[facei])
+            {
+                if (onPlane.test(p))
+                {
+                    onPlane.unset(p);
+                    surface.points[p] = from[p];
+                    more = true;
+                }
+            }
+        }
+    }
+    for (const label p : onPlane)
+    {
+        distances[p] = 0;
+    }
+
+    const label nFaces = surface.faces.size();
+    cutOff(surface, plane, distances);
+    addStep
+    (
+        steps, "points put on the side plane " + plane.name, onPlane.count()
+    );
+    addStep
+    (
+        steps, "faces less, beyond the side plane " + plane.name,
+        max(nFaces - surface.faces.size(), label(1))
+    );
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

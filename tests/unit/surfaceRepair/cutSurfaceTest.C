@@ -1,0 +1,102 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "cutSurface.H"
+#include "endWall.H"
+#include "openSurfaces.H"
+#include "wallDefects.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+using namespace Foam::testSurfaces;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Of the wall below a height
+static sidePatch lid(const scalar height)
+{
+    return sidePlane("lid", point(0, 0, height), vector(0, 0, 1));
+}
+
+
+static scalar leastHeight(const wallSurface& surface)
+{
+    scalar least = GREAT;
+    for (const face& f : surface.faces)
+    {
+        scalar longest = 0;
+        for (const edge& e : f.edges())
+        {
+            longest = max(longest, e.mag(surface.points));
+        }
+        least = min(least, 2*f.mag(surface.points)/sqr(longest));
+    }
+
+    return least;
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(cutSurface, leavesWhatIsInFrontOfThePlane)
+{
+    for (const scalar height : {0.5, 0.52, 0.6, 0.77})
+    {
+        for (const wallSurface& body : {cube(4), quadCube(4)})
+        {
+            wallSurface surface(body);
+            repairSteps steps;
+            cutSurface(surface, lid(height), steps);
+
+            EXPECT_TRUE(findWallDefects(surface, true).empty());
+            EXPECT_EQ(surface.patchIDs.size(), surface.faces.size());
+            EXPECT_EQ(steps.last().count > 0, true);
+
+            scalar top = 0;
+            for (const edge& e : outline(surface.faces))
+            {
+                EXPECT_EQ(surface.points[e.start()].z(), height);
+                top += e.mag(surface.points);
+            }
+            EXPECT_NEAR(top, 4, 1e-12);
+
+            // Of quadrilaterals near to the plane there are half
+            EXPECT_NEAR(volumeTo(surface, point(0, 0, height)), height, 0.02);
+        }
+    }
+}
+
+
+TEST(cutSurface, leavesNoSlivers)
+{
+    // The points at z = 0.5 are a little below the plane
+    wallSurface surface(cube(4));
+    repairSteps steps;
+    cutSurface(surface, lid(0.5 + 1e-7), steps);
+
+    EXPECT_GT(leastHeight(surface), 0.3);
+    EXPECT_EQ(outline(surface.faces).size(), 16);
+    EXPECT_EQ(steps.size(), 2);
+    EXPECT_EQ(steps[0].count, 16);
+}
+
+
+TEST(removeCavities, closedByAPlane)
+{
+    const wallSurface inner(translated(cube(2, 0.5), vector(0.25, 0.25, 0.25)));
+    wallSurface surface(merge(cube(4), reversed(inner)));
+    repairSteps steps;
+    cutSurface(surface, lid(0.5), steps);
+    ASSERT_NEAR(volumeTo(surface, point(0, 0, 0.5)), 0.5 - 0.0625, 1e-12);
+
+    const List<sidePatch> planes(1, lid(0.5));
+    EXPECT_EQ(removeCavities(surface, planes), 1);
+    EXPECT_NEAR(volumeTo(surface, point(0, 0, 0.5)), 0.5, 1e-12);
+    EXPECT_EQ(removeCavities(surface, planes), 0);
+}
+
+
+// ************************************************************************* //
