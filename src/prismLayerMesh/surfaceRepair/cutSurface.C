@@ -124,8 +124,8 @@ public:
 } // End anonymous namespace
 
 
-//- Points nearer to the plane than their share, with a neighbour that is further
-//  beyond
+//- Points nearer to the plane than their share, with a neighbour that is
+//  further beyond
 static bitSet nearTheCut
 (
     const wallSurface& surface,

@@ -56,6 +56,33 @@ static void removeWithoutArea(wallSurface& surface, repairSteps& steps)
 }
 
 
+//- Polygons that run the other way than before; some of their points may have
+//  got new labels
+static label nTurned
+(
+    const std::vector<soupPolygon>& before,
+    const std::vector<soupPolygon>& after
+)
+{
+    label n = 0;
+
+    for (std::size_t i = 0; i < before.size(); ++i)
+    {
+        const soupPolygon& a = before[i];
+        const soupPolygon& b = after[i];
+        label difference = 0;
+
+        for (std::size_t k = 0; k < a.size(); ++k)
+        {
+            difference += (a[k] == b[b.size() - 1 - k]) - (a[k] == b[k]);
+        }
+        n += difference > 0;
+    }
+
+    return n;
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 void stitchFaces(wallSurface& surface, repairSteps& steps)
@@ -83,7 +110,9 @@ void stitchFaces(wallSurface& surface, repairSteps& steps)
     );
 
     const std::size_t nPoints = points.size();
+    const auto before = polygons;
     PMP::orient_polygon_soup(points, polygons);
+    addStep(steps, "faces turned", nTurned(before, polygons));
     addStep
     (
         steps, "points added where more than two faces or sheets met",

@@ -70,6 +70,7 @@ TEST(stitchFaces, looseFacesAreJoinedAndStayQuadrilaterals)
         EXPECT_EQ(f.size(), 4);
     }
     EXPECT_EQ(countOf(steps, "equal points"), 96 - 26);
+    EXPECT_EQ(countOf(steps, "faces turned"), 1);
 
     orientWallSurface(surface, true);
     EXPECT_TRUE(findWallDefects(surface).empty());
