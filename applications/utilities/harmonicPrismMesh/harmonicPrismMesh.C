@@ -213,46 +213,26 @@ static prismLayerMesh makeMesh
 }
 
 
-int main(int argc, char *argv[])
+//- Make and write the mesh on a wall, and its repaired surface
+static void meshWall
+(
+    const argList& args,
+    const prismCase& files,
+    const preparedWall& prepared,
+    const fileName& preparedFile,
+    const prismLayerControls& controls,
+    const Time& time,
+    stageLog& log
+)
 {
-    addOptions();
-
-    #include "setRootCase.H"
-    #include "createTime.H"
-
-    const prismCase files(args, runTime);
-    prismLayerControls controls(readPrismLayerControls(files.dict()));
-
-    stageLog log;
-    const bool checkOnly = args.found("checkSurface");
-    const fileNameList surfaceFiles(files.surfaceFiles(controls.surface));
-    const readSurface read(readWall(surfaceFiles, checkOnly, controls, log));
-    const wallSurface& wall = read.wall;
-
-    if (checkOnly)
-    {
-        endCheck("");
-    }
-
-    const fileName prepared(files.preparedFile(surfaceFiles));
-
-    if (args.found("prepareSurface"))
-    {
-        files.writePrepared(prepared, read.surface);
-        Info<< "End" << nl << endl;
-
-        return 0;
-    }
-
-    files.checkOverwrite(surfaceFiles);
-
-    const localHeights local(readLocal(files, wall, controls, runTime, log));
+    const wallSurface& wall = prepared.wall;
+    const localHeights local(readLocal(files, wall, controls, time, log));
     const farFieldDomain domain
     (
         readFarField
         (
             files, wall, controls.surface.fluidOutside, controls.farField,
-            runTime, log
+            time, log
         )
     );
     prismLayerMesh result(makeMesh(files, wall, controls, local, log));
@@ -269,8 +249,47 @@ int main(int argc, char *argv[])
 
     files.write
     (
-        wall, result, log, read.isRepaired ? prepared : fileName(), read.surface
+        wall, result, log, prepared.isRepaired ? preparedFile : fileName(),
+        prepared.surface
     );
+}
+
+
+int main(int argc, char *argv[])
+{
+    addOptions();
+
+    #include "setRootCase.H"
+    #include "createTime.H"
+
+    const prismCase files(args, runTime);
+    prismLayerControls controls(readPrismLayerControls(files.dict()));
+
+    stageLog log;
+    const bool checkOnly = args.found("checkSurface");
+    const fileNameList surfaceFiles(files.surfaceFiles(controls.surface));
+    const preparedWall prepared
+    (
+        readWall(surfaceFiles, checkOnly, controls, log)
+    );
+
+    if (checkOnly)
+    {
+        endCheck("");
+    }
+
+    const fileName preparedFile(files.preparedFile(surfaceFiles));
+
+    if (args.found("prepareSurface"))
+    {
+        files.writePrepared(preparedFile, prepared.surface);
+        Info<< "End" << nl << endl;
+
+        return 0;
+    }
+
+    files.checkOverwrite(surfaceFiles);
+    meshWall(args, files, prepared, preparedFile, controls, runTime, log);
 
     Info<< "End" << nl << endl;
 

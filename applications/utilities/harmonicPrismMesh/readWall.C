@@ -60,14 +60,14 @@ static wallSurface readFiles
 
 
 //- The surface, repaired and reported if that is wanted and needed
-static readSurface repair
+static preparedWall repair
 (
     const wallSurface& surface,
     const wallSurfaceControls& controls,
     stageLog& log
 )
 {
-    readSurface result;
+    preparedWall result;
     result.surface = surface;
 
     if (controls.repair.repair == surfaceRepairControls::method::none)
@@ -222,7 +222,7 @@ void endCheck(const string& defects)
 }
 
 
-readSurface readWall
+preparedWall readWall
 (
     const fileNameList& surfaceFiles,
     const bool checkOnly,
@@ -239,7 +239,7 @@ readSurface readWall
     (
         given, controls.surface.sidePlanes, controls.farField.boundary
     );
-    readSurface result(repair(given, controls.surface, log));
+    preparedWall result(repair(given, controls.surface, log));
     const wallSurface& surface = result.surface;
     const bool mayBeOpen = controls.surface.sidePlanes.size();
     const string defects(checkWall(surface, mayBeOpen, reading, log));

@@ -20,6 +20,9 @@ namespace Foam
 typedef CGAL::Exact_predicates_inexact_constructions_kernel wrapKernel;
 typedef CGAL::Surface_mesh<wrapKernel::Point_3> wrapMesh;
 
+//- Triangles of a wrap, at most: each takes about 1.7 kB
+static constexpr scalar maxTriangles = 5e6;
+
 
 static std::vector<std::array<std::size_t, 3>> trianglesOf
 (
@@ -43,6 +46,29 @@ static std::vector<std::array<std::size_t, 3>> trianglesOf
 }
 
 
+//- Refuse sizes that would take all memory
+static void checkSize(const wallSurface& surface, const scalar size)
+{
+    scalar area = 0;
+    for (const face& f : surface.faces)
+    {
+        area += f.mag(surface.points);
+    }
+
+    // Equilateral, with edges of the size
+    const scalar nTriangles = 2*area/sqr(size);
+
+    if (nTriangles > maxTriangles)
+    {
+        FatalErrorInFunction
+            << "A wrap of the size " << size << " m would have about "
+            << nTriangles << " triangles; at most " << maxTriangles
+            << " are allowed, of a size of " << Foam::sqrt(2*area/maxTriangles)
+            << " m" << exit(FatalError);
+    }
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 wallSurface wrapSurface
@@ -53,6 +79,8 @@ wallSurface wrapSurface
     const pointField& seeds
 )
 {
+    checkSize(surface, size);
+
     wrapMesh mesh;
     auto seedPoints = cgalPoints<wrapKernel::Point_3>(seeds);
     CGAL::alpha_wrap_3

@@ -74,6 +74,19 @@ TEST(wrapSurface, seedsOnTheSurfaceAreRefused)
 }
 
 
+TEST(wrapSurface, sizesThatAreMuchTooSmallAreRefused)
+{
+    expectWords
+    (
+        thrownMessage<error>
+        (
+            [&]() { wrapSurface(cube(4), 1e-6, 1e-7, pointField()); }
+        ),
+        {"size 1e-06", "triangles", "0.00154919"}
+    );
+}
+
+
 TEST(wrapLeaks, namesTheOpeningsThatTheWrapWentThrough)
 {
     const wallSurface surface(leakyCube(2));
