@@ -49,7 +49,7 @@ static void addFaces
     }
 
     OStringStream what;
-    what.precision(2);
+    what.precision(3);
     what << "faces with the wrap on both sides, " << 100*area/all
         << " % of the area:";
     addStep(steps, what.str(), faces.count(), places);
