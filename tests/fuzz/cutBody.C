@@ -24,12 +24,10 @@ static void cut
     const scalar tolerance
 )
 {
-    scalarField distances(surface.points.size());
+    scalarField distances(distancesTo(plane, surface));
 
     forAll(distances, p)
     {
-        distances[p] = plane.distance(surface.points[p]);
-
         if (mag(distances[p]) < tolerance)
         {
             surface.points[p] -= distances[p]*plane.normal;

@@ -147,11 +147,22 @@ static string adviceOnRepair
         return "";
     }
 
+    // What is stitched already has been tried
     wallSurfaceControls stitching(controls);
     stitching.repair.repair = method::stitch;
-    const repairedSurface stitched(repairSurface(surface, stitching));
+    repairedSurface stitched;
+    bool isMended = controls.repair.repair == method::none;
 
-    if (findWallDefects(stitched.surface, controls.sidePlanes.size()).size())
+    if (isMended)
+    {
+        stitched = repairSurface(surface, stitching);
+        isMended = findWallDefects
+        (
+            stitched.surface, controls.sidePlanes.size()
+        ).empty();
+    }
+
+    if (!isMended)
     {
         return "surface.repair stitch does not mend this surface;"
             " surface.repair wrap makes a closed surface of any.";

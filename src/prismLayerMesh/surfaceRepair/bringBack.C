@@ -5,10 +5,10 @@
 
 #include "bringBack.H"
 #include "cutSurface.H"
-#include "EdgeMap.H"
 #include "indexedOctree.H"
 #include "treeDataEdge.H"
 #include "unitConversion.H"
+#include "wallSides.H"
 #include "wallVisibility.H"
 
 namespace Foam
@@ -39,40 +39,31 @@ static constexpr scalar treeDuplicity = 3;
 static edgeList sharpEdges(const wallSurface& surface, const scalar minCos)
 {
     const vectorField normals(surface.faceNormals());
-    EdgeMap<labelPair> faces(3*surface.faces.size());
-    EdgeMap<bool> sharp;
+    const wallSides sides
+    (
+        makeWallSides(surface.faces, surface.points.size())
+    );
+    DynamicList<edge> sharp;
 
-    forAll(surface.faces, facei)
+    for (label e = 0; e < sides.nEdges(); ++e)
     {
-        for (const edge& e : surface.faces[facei].edges())
+        const label start = sides.edgeStarts[e];
+        const wallSide& first = sides.sides[start];
+        bool isFlat = sides.edgeStarts[e + 1] - start == 2;
+
+        if (isFlat)
         {
-            if (faces.insert(e, labelPair(facei, -1)))
-            {
-                continue;
-            }
-
-            labelPair& two = faces[e];
-            const bool several = two.second() >= 0;
-            two.second() = facei;
-
             // Normals of neighbours may be opposite to each other
-            const vector& n = normals[two.first()];
-            if (several || mag(n & normals[facei]) < minCos)
-            {
-                sharp.set(e, true);
-            }
+            const vector& other = normals[sides.sides[start + 1].facei];
+            isFlat = mag(normals[first.facei] & other) >= minCos;
         }
-    }
-
-    forAllConstIters(faces, iter)
-    {
-        if (iter.val().second() < 0)
+        if (!isFlat)
         {
-            sharp.set(iter.key(), true);
+            sharp.append(edge(first.low, first.high));
         }
     }
 
-    return sharp.sortedToc();
+    return edgeList(std::move(sharp));
 }
 
 

@@ -56,7 +56,7 @@ class surfaceRepairer
 
     void stitch();
 
-    void wrap();
+    void wrap(const nearestSurface& given);
 
 public:
 
@@ -150,7 +150,7 @@ void surfaceRepairer::stitch()
 }
 
 
-void surfaceRepairer::wrap()
+void surfaceRepairer::wrap(const nearestSurface& given)
 {
     const scalar size = orShare(controls_.size, 0.01);
     const scalar offset =
@@ -158,14 +158,13 @@ void surfaceRepairer::wrap()
 
     wallSurface& surface = repaired_.surface;
     surface = wrapSurface(given_, size, offset, controls_.seeds);
-    const nearestSurface nearest(given_);
     repairSteps& steps = repaired_.steps;
     addStep(steps, "points of the wrap", surface.points.size());
-    addLeaks(given_, nearest, surface, size, steps);
+    addLeaks(given_, given, surface, size, steps);
 
     const broughtBack back
     (
-        bringBack(given_, nearest, 2*offset, featureAngle, surface)
+        bringBack(given_, given, 2*offset, featureAngle, surface)
     );
     addStep(steps, "points brought back to sharp edges", back.nOnEdges);
     addStep(steps, "points brought back to faces", back.nOnFaces);
@@ -183,6 +182,7 @@ repairedSurface surfaceRepairer::repair()
 
     // CGAL's intervals may be infinite
     const sigFpe::ignore untrapped;
+    const nearestSurface given(given_);
 
     if (controls_.repair == surfaceRepairControls::method::stitch)
     {
@@ -190,7 +190,7 @@ repairedSurface surfaceRepairer::repair()
     }
     else
     {
-        wrap();
+        wrap(given);
     }
 
     wallSurface& surface = repaired_.surface;
@@ -212,7 +212,6 @@ repairedSurface surfaceRepairer::repair()
         );
     }
 
-    const nearestSurface given(given_);
     given.setPatches(surface);
     cutReflexFaces(surface);
     orientWallSurface(surface, fluidOutside_);

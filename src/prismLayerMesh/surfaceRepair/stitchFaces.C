@@ -23,7 +23,6 @@ namespace PMP = CGAL::Polygon_mesh_processing;
 
 typedef CGAL::Exact_predicates_inexact_constructions_kernel stitchKernel;
 typedef CGAL::Surface_mesh<stitchKernel::Point_3> stitchMesh;
-typedef std::vector<std::size_t> soupPolygon;
 
 
 //- Removes the faces whose area is zero, exactly
@@ -60,16 +59,16 @@ static void removeWithoutArea(wallSurface& surface, repairSteps& steps)
 //  got new labels
 static label nTurned
 (
-    const std::vector<soupPolygon>& before,
-    const std::vector<soupPolygon>& after
+    const std::vector<cgalPolygon>& before,
+    const std::vector<cgalPolygon>& after
 )
 {
     label n = 0;
 
     for (std::size_t i = 0; i < before.size(); ++i)
     {
-        const soupPolygon& a = before[i];
-        const soupPolygon& b = after[i];
+        const cgalPolygon& a = before[i];
+        const cgalPolygon& b = after[i];
         label difference = 0;
 
         for (std::size_t k = 0; k < a.size(); ++k)
@@ -90,7 +89,7 @@ void stitchFaces(wallSurface& surface, repairSteps& steps)
     removeWithoutArea(surface, steps);
 
     auto points = cgalPoints<stitchKernel::Point_3>(surface.points);
-    auto polygons = cgalPolygons<soupPolygon>(surface.faces);
+    auto polygons = cgalPolygons(surface.faces);
 
     addStep
     (

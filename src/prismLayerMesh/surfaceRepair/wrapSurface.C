@@ -10,8 +10,6 @@
 #include "wrapSurface.H"
 #include "cgalMeshes.H"
 
-#include <array>
-
 namespace Foam
 {
 
@@ -22,28 +20,6 @@ typedef CGAL::Surface_mesh<wrapKernel::Point_3> wrapMesh;
 
 //- Triangles of a wrap, at most: each takes about 1.7 kB
 static constexpr scalar maxTriangles = 5e6;
-
-
-static std::vector<std::array<std::size_t, 3>> trianglesOf
-(
-    const wallSurface& surface
-)
-{
-    std::vector<std::array<std::size_t, 3>> triangles;
-
-    for (const face& f : surface.faces)
-    {
-        for (label k = 1; k + 1 < f.size(); ++k)
-        {
-            triangles.push_back
-            ({{
-                std::size_t(f[0]), std::size_t(f[k]), std::size_t(f[k + 1])
-            }});
-        }
-    }
-
-    return triangles;
-}
 
 
 //- Refuse sizes that would take all memory
@@ -83,9 +59,11 @@ wallSurface wrapSurface
 
     wrapMesh mesh;
     auto seedPoints = cgalPoints<wrapKernel::Point_3>(seeds);
+    labelList triangleFace;
     CGAL::alpha_wrap_3
     (
-        cgalPoints<wrapKernel::Point_3>(surface.points), trianglesOf(surface),
+        cgalPoints<wrapKernel::Point_3>(surface.points),
+        cgalPolygons(wallTriangles(surface, triangleFace)),
         size, offset, mesh,
         CGAL::parameters::default_values(),
         CGAL::parameters::seed_points(std::ref(seedPoints))
