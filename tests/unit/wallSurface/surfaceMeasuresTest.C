@@ -1,0 +1,41 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "surfaceMeasures.H"
+#include "testSurfaces.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+using namespace Foam::testSurfaces;
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(surfaceMeasures, ofACubeOfHalvedSquares)
+{
+    const surfaceMeasures measures(measuresOf(cube(3, 2)));
+
+    EXPECT_NEAR(measures.area, 24, 1e-12);
+    EXPECT_NEAR(measures.smallestAngle, 45, 1e-10);
+    EXPECT_EQ(measures.shareWithSmallAngles, 0);
+}
+
+
+TEST(surfaceMeasures, countNeedles)
+{
+    wallSurface surface(cube(1));
+    for (point& x : surface.points)
+    {
+        x.z() *= 100;
+    }
+    const surfaceMeasures measures(measuresOf(surface));
+
+    // All triangles but those of the two small faces
+    EXPECT_NEAR(measures.smallestAngle, 0.573, 1e-3);
+    EXPECT_NEAR(measures.shareWithSmallAngles, 8.0/12, 1e-12);
+}
+
+
+// ************************************************************************* //
