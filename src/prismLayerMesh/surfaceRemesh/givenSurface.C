@@ -1,0 +1,306 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "givenSurface.H"
+#include "triPointRef.H"
+#include "unitConversion.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Faces narrower than this share of the deviation have no normal
+static constexpr scalar sliverWidth = 0.1;
+
+//- The normals of slivers are those of neighbours, found in so many steps
+static constexpr label maxSteps = 20;
+
+
+static label longestEdge(const face& f, const pointField& points)
+{
+    label longest = 0;
+    for (label k = 1; k < f.size(); ++k)
+    {
+        if (f.faceEdge(k).mag(points) > f.faceEdge(longest).mag(points))
+        {
+            longest = k;
+        }
+    }
+
+    return longest;
+}
+
+
+static scalar height(const face& f, const label k, const pointField& points)
+{
+    return 2*f.mag(points)/max(f.faceEdge(k).mag(points), VSMALL);
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void givenSurface::setNormals(const wallSides& sides)
+{
+    const faceList& faces = surface_.faces;
+    const pointField& points = surface_.points;
+    labelList across(faces.size(), -1);
+    boolList hasNormal(faces.size(), true);
+    normals_ = surface_.faceNormals();
+
+    forAll(faces, facei)
+    {
+        const label k = longestEdge(faces[facei], points);
+        hasNormal[facei] =
+            height(faces[facei], k, points) > sliverWidth*deviations_[facei];
+    }
+
+    for (label e = 0; e < sides.nEdges(); ++e)
+    {
+        const label start = sides.edgeStarts[e];
+        if (sides.edgeStarts[e + 1] - start != 2)
+        {
+            continue;
+        }
+        for (label i = 0; i < 2; ++i)
+        {
+            const wallSide& side = sides.sides[start + i];
+            const face& f = faces[side.facei];
+            if
+            (
+                f.faceEdge(longestEdge(f, points))
+             == edge(side.low, side.high)
+            )
+            {
+                across[side.facei] = sides.sides[start + 1 - i].facei;
+            }
+        }
+    }
+
+    forAll(faces, facei)
+    {
+        label other = facei;
+        for (label n = 0; n < maxSteps && other >= 0; ++n)
+        {
+            if (hasNormal[other])
+            {
+                normals_[facei] = normals_[other];
+                break;
+            }
+            other = across[other];
+        }
+    }
+}
+
+
+label givenSurface::walk
+(
+    const label start,
+    const point& x,
+    const scalar reach,
+    point& nearest
+) const
+{
+    const pointField& points = surface_.points;
+    ++search_;
+    label best = start;
+    scalar least = GREAT;
+
+    found_.clear();
+
+    // Faces to look at, whose common edge with one before is as near as any
+    DynamicList<label, 16> front(1, start);
+    seen_[start] = search_;
+
+    while (front.size())
+    {
+        const label facei = front.remove();
+        found_.append(facei);
+        const face& f = surface_.faces[facei];
+        const point& a = points[f[0]];
+        const point& b = points[f[1]];
+        const point& c = points[f[2]];
+        const point y(triPointRef(a, b, c).nearestPoint(x).rawPoint());
+        const scalar distance = magSqr(x - y);
+
+        if (distance < least)
+        {
+            least = distance;
+            best = facei;
+            nearest = y;
+        }
+        if (distance > max(least*(1 + 1e-9), sqr(reach)))
+        {
+            continue;
+        }
+
+        for (label k = 0; k < 3; ++k)
+        {
+            const label other = neighbours_[facei][k];
+            if (other < 0 || seen_[other] == search_)
+            {
+                continue;
+            }
+
+            const point& p = points[f[k]];
+            const point& q = points[f.nextLabel(k)];
+            const scalar t =
+                ((x - p) & (q - p))/max(magSqr(q - p), VSMALL);
+            const point z(p + min(max(t, scalar(0)), scalar(1))*(q - p));
+
+            if
+            (
+                magSqr(x - z) <= sqr(reach)
+             || magSqr(y - z) <= 1e-12*magSqr(q - p)
+            )
+            {
+                seen_[other] = search_;
+                front.append(other);
+            }
+        }
+    }
+
+    return best;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+givenSurface::givenSurface
+(
+    const wallSurface& surface,
+    const scalar featureAngle,
+    const scalar deviation
+)
+:
+    surface_(surface),
+    deviations_(surface.faces.size(), deviation),
+    seen_(surface.faces.size(), Zero)
+{
+    const wallSides sides(makeWallSides(surface.faces, surface.points.size()));
+    const scalar minCos = Foam::cos(degToRad(featureAngle));
+    setNormals(sides);
+    setLines(sides, minCos);
+    setCorners(minCos);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+label givenSurface::findFace
+(
+    const label start,
+    const point& x,
+    const scalar reach,
+    point& nearest
+) const
+{
+    const label near = walk(start, x, 0, nearest);
+
+    return
+        magSqr(x - nearest) <= sqr(deviations_[near])
+      ? near
+      : walk(start, x, reach, nearest);
+}
+
+
+labelList givenSurface::around
+(
+    const label start,
+    const point& x,
+    const scalar reach
+) const
+{
+    point y;
+    walk(start, x, reach, y);
+
+    return found_;
+}
+
+
+label givenSurface::findLine
+(
+    const label start,
+    const point& x,
+    point& nearest
+) const
+{
+    label best = start;
+    scalar least = GREAT;
+    label previous = -1;
+    label line = start;
+
+    while (line >= 0)
+    {
+        const point& a = surface_.points[lines_[line].start()];
+        const point& b = surface_.points[lines_[line].end()];
+        const scalar t = ((x - a) & (b - a))/max(magSqr(b - a), VSMALL);
+        const point y(a + min(max(t, scalar(0)), scalar(1))*(b - a));
+
+        if (magSqr(x - y) >= least && line != start)
+        {
+            break;
+        }
+        least = magSqr(x - y);
+        best = line;
+        nearest = y;
+
+        const label next =
+            t <= 0 ? nextLines_[line].first()
+          : t >= 1 ? nextLines_[line].second()
+          : -1;
+        if (next == previous)
+        {
+            break;
+        }
+        previous = line;
+        line = next;
+    }
+
+    return best;
+}
+
+
+scalarField givenSurface::lengths() const
+{
+    const pointField& points = surface_.points;
+    scalarField result(surface_.faces.size(), GREAT);
+
+    forAll(result, facei)
+    {
+        for (label k = 0; k < 3; ++k)
+        {
+            const label other = neighbours_[facei][k];
+            if (other < 0)
+            {
+                continue;
+            }
+
+            const face& f = surface_.faces[facei];
+            const face& g = surface_.faces[other];
+            const edge e(f.faceEdge(k));
+            const scalar width =
+                (
+                    height(f, k, points) + height(g, g.edges().find(e), points)
+                )/2;
+            const scalar cos = normals_[facei] & normals_[other];
+            const scalar turn =
+                Foam::acos(min(max(cos, scalar(-1)), scalar(1)));
+            const scalar radius = width/max(turn, SMALL);
+
+            result[facei] = min
+            (
+                result[facei],
+                min(Foam::sqrt(6*deviations_[facei]*radius), radius)
+            );
+        }
+    }
+
+    return result;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
