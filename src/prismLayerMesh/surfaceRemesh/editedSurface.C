@@ -1,0 +1,348 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "editedSurface.H"
+#include "cgalMeshes.H"
+#include "triPointRef.H"
+#include "unitConversion.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Largest angle [degrees] between a triangle and the given surface
+static constexpr scalar normalAngle = 45;
+
+//- The surface is not further away than this share of the longest edge of a
+//  triangle
+static constexpr scalar farFromTriangle = 0.1;
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+scalar editedSurface::smallestAngleOf(const FixedList<point, 3>& x)
+{
+    scalar largestCos = -1;
+    for (label k = 0; k < 3; ++k)
+    {
+        const vector a(x[(k + 1) % 3] - x[k]);
+        const vector b(x[(k + 2) % 3] - x[k]);
+        const scalar both = Foam::sqrt(magSqr(a)*magSqr(b));
+        largestCos = max(largestCos, both > 0 ? (a & b)/both : scalar(1));
+    }
+
+    return Foam::acos(min(largestCos, scalar(1)));
+}
+
+
+scalar editedSurface::reachOf(const FixedList<point, 3>& x)
+{
+    return max(mag(x[1] - x[0]), max(mag(x[2] - x[1]), mag(x[0] - x[2])));
+}
+
+
+void editedSurface::fill()
+{
+    const wallSurface& surface = given_.surface();
+    addFaces(surface, mesh_);
+
+    if (mesh_.number_of_faces() != std::size_t(surface.faces.size()))
+    {
+        FatalErrorInFunction
+            << "The surface is not oriented and manifold" << exit(FatalError);
+    }
+
+    for (const Face f : mesh_.faces())
+    {
+        const label facei = f;
+        patches_[f] = surface.patchIDs[facei];
+        nearest_[f] = surface.faces[facei].size() == 3 ? facei : -1;
+    }
+
+    for (const Vertex v : mesh_.vertices())
+    {
+        kinds_[v] =
+            given_.isCorner(v) ? kind::fixed
+          : given_.isOnLine(v) ? kind::onLine
+          : kind::inside;
+    }
+
+    forAll(given_.lines(), l)
+    {
+        const edge& e = given_.lines()[l];
+        lines_[mesh_.edge(mesh_.halfedge(Vertex(e[0]), Vertex(e[1])))] = l;
+    }
+
+    for (const Edge e : mesh_.edges())
+    {
+        if (isKept(e))
+        {
+            kinds_[mesh_.vertex(e, 0)] = kind::fixed;
+            kinds_[mesh_.vertex(e, 1)] = kind::fixed;
+        }
+    }
+}
+
+
+FixedList<editedSurface::Vertex, 3> editedSurface::verticesOf(Face f) const
+{
+    FixedList<Vertex, 3> result;
+    const Halfedge h = mesh_.halfedge(f);
+    result[0] = mesh_.source(h);
+    result[1] = mesh_.target(h);
+    result[2] = mesh_.target(mesh_.next(h));
+
+    return result;
+}
+
+
+FixedList<point, 3> editedSurface::pointsOf(const Face f) const
+{
+    FixedList<point, 3> result;
+    const FixedList<Vertex, 3> vertices(verticesOf(f));
+    for (label k = 0; k < 3; ++k)
+    {
+        result[k] = at(vertices[k]);
+    }
+
+    return result;
+}
+
+
+bool editedSurface::isOf(const Vertex v, const Face f) const
+{
+    const FixedList<Vertex, 3> vertices(verticesOf(f));
+
+    return vertices[0] == v || vertices[1] == v || vertices[2] == v;
+}
+
+
+editedSurface::candidate editedSurface::triangleOf
+(
+    const Vertex a,
+    const Vertex b,
+    const Vertex c,
+    const label nearest
+) const
+{
+    candidate result;
+    result.vertices[0] = a;
+    result.vertices[1] = b;
+    result.vertices[2] = c;
+    for (label k = 0; k < 3; ++k)
+    {
+        result.points[k] = at(result.vertices[k]);
+    }
+    result.nearest = nearest;
+
+    return result;
+}
+
+
+bool editedSurface::isNear(candidate& triangle) const
+{
+    static const scalar minCos = Foam::cos(degToRad(normalAngle));
+    const triPointRef t
+    (
+        triangle.points[0], triangle.points[1], triangle.points[2]
+    );
+    const point centre(t.centre());
+    const vector area(t.areaNormal());
+    const scalar reach = reachOf(triangle.points);
+    point y;
+    triangle.nearest = given_.findFace(triangle.nearest, centre, reach, y);
+
+    return
+        mag(centre - y) <= min
+        (
+            given_.deviation(triangle.nearest), farFromTriangle*reach
+        )
+     && (area & given_.normals()[triangle.nearest]) > minCos*mag(area);
+}
+
+
+bool editedSurface::isNear
+(
+    const point& a,
+    const point& b,
+    const label start
+) const
+{
+    const point x(0.5*(a + b));
+    point y;
+    const scalar reach = mag(a - b);
+    const label near = given_.findFace(start, x, reach, y);
+
+    return mag(x - y) <= min(given_.deviation(near), farFromTriangle*reach);
+}
+
+
+void editedSurface::tie(const Face f)
+{
+    const FixedList<point, 3> x(pointsOf(f));
+    point y;
+    nearest_[f] =
+        given_.findFace
+        (
+            nearest_[f], (x[0] + x[1] + x[2])/3.0, reachOf(x), y
+        );
+}
+
+
+void editedSurface::noteChange(const Vertex v)
+{
+    changed_[v] = ++nChanges_;
+    for (const Halfedge h : halfedgesFrom(v))
+    {
+        changed_[mesh_.target(h)] = nChanges_;
+    }
+}
+
+
+bool editedSurface::isAsBefore(const Edge e) const
+{
+    const Halfedge h = mesh_.halfedge(e);
+    const Halfedge g = mesh_.opposite(h);
+    const label before = notFlipped_[e];
+
+    return
+        changed_[mesh_.source(h)] <= before
+     && changed_[mesh_.target(h)] <= before
+     && changed_[mesh_.target(mesh_.next(h))] <= before
+     && changed_[mesh_.target(mesh_.next(g))] <= before;
+}
+
+
+bool editedSurface::isAsBefore(const Vertex v) const
+{
+    const label before = notMoved_[v];
+    if (changed_[v] > before)
+    {
+        return false;
+    }
+
+    for (const Halfedge h : halfedgesFrom(v))
+    {
+        if (changed_[mesh_.target(h)] > before)
+        {
+            return false;
+        }
+    }
+
+    return true;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+editedSurface::editedSurface(const givenSurface& given)
+:
+    given_(given)
+{
+    lengths = mesh_.add_property_map<Vertex, scalar>("v:length", GREAT).first;
+    bounds = mesh_.add_property_map<Vertex, scalar>("v:bound", GREAT).first;
+    kinds_ = mesh_.add_property_map<Vertex, kind>("v:kind").first;
+    lines_ = mesh_.add_property_map<Edge, label>("e:line", -1).first;
+    nearest_ = mesh_.add_property_map<Face, label>("f:nearest", -1).first;
+    changed_ = mesh_.add_property_map<Vertex, label>("v:changed", 0).first;
+    notFlipped_ = mesh_.add_property_map<Edge, label>("e:tried", -1).first;
+    notMoved_ = mesh_.add_property_map<Vertex, label>("v:tried", -1).first;
+    patches_ = mesh_.add_property_map<Face, label>("f:patch", 0).first;
+    fill();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool editedSurface::isKept(const Edge e) const
+{
+    for (label side = 0; side < 2; ++side)
+    {
+        const Face f = mesh_.face(mesh_.halfedge(e, side));
+        if (f != Mesh::null_face() && nearest_[f] < 0)
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+
+scalar editedSurface::length(const Edge e) const
+{
+    return mag(at(mesh_.vertex(e, 0)) - at(mesh_.vertex(e, 1)));
+}
+
+
+scalar editedSurface::ratio(const Edge e) const
+{
+    return 2*length(e)
+       /(lengths[mesh_.vertex(e, 0)] + lengths[mesh_.vertex(e, 1)]);
+}
+
+
+scalar editedSurface::smallestAngle(const Face f) const
+{
+    return smallestAngleOf(pointsOf(f));
+}
+
+
+scalar editedSurface::width(const Face f) const
+{
+    label nLines = 0;
+    scalar longest = 0;
+    for (const Halfedge h : mesh_.halfedges_around_face(mesh_.halfedge(f)))
+    {
+        if (kinds_[mesh_.target(h)] == kind::inside)
+        {
+            return GREAT;
+        }
+        nLines += lines_[mesh_.edge(h)] >= 0;
+        longest = max(longest, length(mesh_.edge(h)));
+    }
+
+    const FixedList<point, 3> x(pointsOf(f));
+
+    return
+        nLines > 1 || nearest_[f] < 0
+      ? GREAT
+      : mag((x[1] - x[0]) ^ (x[2] - x[0]))/longest;
+}
+
+
+wallSurface editedSurface::surface() const
+{
+    wallSurface result;
+    result.patchNames = given_.surface().patchNames;
+    result.patchTypes = given_.surface().patchTypes;
+    setFaces(mesh_, result);
+    result.patchIDs.setSize(result.faces.size());
+    label n = 0;
+
+    for (const Face f : mesh_.faces())
+    {
+        result.patchIDs[n++] = patches_[f];
+    }
+
+    return result;
+}
+
+
+labelList editedSurface::nearestFaces() const
+{
+    DynamicList<label> result(mesh_.number_of_faces());
+    for (const Face f : mesh_.faces())
+    {
+        result.append(nearest_[f]);
+    }
+
+    return labelList(std::move(result));
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
