@@ -1,0 +1,227 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "remesher.H"
+
+#include "remeshSurface.H"
+#include "autoPtr.H"
+#include "boundBox.H"
+#include "cutSurface.H"
+#include "triFace.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Rounds in which the surface is kept nearer to the given one where its faces
+//  would intersect
+static constexpr label maxRounds = 8;
+
+//- The same where it is too far away
+static constexpr label maxDeviating = 2;
+
+
+static surfaceRemeshControls withDefaults
+(
+    const surfaceRemeshControls& given,
+    const scalar diagonal
+)
+{
+    surfaceRemeshControls controls(given);
+    const auto setDefault = [](scalar& length, const scalar value)
+    {
+        length = length > 0 ? length : value;
+    };
+    setDefault(controls.maxEdge, 0.02*diagonal);
+    setDefault(controls.minEdge, 0.02*controls.maxEdge);
+    setDefault(controls.deviation, 5e-4*diagonal);
+
+    return controls;
+}
+
+
+//- Polygons as triangles, except those that need not be changed
+static wallSurface trianglesOf
+(
+    const wallSurface& surface,
+    const surfaceRemeshControls& controls
+)
+{
+    wallSurface result(surface);
+    DynamicList<face> faces;
+    DynamicList<label> patchIDs;
+
+    forAll(surface.faces, facei)
+    {
+        const face& f = surface.faces[facei];
+        bool isKept = f.size() > 3;
+        for (const edge& e : f.edges())
+        {
+            const scalar length = e.mag(surface.points);
+            isKept = isKept
+             && length >= controls.minEdge && length <= controls.maxEdge;
+        }
+
+        if (isKept)
+        {
+            faces.append(f);
+            patchIDs.append(surface.patchIDs[facei]);
+        }
+        for (label k = 1; !isKept && k + 1 < f.size(); ++k)
+        {
+            faces.append(triFace(f[0], f[k], f[k + 1]));
+            patchIDs.append(surface.patchIDs[facei]);
+        }
+    }
+
+    result.faces = std::move(faces);
+    result.patchIDs = std::move(patchIDs);
+
+    return result;
+}
+
+
+//- The triangles of the given surface beneath faces, and around points of it
+static labelHashSet trianglesAt
+(
+    const givenSurface& given,
+    const wallSurface& made,
+    const labelList& nearest,
+    const labelList& faces,
+    const labelHashSet& givenPoints
+)
+{
+    labelHashSet result;
+
+    for (const label facei : faces)
+    {
+        const face& f = made.faces[facei];
+        scalar reach = 0;
+        for (const edge& e : f.edges())
+        {
+            reach = max(reach, e.mag(made.points));
+        }
+        if (nearest[facei] >= 0)
+        {
+            const point centre(f.centre(made.points));
+            result.insert(given.around(nearest[facei], centre, reach));
+        }
+    }
+
+    forAll(given.surface().faces, facei)
+    {
+        for (const label p : given.surface().faces[facei])
+        {
+            if (givenPoints.found(p))
+            {
+                result.insert(facei);
+            }
+        }
+    }
+
+    return result;
+}
+
+
+//- Points that are further than the deviation from another surface
+static labelHashSet pointsAway
+(
+    const pointField& points,
+    const nearestSurface& other,
+    const scalar deviation
+)
+{
+    pointField nearest;
+    labelList faces;
+    other.find(points, nearest, faces);
+    labelHashSet result;
+
+    forAll(points, p)
+    {
+        if (mag(nearest[p] - points[p]) > deviation)
+        {
+            result.insert(p);
+        }
+    }
+
+    return result;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+remeshedSurface remeshSurface
+(
+    const wallSurface& surface,
+    const surfaceRemeshControls& given,
+    const scalar thickness
+)
+{
+    const surfaceRemeshControls controls
+    (
+        withDefaults(given, boundBox(surface.points, false).mag())
+    );
+    const wallSurface triangles(trianglesOf(surface, controls));
+    givenSurface shape(triangles, controls.featureAngle, controls.deviation);
+    autoPtr<remesher> mesher(new remesher(shape, controls));
+    mesher->remesh(thickness);
+    wallSurface made(mesher->edited().surface());
+    labelList conflicts(facesInConflict(made));
+
+    for (label round = 0; round < maxRounds; ++round)
+    {
+        const labelHashSet away
+        (
+            pointsAway
+            (
+                triangles.points, nearestSurface(made), controls.deviation
+            )
+        );
+        if (conflicts.empty() && (away.empty() || round >= maxDeviating))
+        {
+            break;
+        }
+
+        const labelList nearest(mesher->edited().nearestFaces());
+        for (const label t : trianglesAt(shape, made, nearest, conflicts, away))
+        {
+            shape.tighten(t);
+        }
+        if (conflicts.size())
+        {
+            // Changes of few triangles do not always take them apart
+            mesher.reset(new remesher(shape, controls));
+            mesher->remesh(thickness);
+        }
+        else
+        {
+            mesher->follow();
+        }
+        made = mesher->edited().surface();
+        conflicts = facesInConflict(made);
+    }
+
+    if (conflicts.size())
+    {
+        FatalErrorInFunction
+            << "With surface.remesh " << conflicts.size()
+            << " faces intersect, the first at "
+            << made.faces[conflicts[0]].centre(made.points) << nl
+            << "A smaller surface.remesh.deviation or minEdge may help."
+            << exit(FatalError);
+    }
+
+    remeshedSurface result;
+    result.surface = made;
+    result.distance = distanceTo(nearestSurface(surface), made);
+    result.distanceOfGiven = distanceTo(nearestSurface(made), surface);
+
+    return result;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

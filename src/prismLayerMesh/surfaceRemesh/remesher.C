@@ -1,0 +1,297 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "remesher.H"
+#include "unitConversion.H"
+#include "wallClearance.H"
+
+#include <algorithm>
+#include <array>
+#include <queue>
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Edges longer or shorter than these shares of the wanted length are split,
+//  collapsed. An edge of the one length, split, is longer than the other.
+static constexpr scalar longest = 4.0/3.0;
+static constexpr scalar shortest = 4.0/5.0;
+
+//- Edges are split first that are longer than so many wanted lengths
+static constexpr scalar firstRatio = 32;
+
+//- Length of edges between two lines, in widths between these
+static constexpr scalar perWidth = 2.5;
+
+//- Edges across a gap in which layers have less room than they ask for
+static constexpr scalar perGap = 3;
+
+//- Rounds of changes, and those after something has changed
+static constexpr label nRounds = 6;
+static constexpr label nFollowing = 2;
+static constexpr label maxFlips = 5;
+
+//- Angle [degrees] below which triangles are improved, and how often
+static constexpr scalar poorAngle = 25;
+static constexpr label nImprovements = 4;
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void remesher::setBounds(const scalar thickness)
+{
+    const wallSurface surface(edited_.surface());
+    const wallSearch search(surface);
+    const vectorField normals(surface.faceNormals());
+    scalarField room(surface.points.size(), GREAT);
+    scalarField faceRoom(surface.faces.size(), GREAT);
+
+    #pragma omp parallel for schedule(dynamic, 64)
+    for (label facei = 0; facei < faceRoom.size(); ++facei)
+    {
+        const point centre(surface.faces[facei].centre(surface.points));
+        faceRoom[facei] =
+            roomAlong(search, centre, normals[facei], thickness);
+    }
+
+    forAll(surface.faces, facei)
+    {
+        for (const label p : surface.faces[facei])
+        {
+            room[p] = min(room[p], faceRoom[facei]);
+        }
+    }
+
+    label p = 0;
+    for (const Vertex v : mesh_.vertices())
+    {
+        // The gap is as wide as the ball
+        if (room[p] < thickness)
+        {
+            edited_.bounds[v] = 2*room[p]/perGap;
+        }
+        ++p;
+    }
+}
+
+
+void remesher::setLengths()
+{
+    const scalarField limits(edited_.given().lengths());
+    typedef std::pair<scalar, Vertex> entry;
+    std::priority_queue<entry, std::vector<entry>, std::greater<entry>> queue;
+
+    for (const Vertex v : mesh_.vertices())
+    {
+        scalar length = min(controls_.maxEdge, edited_.bounds[v]);
+        for (const Halfedge h : edited_.halfedgesFrom(v))
+        {
+            const Face f = mesh_.face(h);
+            if (edited_.isTriangle(f))
+            {
+                length = min(length, limits[edited_.nearest(f)]);
+                length = min(length, perWidth*edited_.width(f));
+            }
+        }
+        edited_.lengths[v] = max(length, controls_.minEdge);
+        queue.emplace(edited_.lengths[v], v);
+    }
+
+    while (!queue.empty())
+    {
+        const entry first(queue.top());
+        queue.pop();
+        const Vertex v = first.second;
+        if (first.first > edited_.lengths[v])
+        {
+            continue;
+        }
+        for (const Halfedge h : edited_.halfedgesFrom(v))
+        {
+            const Vertex w = mesh_.target(h);
+            const scalar length = first.first
+              + (controls_.growthRate - 1)*edited_.length(mesh_.edge(h));
+            if (length < edited_.lengths[w])
+            {
+                edited_.lengths[w] = length;
+                queue.emplace(length, w);
+            }
+        }
+    }
+}
+
+
+void remesher::split(const scalar ratio)
+{
+    // The longest first: in flat triangles others might be split for ever
+    std::vector<std::pair<scalar, Edge>> edges;
+    label nSplit = 0;
+    do
+    {
+        nSplit = 0;
+        edges.clear();
+        for (const Edge e : mesh_.edges())
+        {
+            if (edited_.ratio(e) > ratio)
+            {
+                edges.emplace_back(edited_.length(e), e);
+            }
+        }
+        std::sort(edges.rbegin(), edges.rend());
+        for (const auto& e : edges)
+        {
+            nSplit += edited_.split(e.second);
+        }
+    }
+    while (nSplit);
+}
+
+
+void remesher::collapse()
+{
+    for (unsigned e = 0; e < mesh_.num_edges(); ++e)
+    {
+        const Edge edge(e);
+        if (mesh_.is_removed(edge) || edited_.ratio(edge) >= shortest)
+        {
+            continue;
+        }
+        if (!edited_.collapse(mesh_.halfedge(edge, 0), longest))
+        {
+            edited_.collapse(mesh_.halfedge(edge, 1), longest);
+        }
+    }
+}
+
+
+void remesher::flip()
+{
+    label nFlips = 1;
+    for (label n = 0; n < maxFlips && nFlips; ++n)
+    {
+        nFlips = 0;
+        for (const Edge e : mesh_.edges())
+        {
+            nFlips += edited_.flip(e);
+        }
+    }
+}
+
+
+void remesher::smooth()
+{
+    for (const Vertex v : mesh_.vertices())
+    {
+        edited_.smooth(v);
+    }
+}
+
+
+void remesher::changeEdges(const label nRounds)
+{
+    for (label round = 0; round < nRounds; ++round)
+    {
+        setLengths();
+        split(longest);
+        collapse();
+        flip();
+        smooth();
+    }
+}
+
+
+void remesher::improve()
+{
+    const scalar poor = degToRad(poorAngle);
+    for (unsigned i = 0; i < mesh_.num_faces(); ++i)
+    {
+        const Face f(i);
+        if
+        (
+            mesh_.is_removed(f) || !edited_.isTriangle(f)
+         || edited_.smallestAngle(f) >= poor
+        )
+        {
+            continue;
+        }
+
+        std::array<Halfedge, 3> sides;
+        sides[0] = mesh_.halfedge(f);
+        sides[1] = mesh_.next(sides[0]);
+        sides[2] = mesh_.next(sides[1]);
+        std::sort
+        (
+            sides.begin(), sides.end(), [&](const Halfedge g, const Halfedge h)
+            {
+                return edited_.length(mesh_.edge(g))
+                  < edited_.length(mesh_.edge(h));
+            }
+        );
+
+        if
+        (
+            edited_.flip(mesh_.edge(sides[2]))
+         || edited_.flip(mesh_.edge(sides[1]))
+         || edited_.collapse(sides[0], sqr(longest))
+         || edited_.collapse(mesh_.opposite(sides[0]), sqr(longest))
+        )
+        {
+            continue;
+        }
+        for (const Halfedge h : sides)
+        {
+            edited_.optimise(mesh_.target(h));
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+remesher::remesher
+(
+    const givenSurface& given,
+    const surfaceRemeshControls& controls
+)
+:
+    controls_(controls),
+    edited_(given),
+    mesh_(edited_.mesh())
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void remesher::remesh(const scalar thickness)
+{
+    // Long edges first
+    for (scalar ratio = firstRatio; ratio > longest; ratio /= 2)
+    {
+        setLengths();
+        flip();
+        split(ratio);
+    }
+    changeEdges(nRounds);
+    setBounds(thickness);
+    follow();
+}
+
+
+void remesher::follow()
+{
+    changeEdges(nFollowing);
+
+    for (label n = 0; n < nImprovements; ++n)
+    {
+        improve();
+        flip();
+    }
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
