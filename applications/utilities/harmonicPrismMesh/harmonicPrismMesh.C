@@ -34,7 +34,8 @@ Usage
         Say what is wrong with the surface, write nothing
 
       - \par -prepareSurface
-        Repair the surface as surface.repair says, and write it to
+        Repair the surface as surface.repair says, give it new triangles as
+        surface.remesh says, and write it to
         constant/triSurface/<name>.prepared.obj, but no mesh
 
       - \par -writeFields
@@ -90,7 +91,8 @@ static void addOptions()
     argList::addBoolOption
     (
         "prepareSurface",
-        "Repair the surface and write it, <name>.prepared.obj, and no mesh"
+        "Repair and remesh the surface, write it, <name>.prepared.obj, and no"
+        " mesh"
     );
     argList::addBoolOption
     (
@@ -249,7 +251,7 @@ static void meshWall
 
     files.write
     (
-        wall, result, log, prepared.isRepaired ? preparedFile : fileName(),
+        wall, result, log, prepared.isChanged ? preparedFile : fileName(),
         prepared.surface
     );
 }

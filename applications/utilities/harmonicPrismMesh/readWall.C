@@ -6,8 +6,11 @@
 #include "readWall.H"
 #include "boxSidePlanes.H"
 #include "endWall.H"
+#include "layerSpacing.H"
 #include "prismPolyMesh.H"
+#include "remeshSurface.H"
 #include "repairSurface.H"
+#include "surfaceMeasures.H"
 #include "wallDefects.H"
 
 namespace Foam
@@ -20,6 +23,15 @@ static string sizesOf(const wallSurface& surface)
     return name(surface.faces.size()) + " faces, "
       + name(surface.points.size()) + " points, "
       + name(surface.patchNames.size()) + " patches";
+}
+
+
+static void report(const char* which, const surfaceMeasures& measures)
+{
+    Info<< "    " << which << ": area " << measures.area
+        << " m2, smallest angle " << measures.smallestAngle
+        << ", faces with angles below " << surfaceMeasures::smallAngle << ": "
+        << 100*measures.shareWithSmallAngles << " %" << nl;
 }
 
 
@@ -97,13 +109,72 @@ static preparedWall repair
     {
         report("from", repaired.distance);
         report("of", repaired.distanceOfGiven);
+        report("before", measuresOf(surface));
+        report("now", measuresOf(repaired.surface));
     }
     Info<< flush;
 
     result.surface = repaired.surface;
-    result.isRepaired = repaired.steps.size();
+    result.isChanged = repaired.steps.size();
 
     return result;
+}
+
+
+//- The largest thickness [m] that the entries for all of the wall, and those
+//  for patches, ask for; 0 if heights come from a file
+static scalar largestThickness
+(
+    const wallSurface& surface,
+    const prismLayerControls& controls
+)
+{
+    if
+    (
+        controls.layers.firstLayerField.isGiven()
+     || controls.layers.thicknessField.isGiven()
+    )
+    {
+        return 0;
+    }
+
+    wallReading reading;
+    layerControls layers(controls.layers);
+    layers.regions.clear();
+    const wallSurface wall(endWall(surface, controls.surface, layers, reading));
+
+    return max
+    (
+        makeLayerSpacing(wall, makeWallAddressing(wall), layers).thickness
+    );
+}
+
+
+//- The surface with new triangles, reported
+static void remesh
+(
+    const prismLayerControls& controls,
+    preparedWall& prepared,
+    stageLog& log
+)
+{
+    const scalar thickness = largestThickness(prepared.surface, controls);
+
+    log.begin("surfaceRemesh");
+    const remeshedSurface remeshed
+    (
+        remeshSurface(prepared.surface, controls.surface.remesh, thickness)
+    );
+    log.end(sizesOf(remeshed.surface));
+
+    report("from", remeshed.distance);
+    report("of", remeshed.distanceOfGiven);
+    report("before", measuresOf(prepared.surface));
+    report("now", measuresOf(remeshed.surface));
+    Info<< flush;
+
+    prepared.surface = remeshed.surface;
+    prepared.isChanged = true;
 }
 
 
@@ -267,6 +338,10 @@ preparedWall readWall
             << exit(FatalError);
     }
 
+    if (controls.surface.remesh.active)
+    {
+        remesh(controls, result, log);
+    }
     result.wall = takeWall(surface, controls, reading, log);
 
     return result;

@@ -99,6 +99,30 @@ static surfaceRepairControls readRepair(const dictionary& dict)
 }
 
 
+static surfaceRemeshControls readRemesh(const dictionary& surface)
+{
+    const dictionary& dict = optionalDict(surface, "remesh");
+    checkKeys
+    (
+        dict, {"maxEdge", "minEdge", "deviation", "featureAngle", "growthRate"}
+    );
+
+    surfaceRemeshControls controls;
+    controls.active = surface.found("remesh");
+    readBounded(dict, "maxEdge", SMALL, GREAT, controls.maxEdge);
+    readBounded
+    (
+        dict, "minEdge", SMALL,
+        controls.maxEdge > 0 ? controls.maxEdge : GREAT, controls.minEdge
+    );
+    readBounded(dict, "deviation", SMALL, GREAT, controls.deviation);
+    readBounded(dict, "featureAngle", 1, 90, controls.featureAngle);
+    readBounded(dict, "growthRate", 1.01, 2, controls.growthRate);
+
+    return controls;
+}
+
+
 static wallSurfaceControls readSurface(const dictionary& dict)
 {
     checkKeys
@@ -106,7 +130,7 @@ static wallSurfaceControls readSurface(const dictionary& dict)
         dict,
         {
             "file", "files", "fluid", "scale", "mergeTolerance", "sidePlanes",
-            "repair", "stitchCoeffs", "wrapCoeffs"
+            "repair", "stitchCoeffs", "wrapCoeffs", "remesh"
         }
     );
 
@@ -122,6 +146,7 @@ static wallSurfaceControls readSurface(const dictionary& dict)
     readBounded(dict, "scale", 1e-9, 1e9, controls.scale);
     readBounded(dict, "mergeTolerance", 0, 1e-3, controls.mergeTolerance);
     controls.repair = readRepair(dict);
+    controls.remesh = readRemesh(dict);
 
     return controls;
 }
