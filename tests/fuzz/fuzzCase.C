@@ -111,6 +111,24 @@ static void mesh
 }
 
 
+//- Gives the wall new triangles; what was said of its old points is forgotten
+static void remesh
+(
+    const fuzzCase& one,
+    wallSurface& wall,
+    prismLayerControls& controls,
+    localHeights& local,
+    const listener& tell
+)
+{
+    tell("stage", "remesh");
+    controls.layers.regions.clear();
+    local = localHeights();
+    wall = one.remeshed(wall, controls.layers);
+    tell(findWallDefects(wall).empty() ? "stage" : "failed", "defects");
+}
+
+
 static void makeAndMesh(const fuzzCase& one, const listener& tell)
 {
     FatalError.throwExceptions();
@@ -144,6 +162,10 @@ static void makeAndMesh(const fuzzCase& one, const listener& tell)
 
     try
     {
+        if (one.isRemeshed && wall.border.sides.empty())
+        {
+            remesh(one, wall, controls, local, tell);
+        }
         mesh(wall, controls, local, tell);
     }
     catch (const wallPointsError& e)

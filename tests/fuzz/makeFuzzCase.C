@@ -7,6 +7,7 @@
 #include "boundBox.H"
 #include "cutReflexFaces.H"
 #include "layerSpacing.H"
+#include "remeshSurface.H"
 
 #include <cstdint>
 
@@ -170,6 +171,29 @@ void Foam::fuzzCase::make
             entry.heights.nSurfaceLayers = 0;
         }
     }
+}
+
+
+Foam::wallSurface Foam::fuzzCase::remeshed
+(
+    const wallSurface& wall,
+    const layerControls& layers
+) const
+{
+    const wallAddressing addressing(makeWallAddressing(wall));
+    const scalar thickness =
+        max(makeLayerSpacing(wall, addressing, layers).thickness);
+    Random random(mixed(seed + 1, index));
+    const scalar size = cmptMax(boundBox(wall.points, false).span());
+
+    surfaceRemeshControls controls;
+    controls.maxEdge = size*randomSurfaces::logUniform(random, 0.08, 0.5);
+    controls.minEdge =
+        controls.maxEdge*randomSurfaces::logUniform(random, 0.1, 0.8);
+    controls.deviation = size*randomSurfaces::logUniform(random, 1e-4, 0.05);
+    controls.featureAngle = random.position<scalar>(10, 80);
+
+    return remeshSurface(wall, controls, thickness).surface;
 }
 
 

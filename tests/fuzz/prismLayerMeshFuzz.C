@@ -26,6 +26,9 @@ Usage
       - \par -kind \<name\>
         All cases of that kind of surface; without it of all kinds in turn
 
+      - \par -remesh
+        Closed surfaces get new triangles first
+
       - \par -index \<i\>
         That case alone, in this process
 
@@ -62,6 +65,7 @@ static void addOptions()
     (
         "kind", "name", "All cases of that kind of surface (default: in turn)"
     );
+    argList::addBoolOption("remesh", "Closed surfaces get new triangles first");
     argList::addOption("index", "i", "That case alone, in this process");
     argList::addOption
     (
@@ -156,6 +160,7 @@ static fuzzCase caseOf(const argList& args, const label index)
     fuzzCase one;
     one.seed = args.lookupOrDefault<label>("seed", 1);
     one.index = index;
+    one.isRemeshed = args.found("remesh");
     one.kind =
         kind.size()
       ? randomSurfaces::kindOf(kind)
