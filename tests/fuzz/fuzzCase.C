@@ -124,7 +124,7 @@ static void remesh
     tell("stage", "remesh");
     controls.layers.regions.clear();
     local = localHeights();
-    wall = one.remeshed(wall, controls.layers);
+    wall = one.remeshed(wall);
     tell(findWallDefects(wall).empty() ? "stage" : "failed", "defects");
 }
 

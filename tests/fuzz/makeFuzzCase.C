@@ -176,13 +176,9 @@ void Foam::fuzzCase::make
 
 Foam::wallSurface Foam::fuzzCase::remeshed
 (
-    const wallSurface& wall,
-    const layerControls& layers
+    const wallSurface& wall
 ) const
 {
-    const wallAddressing addressing(makeWallAddressing(wall));
-    const scalar thickness =
-        max(makeLayerSpacing(wall, addressing, layers).thickness);
     Random random(mixed(seed + 1, index));
     const scalar size = cmptMax(boundBox(wall.points, false).span());
 
@@ -193,7 +189,7 @@ Foam::wallSurface Foam::fuzzCase::remeshed
     controls.deviation = size*randomSurfaces::logUniform(random, 1e-4, 0.05);
     controls.featureAngle = random.position<scalar>(10, 80);
 
-    return remeshSurface(wall, controls, thickness).surface;
+    return remeshSurface(wall, controls).surface;
 }
 
 

@@ -6,7 +6,6 @@
 #include "readWall.H"
 #include "boxSidePlanes.H"
 #include "endWall.H"
-#include "layerSpacing.H"
 #include "prismPolyMesh.H"
 #include "remeshSurface.H"
 #include "repairSurface.H"
@@ -121,49 +120,18 @@ static preparedWall repair
 }
 
 
-//- The largest thickness [m] that the entries for all of the wall, and those
-//  for patches, ask for; 0 if heights come from a file
-static scalar largestThickness
-(
-    const wallSurface& surface,
-    const prismLayerControls& controls
-)
-{
-    if
-    (
-        controls.layers.firstLayerField.isGiven()
-     || controls.layers.thicknessField.isGiven()
-    )
-    {
-        return 0;
-    }
-
-    wallReading reading;
-    layerControls layers(controls.layers);
-    layers.regions.clear();
-    const wallSurface wall(endWall(surface, controls.surface, layers, reading));
-
-    return max
-    (
-        makeLayerSpacing(wall, makeWallAddressing(wall), layers).thickness
-    );
-}
-
-
 //- The surface with new triangles, reported
 static void remesh
 (
-    const prismLayerControls& controls,
+    const surfaceRemeshControls& controls,
     preparedWall& prepared,
     stageLog& log
 )
 {
-    const scalar thickness = largestThickness(prepared.surface, controls);
-
     log.begin("surfaceRemesh");
     const remeshedSurface remeshed
     (
-        remeshSurface(prepared.surface, controls.surface.remesh, thickness)
+        remeshSurface(prepared.surface, controls)
     );
     log.end(sizesOf(remeshed.surface));
 
@@ -340,7 +308,7 @@ preparedWall readWall
 
     if (controls.surface.remesh.active)
     {
-        remesh(controls, result, log);
+        remesh(controls.surface.remesh, result, log);
     }
     result.wall = takeWall(surface, controls, reading, log);
 

@@ -216,12 +216,10 @@ bool editedSurface::collapse(const Halfedge h, const scalar maxRatio)
     const point x(at(u));
     const kind kindOf = kinds_[u];
     const scalar wanted = lengths[u];
-    const scalar bound = bounds[u];
     const Vertex left = CGAL::Euler::collapse_edge(e, mesh_);
     mesh_.point(left) = x;
     kinds_[left] = kindOf;
     lengths[left] = wanted;
-    bounds[left] = bound;
 
     const auto now = [&](const Vertex w) { return w == u ? left : w; };
     for (const auto& line : lines)

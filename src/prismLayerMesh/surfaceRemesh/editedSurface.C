@@ -243,7 +243,6 @@ editedSurface::editedSurface(const givenSurface& given)
     given_(given)
 {
     lengths = mesh_.add_property_map<Vertex, scalar>("v:length", GREAT).first;
-    bounds = mesh_.add_property_map<Vertex, scalar>("v:bound", GREAT).first;
     kinds_ = mesh_.add_property_map<Vertex, kind>("v:kind").first;
     lines_ = mesh_.add_property_map<Edge, label>("e:line", -1).first;
     nearest_ = mesh_.add_property_map<Face, label>("f:nearest", -1).first;

@@ -156,8 +156,7 @@ static labelHashSet pointsAway
 remeshedSurface remeshSurface
 (
     const wallSurface& surface,
-    const surfaceRemeshControls& given,
-    const scalar thickness
+    const surfaceRemeshControls& given
 )
 {
     const surfaceRemeshControls controls
@@ -167,7 +166,7 @@ remeshedSurface remeshSurface
     const wallSurface triangles(trianglesOf(surface, controls));
     givenSurface shape(triangles, controls.featureAngle, controls.deviation);
     autoPtr<remesher> mesher(new remesher(shape, controls));
-    mesher->remesh(thickness);
+    mesher->remesh();
     wallSurface made(mesher->edited().surface());
     labelList conflicts(facesInConflict(made));
 
@@ -194,7 +193,7 @@ remeshedSurface remeshSurface
         {
             // Changes of few triangles do not always take them apart
             mesher.reset(new remesher(shape, controls));
-            mesher->remesh(thickness);
+            mesher->remesh();
         }
         else
         {

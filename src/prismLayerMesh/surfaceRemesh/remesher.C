@@ -5,7 +5,6 @@
 
 #include "remesher.H"
 #include "unitConversion.H"
-#include "wallClearance.H"
 
 #include <algorithm>
 #include <array>
@@ -27,9 +26,6 @@ static constexpr scalar firstRatio = 32;
 //- Length of edges between two lines, in widths between these
 static constexpr scalar perWidth = 2.5;
 
-//- Edges across a gap in which layers have less room than they ask for
-static constexpr scalar perGap = 3;
-
 //- Rounds of changes, and those after something has changed
 static constexpr label nRounds = 6;
 static constexpr label nFollowing = 2;
@@ -42,43 +38,6 @@ static constexpr label nImprovements = 4;
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void remesher::setBounds(const scalar thickness)
-{
-    const wallSurface surface(edited_.surface());
-    const wallSearch search(surface);
-    const vectorField normals(surface.faceNormals());
-    scalarField room(surface.points.size(), GREAT);
-    scalarField faceRoom(surface.faces.size(), GREAT);
-
-    #pragma omp parallel for schedule(dynamic, 64)
-    for (label facei = 0; facei < faceRoom.size(); ++facei)
-    {
-        const point centre(surface.faces[facei].centre(surface.points));
-        faceRoom[facei] =
-            roomAlong(search, centre, normals[facei], thickness);
-    }
-
-    forAll(surface.faces, facei)
-    {
-        for (const label p : surface.faces[facei])
-        {
-            room[p] = min(room[p], faceRoom[facei]);
-        }
-    }
-
-    label p = 0;
-    for (const Vertex v : mesh_.vertices())
-    {
-        // The gap is as wide as the ball
-        if (room[p] < thickness)
-        {
-            edited_.bounds[v] = 2*room[p]/perGap;
-        }
-        ++p;
-    }
-}
-
-
 void remesher::setLengths()
 {
     const scalarField limits(edited_.given().lengths());
@@ -87,7 +46,7 @@ void remesher::setLengths()
 
     for (const Vertex v : mesh_.vertices())
     {
-        scalar length = min(controls_.maxEdge, edited_.bounds[v]);
+        scalar length = controls_.maxEdge;
         for (const Halfedge h : edited_.halfedgesFrom(v))
         {
             const Face f = mesh_.face(h);
@@ -266,7 +225,7 @@ remesher::remesher
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void remesher::remesh(const scalar thickness)
+void remesher::remesh()
 {
     // Long edges first
     for (scalar ratio = firstRatio; ratio > longest; ratio /= 2)
@@ -276,7 +235,6 @@ void remesher::remesh(const scalar thickness)
         split(ratio);
     }
     changeEdges(nRounds);
-    setBounds(thickness);
     follow();
 }
 

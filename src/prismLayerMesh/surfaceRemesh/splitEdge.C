@@ -111,7 +111,6 @@ bool editedSurface::split(const Edge e)
     const Vertex v = mesh_.target(before);
     mesh_.point(v) = x;
     lengths[v] = 0.5*(lengths[a] + lengths[b]);
-    bounds[v] = 0.5*(bounds[a] + bounds[b]);
     kinds_[v] = line >= 0 ? kind::onLine : kind::inside;
     lines_[mesh_.edge(before)] = line;
     lines_[mesh_.edge(after)] = line;

@@ -76,7 +76,7 @@ static wallSurface cadCylinder(const label n)
         faces.append(face({n + i, n + j, high}));
     }
     surface.faces = std::move(faces);
-    surface.patchIDs = labelList(surface.faces.size(), 0);
+    surface.patchIDs = labelList(surface.faces.size());
 
     return surface;
 }
@@ -98,7 +98,7 @@ TEST(remeshSurface, needlesBecomeNearToRegular)
 
     const wallSurface result
     (
-        remeshSurface(surface, lengths(0.3, 0.05, 2e-3), 0).surface
+        remeshSurface(surface, lengths(0.3, 0.05, 2e-3)).surface
     );
 
     expectGood(result, 20);
@@ -117,7 +117,7 @@ TEST(remeshSurface, keepsAllOfACube)
     const wallSurface surface(cube(1));
     const remeshedSurface result
     (
-        remeshSurface(surface, lengths(0.15, 0.05, 1e-3), 0)
+        remeshSurface(surface, lengths(0.15, 0.05, 1e-3))
     );
 
     expectGood(result.surface, 25);
@@ -133,7 +133,7 @@ TEST(remeshSurface, coarsensWithinTheDeviation)
     const wallSurface surface(sphere(60));
     const remeshedSurface result
     (
-        remeshSurface(surface, lengths(1, 0.01, 5e-3), 0)
+        remeshSurface(surface, lengths(1, 0.01, 5e-3))
     );
 
     expectGood(result.surface, 20);
@@ -143,7 +143,7 @@ TEST(remeshSurface, coarsensWithinTheDeviation)
 
     // Half the deviation asks for about twice the triangles
     const label nFiner =
-        remeshSurface(surface, lengths(1, 0.01, 2.5e-3), 0)
+        remeshSurface(surface, lengths(1, 0.01, 2.5e-3))
        .surface.faces.size();
     EXPECT_GT(nFiner, 1.5*result.surface.faces.size());
     EXPECT_LT(nFiner, 2.7*result.surface.faces.size());
@@ -162,7 +162,7 @@ TEST(remeshSurface, keepsBordersOfPatches)
 
     const wallSurface result
     (
-        remeshSurface(surface, lengths(0.2, 0.05, 1e-3), 0).surface
+        remeshSurface(surface, lengths(0.2, 0.05, 1e-3)).surface
     );
     scalar area = 0;
     forAll(result.faces, facei)
@@ -185,7 +185,7 @@ TEST(remeshSurface, anOpenBorderStaysWhereItIs)
 {
     const wallSurface result
     (
-        remeshSurface(halfSphere(16), lengths(0.3, 0.02, 2e-3), 0).surface
+        remeshSurface(halfSphere(16), lengths(0.3, 0.02, 2e-3)).surface
     );
 
     expectGood(result, 15);
@@ -199,41 +199,19 @@ TEST(remeshSurface, anOpenBorderStaysWhereItIs)
 }
 
 
-TEST(remeshSurface, edgesAreShortInGapsOfLayersOnly)
-{
-    const scalar width = 0.1;
-    const wallSurface surface(slitBlock(2, width));
-    const surfaceRemeshControls controls(lengths(0.5, 0.01, 1e-3));
-    const auto nFaces = [&](const scalar thickness)
-    {
-        const wallSurface result
-        (
-            remeshSurface(surface, controls, thickness).surface
-        );
-        expectGood(result, 15);
-        return result.faces.size();
-    };
-
-    // Layers of a tenth of the slit's width have room
-    const label nWithRoom = nFaces(0.1*width);
-    EXPECT_NEAR(nFaces(0), nWithRoom, 0.3*nWithRoom);
-    EXPECT_GT(nFaces(width), 2*nWithRoom);
-}
-
-
 TEST(remeshSurface, keepsQuadrilateralsWithinTheBounds)
 {
     const wallSurface surface(quadCube(4));
 
     EXPECT_EQ
     (
-        remeshSurface(surface, lengths(0.3, 0.1, 1e-3), 0).surface.faces,
+        remeshSurface(surface, lengths(0.3, 0.1, 1e-3)).surface.faces,
         surface.faces
     );
 
     const wallSurface result
     (
-        remeshSurface(surface, lengths(0.15, 0.1, 1e-3), 0).surface
+        remeshSurface(surface, lengths(0.15, 0.1, 1e-3)).surface
     );
     for (const face& f : result.faces)
     {
@@ -251,7 +229,7 @@ TEST(remeshSurface, thinBodiesDoNotIntersectThemselves)
     );
     const wallSurface result
     (
-        remeshSurface(surface, lengths(0.5, 0.1, 2e-2), 0).surface
+        remeshSurface(surface, lengths(0.5, 0.1, 2e-2)).surface
     );
 
     EXPECT_TRUE(findWallDefects(result).empty());
