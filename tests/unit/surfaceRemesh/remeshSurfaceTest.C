@@ -76,7 +76,7 @@ static wallSurface cadCylinder(const label n)
         faces.append(face({n + i, n + j, high}));
     }
     surface.faces = std::move(faces);
-    surface.patchIDs = labelList(surface.faces.size());
+    surface.patchIDs = labelList(surface.faces.size(), 0);
 
     return surface;
 }
