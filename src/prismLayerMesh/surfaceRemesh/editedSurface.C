@@ -23,21 +23,6 @@ static constexpr scalar farFromTriangle = 0.1;
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-scalar editedSurface::smallestAngleOf(const FixedList<point, 3>& x)
-{
-    scalar largestCos = -1;
-    for (label k = 0; k < 3; ++k)
-    {
-        const vector a(x[(k + 1) % 3] - x[k]);
-        const vector b(x[(k + 2) % 3] - x[k]);
-        const scalar both = Foam::sqrt(magSqr(a)*magSqr(b));
-        largestCos = max(largestCos, both > 0 ? (a & b)/both : scalar(1));
-    }
-
-    return Foam::acos(min(largestCos, scalar(1)));
-}
-
-
 scalar editedSurface::reachOf(const FixedList<point, 3>& x)
 {
     return max(mag(x[1] - x[0]), max(mag(x[2] - x[1]), mag(x[0] - x[2])));

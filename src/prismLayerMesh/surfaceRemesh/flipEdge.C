@@ -17,12 +17,7 @@ bool editedSurface::flip(const Edge e)
 {
     const Halfedge h = mesh_.halfedge(e);
     const Halfedge back = mesh_.opposite(h);
-    if (lines_[e] >= 0 || isKept(e) || mesh_.is_border(e))
-    {
-        return false;
-    }
-
-    if (isAsBefore(e))
+    if (lines_[e] >= 0 || isKept(e) || mesh_.is_border(e) || isAsBefore(e))
     {
         return false;
     }

@@ -19,21 +19,6 @@ static constexpr scalar sliverWidth = 0.1;
 static constexpr label maxSteps = 20;
 
 
-static label longestEdge(const face& f, const pointField& points)
-{
-    label longest = 0;
-    for (label k = 1; k < f.size(); ++k)
-    {
-        if (f.faceEdge(k).mag(points) > f.faceEdge(longest).mag(points))
-        {
-            longest = k;
-        }
-    }
-
-    return longest;
-}
-
-
 static scalar height(const face& f, const label k, const pointField& points)
 {
     return 2*f.mag(points)/max(f.faceEdge(k).mag(points), VSMALL);
@@ -52,7 +37,7 @@ void givenSurface::setNormals(const wallSides& sides)
 
     forAll(faces, facei)
     {
-        const label k = longestEdge(faces[facei], points);
+        const label k = faces[facei].longestEdge(points);
         hasNormal[facei] =
             height(faces[facei], k, points) > sliverWidth*deviations_[facei];
     }
@@ -70,7 +55,7 @@ void givenSurface::setNormals(const wallSides& sides)
             const face& f = faces[side.facei];
             if
             (
-                f.faceEdge(longestEdge(f, points))
+                f.faceEdge(f.longestEdge(points))
              == edge(side.low, side.high)
             )
             {

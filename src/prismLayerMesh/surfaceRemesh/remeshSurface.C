@@ -99,11 +99,8 @@ static labelHashSet trianglesAt
     for (const label facei : faces)
     {
         const face& f = made.faces[facei];
-        scalar reach = 0;
-        for (const edge& e : f.edges())
-        {
-            reach = max(reach, e.mag(made.points));
-        }
+        const scalar reach =
+            f.faceEdge(f.longestEdge(made.points)).mag(made.points);
         if (nearest[facei] >= 0)
         {
             const point centre(f.centre(made.points));

@@ -229,11 +229,8 @@ labelList returner::facesAtFault() const
     forAll(wrap_.faces, facei)
     {
         const face& f = wrap_.faces[facei];
-        scalar longest = 0;
-        for (const edge& e : f.edges())
-        {
-            longest = max(longest, e.mag(wrap_.points));
-        }
+        const scalar longest =
+            f.faceEdge(f.longestEdge(wrap_.points)).mag(wrap_.points);
         if (2*f.mag(wrap_.points) < leastHeight*sqr(longest))
         {
             fault.set(facei);
