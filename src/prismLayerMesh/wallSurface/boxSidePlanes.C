@@ -11,31 +11,47 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Side 0 to 5 of the box: xMin, xMax, yMin, ...
-static sidePatch planeOf(const farBoundaryControls& boundary, const label side)
+//- The side planes of a far boundary that is a box, with the names and types of
+//  their patches
+static List<sidePatch> sidesOf(const farBoundaryControls& boundary)
 {
-    static const char* names[] =
-        {"xMin", "xMax", "yMin", "yMax", "zMin", "zMax"};
+    List<sidePatch> planes(sidesOf(boundary.box));
 
-    sidePatch plane;
-    plane.name = names[side];
-    plane.origin = side % 2 ? boundary.box.max() : boundary.box.min();
-    plane.normal[side/2] = side % 2 ? 1 : -1;
-
-    for (const farPatch& patch : boundary.patches)
+    for (sidePatch& plane : planes)
     {
-        if (patch.sides.match(names[side]))
+        const word side(plane.name);
+        for (const farPatch& patch : boundary.patches)
         {
-            plane.name = patch.name;
-            plane.type = patch.type;
+            if (patch.sides.match(side))
+            {
+                plane.name = patch.name;
+                plane.type = patch.type;
+            }
         }
     }
 
-    return plane;
+    return planes;
 }
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+List<sidePatch> sidesOf(const boundBox& box)
+{
+    static const char* names[] =
+        {"xMin", "xMax", "yMin", "yMax", "zMin", "zMax"};
+
+    List<sidePatch> planes(6);
+    forAll(planes, side)
+    {
+        planes[side].name = names[side];
+        planes[side].origin = side % 2 ? box.max() : box.min();
+        planes[side].normal[side/2] = side % 2 ? 1 : -1;
+    }
+
+    return planes;
+}
+
 
 List<sidePatch> withBoxSides
 (
@@ -54,9 +70,8 @@ List<sidePatch> withBoxSides
     const scalar tolerance =
         sideTolerance*boundBox(surface.points, false).mag();
 
-    for (label side = 0; side < 6; ++side)
+    for (const sidePatch& plane : sidesOf(boundary))
     {
-        const sidePatch plane(planeOf(boundary, side));
         const auto isOn = [&](const point& x)
         {
             return mag((x - plane.origin) & plane.normal) <= tolerance;
