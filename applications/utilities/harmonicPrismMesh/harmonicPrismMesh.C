@@ -55,6 +55,7 @@ Usage
 #include "readLocalHeights.H"
 #include "readWall.H"
 #include "stageLog.H"
+#include "surfaceAdvice.H"
 #include "wallPointsError.H"
 #include "prismCase.H"
 
@@ -277,7 +278,7 @@ int main(int argc, char *argv[])
 
     if (checkOnly)
     {
-        endCheck("");
+        endCheck("", adviceOnAngles(prepared.wall, controls.surface.remesh));
     }
 
     const fileName preparedFile(files.preparedFile(surfaceFiles));

@@ -9,6 +9,7 @@
 #include "prismPolyMesh.H"
 #include "remeshSurface.H"
 #include "repairSurface.H"
+#include "surfaceAdvice.H"
 #include "surfaceMeasures.H"
 #include "wallDefects.H"
 
@@ -172,50 +173,6 @@ static string checkWall
 }
 
 
-//- Which repair would leave no defects, one sentence
-static string adviceOnRepair
-(
-    const wallSurface& surface,
-    const wallSurfaceControls& controls
-)
-{
-    typedef surfaceRepairControls::method method;
-
-    if (controls.repair.repair == method::wrap)
-    {
-        return "";
-    }
-
-    // What is stitched already has been tried
-    wallSurfaceControls stitching(controls);
-    stitching.repair.repair = method::stitch;
-    repairedSurface stitched;
-    bool isMended = controls.repair.repair == method::none;
-
-    if (isMended)
-    {
-        stitched = repairSurface(surface, stitching);
-        isMended = findWallDefects
-        (
-            stitched.surface, controls.sidePlanes.size()
-        ).empty();
-    }
-
-    if (!isMended)
-    {
-        return "surface.repair stitch does not mend this surface;"
-            " surface.repair wrap makes a closed surface of any.";
-    }
-
-    OStringStream os;
-    os  << "surface.repair stitch mends this surface: all of it is then within "
-        << max(stitched.distance.largest, stitched.distanceOfGiven.largest)
-        << " m.";
-
-    return os.str();
-}
-
-
 //- The wall of a surface without defects, reported if it ends on side patches
 static wallSurface takeWall
 (
@@ -262,10 +219,10 @@ static wallSurface takeWall
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void endCheck(const string& defects)
+void endCheck(const string& defects, const string& advice)
 {
     Info<< nl << (defects.empty() ? "Surface OK." : defects.c_str()) << nl
-        << nl << "End" << nl << endl;
+        << advice.c_str() << nl << nl << "End" << nl << endl;
 
     // What main returns is lost: the destructor of args exits with 0
     UPstream::exit(defects.empty() ? 0 : 1);
@@ -296,7 +253,7 @@ preparedWall readWall
 
     if (defects.size() && checkOnly)
     {
-        endCheck(defects + "\n" + adviceOnRepair(given, controls.surface));
+        endCheck(defects, adviceOnDefects(given, controls));
     }
     else if (defects.size())
     {
