@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceMeasures.H"
+#include "sidePatch.H"
 #include "unitConversion.H"
 
 namespace Foam
@@ -14,18 +15,43 @@ namespace Foam
 surfaceMeasures measuresOf(const wallSurface& surface)
 {
     surfaceMeasures result;
+    const point origin
+    (
+        surface.points.empty() ? point(Zero) : surface.points[0]
+    );
 
     for (const face& f : surface.faces)
     {
-        const scalar angle =
-            radToDeg(smallestAngleOf(f.points(surface.points)));
-        result.area += f.mag(surface.points);
+        const vector area(f.areaNormal(surface.points));
+        result.area += mag(area);
+        result.volume += area & (f.centre(surface.points) - origin);
+    }
+    result.volume =
+        outline(surface.faces).empty() ? mag(result.volume)/3 : scalar(0);
+
+    for (const scalar angle : smallestAngles(surface))
+    {
         result.smallestAngle = min(result.smallestAngle, angle);
 
         if (angle < surfaceMeasures::smallAngle)
         {
             result.shareWithSmallAngles += 1.0/surface.faces.size();
         }
+    }
+
+    return result;
+}
+
+
+scalarField smallestAngles(const wallSurface& surface)
+{
+    scalarField result(surface.faces.size());
+    forAll(result, facei)
+    {
+        result[facei] = radToDeg
+        (
+            smallestAngleOf(surface.faces[facei].points(surface.points))
+        );
     }
 
     return result;

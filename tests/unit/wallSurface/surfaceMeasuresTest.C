@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceMeasures.H"
+#include "openSurfaces.H"
 #include "testSurfaces.H"
 
 #include <gtest/gtest.h>
@@ -18,8 +19,28 @@ TEST(surfaceMeasures, ofACubeOfHalvedSquares)
     const surfaceMeasures measures(measuresOf(cube(3, 2)));
 
     EXPECT_NEAR(measures.area, 24, 1e-12);
+    EXPECT_NEAR(measures.volume, 8, 1e-12);
     EXPECT_NEAR(measures.smallestAngle, 45, 1e-10);
     EXPECT_EQ(measures.shareWithSmallAngles, 0);
+}
+
+
+TEST(surfaceMeasures, openSurfaceHasNoVolume)
+{
+    EXPECT_EQ(measuresOf(halfCube(2)).volume, 0);
+}
+
+
+TEST(surfaceMeasures, anglesAreThoseOfEachFace)
+{
+    wallSurface surface;
+    surface.points = pointField({Zero, {1, 0, 0}, {1, 1, 0}, {0, 2, 0}});
+    surface.faces = faceList({face({0, 1, 2}), face({0, 2, 3})});
+
+    const scalarField angles(smallestAngles(surface));
+
+    EXPECT_NEAR(angles[0], 45, 1e-10);
+    EXPECT_NEAR(angles[1], 45, 1e-10);
 }
 
 
