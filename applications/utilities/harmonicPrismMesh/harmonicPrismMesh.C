@@ -221,14 +221,14 @@ static void meshWall
 (
     const argList& args,
     const prismCase& files,
-    const preparedWall& prepared,
+    const preparedWall& given,
     const fileName& preparedFile,
     const prismLayerControls& controls,
     const Time& time,
     stageLog& log
 )
 {
-    const wallSurface& wall = prepared.wall;
+    const wallSurface& wall = given.wall;
     const localHeights local(readLocal(files, wall, controls, time, log));
     const farFieldDomain domain
     (
@@ -250,11 +250,7 @@ static void meshWall
         files.writeFields(wall, result);
     }
 
-    files.write
-    (
-        wall, result, log, prepared.isChanged ? preparedFile : fileName(),
-        prepared.surface
-    );
+    files.write(wall, result, log, preparedFile, given.prepared);
 }
 
 
@@ -271,28 +267,28 @@ int main(int argc, char *argv[])
     stageLog log;
     const bool checkOnly = args.found("checkSurface");
     const fileNameList surfaceFiles(files.surfaceFiles(controls.surface));
-    const preparedWall prepared
+    const preparedWall given
     (
         readWall(surfaceFiles, checkOnly, controls, log)
     );
 
     if (checkOnly)
     {
-        endCheck("", adviceOnAngles(prepared.wall, controls.surface.remesh));
+        endCheck("", adviceOnAngles(given.wall, controls.surface.remesh));
     }
 
     const fileName preparedFile(files.preparedFile(surfaceFiles));
 
     if (args.found("prepareSurface"))
     {
-        files.writePrepared(preparedFile, prepared.surface);
+        files.writePrepared(preparedFile, given.prepared.surface);
         Info<< "End" << nl << endl;
 
         return 0;
     }
 
     files.checkOverwrite(surfaceFiles);
-    meshWall(args, files, prepared, preparedFile, controls, runTime, log);
+    meshWall(args, files, given, preparedFile, controls, runTime, log);
 
     Info<< "End" << nl << endl;
 

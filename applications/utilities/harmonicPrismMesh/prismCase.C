@@ -9,6 +9,7 @@
 #include "layerSurfaces.H"
 #include "OSspecific.H"
 #include "polyMesh.H"
+#include "prepareSurface.H"
 #include "prismPolyMesh.H"
 #include "replacedFiles.H"
 #include "Time.H"
@@ -195,6 +196,7 @@ void Foam::prismCase::writeAll
 (
     const wallSurface& wall,
     prismLayerMesh& m,
+    const dictionary& surfaceChanges,
     stageLog& log,
     replacedFiles& files
 ) const
@@ -224,6 +226,7 @@ void Foam::prismCase::writeAll
     report.stages = log.costs();
 
     dictionary entries(toDictionary(report));
+    entries.add("surface", surfaceChanges);
     Foam::write(Info, report);
 
     if (hasFarField)
@@ -290,16 +293,19 @@ void Foam::prismCase::write
     prismLayerMesh& m,
     stageLog& log,
     const fileName& preparedFile,
-    const wallSurface& prepared
+    const preparedSurface& prepared
 ) const
 {
     replace([&](replacedFiles& files)
     {
-        if (preparedFile.size())
+        if (prepared.isChanged())
         {
-            writeSurface(preparedFile, toMeshedSurface(prepared), files);
+            writeSurface
+            (
+                preparedFile, toMeshedSurface(prepared.surface), files
+            );
         }
-        writeAll(wall, m, log, files);
+        writeAll(wall, m, prepared.changes, log, files);
     });
 
     rm(failedPointsFile());
@@ -308,7 +314,7 @@ void Foam::prismCase::write
         << "Outer:  " << outerFile() << nl
         << "Report: " << reportFile() << nl;
 
-    if (preparedFile.size())
+    if (prepared.isChanged())
     {
         Info<< "Surface: " << preparedFile << nl;
     }

@@ -7,41 +7,13 @@
 #include "boxSidePlanes.H"
 #include "endWall.H"
 #include "prismPolyMesh.H"
-#include "remeshSurface.H"
-#include "repairSurface.H"
 #include "surfaceAdvice.H"
-#include "surfaceMeasures.H"
 #include "wallDefects.H"
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-static string sizesOf(const wallSurface& surface)
-{
-    return name(surface.faces.size()) + " faces, "
-      + name(surface.points.size()) + " points, "
-      + name(surface.patchNames.size()) + " patches";
-}
-
-
-static void report(const char* which, const surfaceMeasures& measures)
-{
-    Info<< "    " << which << ": area " << measures.area
-        << " m2, smallest angle " << measures.smallestAngle
-        << ", faces with angles below " << surfaceMeasures::smallAngle << ": "
-        << 100*measures.shareWithSmallAngles << " %" << nl;
-}
-
-
-static void report(const char* which, const surfaceDistance& distance)
-{
-    Info<< "    distance " << which << " the given surface: "
-        << distance.largest << " m at most, at " << distance.place << ", mean "
-        << distance.mean << " m" << nl;
-}
-
 
 //- The surface, read and reported
 static wallSurface readFiles
@@ -68,82 +40,6 @@ static wallSurface readFiles
         << ", faces turned to the fluid " << reading.flippedFaces << endl;
 
     return wall;
-}
-
-
-//- The surface, repaired and reported if that is wanted and needed
-static preparedWall repair
-(
-    const wallSurface& surface,
-    const wallSurfaceControls& controls,
-    stageLog& log
-)
-{
-    preparedWall result;
-    result.surface = surface;
-
-    if (controls.repair.repair == surfaceRepairControls::method::none)
-    {
-        return result;
-    }
-
-    log.begin("surfaceRepair");
-    const repairedSurface repaired(repairSurface(surface, controls));
-    log.end
-    (
-        repaired.steps.empty() ? "nothing to repair"
-      : sizesOf(repaired.surface)
-    );
-
-    for (const repairStep& step : repaired.steps)
-    {
-        Info<< "    " << step.what.c_str() << ' ' << step.count;
-        if (step.places.size())
-        {
-            Info<< ", at " << step.places[0];
-        }
-        Info<< nl;
-    }
-
-    if (repaired.steps.size())
-    {
-        report("from", repaired.distance);
-        report("of", repaired.distanceOfGiven);
-        report("before", measuresOf(surface));
-        report("now", measuresOf(repaired.surface));
-    }
-    Info<< flush;
-
-    result.surface = repaired.surface;
-    result.isChanged = repaired.steps.size();
-
-    return result;
-}
-
-
-//- The surface with new triangles, reported
-static void remesh
-(
-    const surfaceRemeshControls& controls,
-    preparedWall& prepared,
-    stageLog& log
-)
-{
-    log.begin("surfaceRemesh");
-    const remeshedSurface remeshed
-    (
-        remeshSurface(prepared.surface, controls)
-    );
-    log.end(sizesOf(remeshed.surface));
-
-    report("from", remeshed.distance);
-    report("of", remeshed.distanceOfGiven);
-    report("before", measuresOf(prepared.surface));
-    report("now", measuresOf(remeshed.surface));
-    Info<< flush;
-
-    prepared.surface = remeshed.surface;
-    prepared.isChanged = true;
 }
 
 
@@ -246,8 +142,10 @@ preparedWall readWall
     (
         given, controls.surface.sidePlanes, controls.farField.boundary
     );
-    preparedWall result(repair(given, controls.surface, log));
-    const wallSurface& surface = result.surface;
+    preparedWall result;
+    result.prepared.surface = given;
+    repair(controls.surface, result.prepared, log);
+    const wallSurface& surface = result.prepared.surface;
     const bool mayBeOpen = controls.surface.sidePlanes.size();
     const string defects(checkWall(surface, mayBeOpen, reading, log));
 
@@ -263,10 +161,7 @@ preparedWall readWall
             << exit(FatalError);
     }
 
-    if (controls.surface.remesh.active)
-    {
-        remesh(controls.surface.remesh, result, log);
-    }
+    remesh(controls.surface.remesh, result.prepared, log);
     result.wall = takeWall(surface, controls, reading, log);
 
     return result;
