@@ -4,191 +4,16 @@
 \*---------------------------------------------------------------------------*/
 
 #include "fuzzCase.H"
-#include "embeddingFault.H"
 #include "isolatedProcess.H"
-#include "meshFaults.H"
-#include "prismLayerMesh.H"
-#include "wallDefects.H"
-#include "wallPointsError.H"
+#include "meshFuzzCase.H"
 
 #include <cfenv>
-#include <functional>
 #include <sstream>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
-
-//- Told of a case: stage, skipped, failed or noField, and a text
-typedef std::function<void(const std::string&, const std::string&)> listener;
-
-
-//- White space is one blank
-static std::string oneLine(const std::string& text)
-{
-    std::istringstream words(text);
-    std::string word, line;
-
-    while (words >> word)
-    {
-        line += (line.empty() ? "" : " ") + word;
-    }
-
-    return line;
-}
-
-
-//- Layers that there must be: the most that any part of the wall asks for
-static label nAsked(const layerControls& controls, const layerSpacing& asked)
-{
-    if (controls.automatic())
-    {
-        return asked.nLayers;
-    }
-
-    label n = controls.heights.nSurfaceLayers;
-
-    for (const patchLayers& entry : controls.patches)
-    {
-        n = max(n, entry.heights.nSurfaceLayers);
-    }
-    for (const layerRegion& region : controls.regions)
-    {
-        n = max(n, region.heights.nSurfaceLayers);
-    }
-
-    // It may be that no point is left to those who ask for the most
-    return min(n, max(asked.layersAsked));
-}
-
-
-static void mesh
-(
-    const wallSurface& wall,
-    const prismLayerControls& controls,
-    const localHeights& local,
-    const listener& tell
-)
-{
-    const prismLayerMesh m
-    (
-        makePrismLayerMesh
-        (
-            wall,
-            controls,
-            local,
-            stageObserver
-            {
-                [&](const word& stage) { tell("stage", stage); },
-                [](const string&) {}
-            }
-        )
-    );
-
-    tell("stage", "checks");
-
-    if (m.fields.failure.size())
-    {
-        tell("noField", oneLine(m.fields.failure));
-    }
-
-    const std::string fault(findMeshFault(wall, m.made.layers));
-    const std::string embedding(findEmbeddingFault(wall, m.made.layers));
-
-    if (!m.certificate.valid())
-    {
-        tell("failed", "the certificate is not valid");
-    }
-    else if (m.made.layers.nLayers != nAsked(controls.layers, m.request))
-    {
-        tell("failed", "the number of layers is not what was asked for");
-    }
-    else if (fault.size() || embedding.size())
-    {
-        tell("failed", oneLine(fault + embedding));
-    }
-}
-
-
-//- Gives the wall new triangles; what was said of its old points is forgotten
-static void remesh
-(
-    const fuzzCase& one,
-    wallSurface& wall,
-    prismLayerControls& controls,
-    localHeights& local,
-    const listener& tell
-)
-{
-    tell("stage", "remesh");
-    controls.layers.regions.clear();
-    local = localHeights();
-    wall = one.remeshed(wall);
-    tell(findWallDefects(wall).empty() ? "stage" : "failed", "defects");
-}
-
-
-static void makeAndMesh(const fuzzCase& one, const listener& tell)
-{
-    FatalError.throwExceptions();
-    FatalIOError.throwExceptions();
-
-    wallSurface wall;
-    prismLayerControls controls;
-    localHeights local;
-
-    try
-    {
-        tell("stage", "surface");
-        one.make(wall, controls, local);
-        const List<wallDefect> defects
-        (
-            findWallDefects(wall, wall.border.sides.size())
-        );
-
-        if (defects.size())
-        {
-            tell("skipped", oneLine(describe(defects)));
-            return;
-        }
-    }
-    catch (const Foam::error& e)
-    {
-        // Of the polygon of a prism
-        tell("skipped", oneLine(e.message()));
-        return;
-    }
-
-    try
-    {
-        if (one.isRemeshed && wall.border.sides.empty())
-        {
-            remesh(one, wall, controls, local, tell);
-        }
-        mesh(wall, controls, local, tell);
-    }
-    catch (const wallPointsError& e)
-    {
-        // In a knife edge between wall and side patch there may be no layers
-        const Map<labelPair> border(wall.border.pointSides());
-        const bool onBorder = std::all_of
-        (
-            e.labels().begin(), e.labels().end(),
-            [&](const label p) { return border.found(p); }
-        );
-        tell(onBorder ? "skipped" : "failed", oneLine(e.message()));
-    }
-    catch (const Foam::error& e)
-    {
-        tell("failed", oneLine(e.message()));
-    }
-    catch (const std::exception& e)
-    {
-        tell("failed", "exception: " + oneLine(e.what()));
-    }
-}
-
 
 //- What is told, as lines to a process and from there
 static void send
@@ -269,7 +94,7 @@ Foam::fuzzResult Foam::runHere(const fuzzCase& one)
     fuzzResult result;
     verdictListener verdict(result);
 
-    makeAndMesh
+    meshFuzzCase
     (
         one,
         [&](const std::string& what, const std::string& text)
@@ -294,7 +119,7 @@ Foam::fuzzResult Foam::run(const fuzzCase& one, const unsigned cpuSeconds)
         {
             ::feenableexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW);
 
-            makeAndMesh
+            meshFuzzCase
             (
                 one,
                 [&](const std::string& what, const std::string& text)

@@ -7,7 +7,9 @@
 #include "boundBox.H"
 #include "cutReflexFaces.H"
 #include "layerSpacing.H"
+#include "damageSurface.H"
 #include "remeshSurface.H"
+#include "repairSurface.H"
 
 #include <cstdint>
 
@@ -87,6 +89,20 @@ static void addRegion
         in[p] = (normal & (wall.points[p] - origin)) >= 0;
     }
     local.inRegion = List<boolList>(1, in);
+}
+
+
+//- Of a closed surface, negative if the normals point into the body
+static scalar signedVolume(const wallSurface& surface)
+{
+    scalar volume = 0;
+    for (const face& f : surface.faces)
+    {
+        const vector r(f.centre(surface.points) - surface.points[0]);
+        volume += (f.areaNormal(surface.points) & r)/3;
+    }
+
+    return volume;
 }
 
 
@@ -190,6 +206,33 @@ Foam::wallSurface Foam::fuzzCase::remeshed
     controls.featureAngle = random.position<scalar>(10, 80);
 
     return remeshSurface(wall, controls).surface;
+}
+
+
+Foam::wallSurface Foam::fuzzCase::repaired
+(
+    const wallSurface& wall
+) const
+{
+    Random random(mixed(seed + 2, index));
+    wallSurface surface(wall);
+    if (signedVolume(surface) < 0)
+    {
+        for (face& f : surface.faces)
+        {
+            f.flip();
+        }
+    }
+    randomSurfaces::damage(surface, random);
+
+    const scalar size = boundBox(surface.points, false).mag();
+    wallSurfaceControls controls;
+    controls.repair.repair = repair;
+    controls.repair.size = size*randomSurfaces::logUniform(random, 0.02, 0.2);
+    controls.repair.gap = size*randomSurfaces::logUniform(random, 1e-6, 1e-2);
+    controls.repair.hole = size*randomSurfaces::logUniform(random, 1e-2, 1);
+
+    return repairSurface(surface, controls).surface;
 }
 
 

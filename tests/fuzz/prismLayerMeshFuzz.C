@@ -29,6 +29,9 @@ Usage
       - \par -remesh
         Closed surfaces get new triangles first
 
+      - \par -repair \<method\>
+        Closed surfaces are damaged first, and repaired: stitch or wrap
+
       - \par -index \<i\>
         That case alone, in this process
 
@@ -66,6 +69,11 @@ static void addOptions()
         "kind", "name", "All cases of that kind of surface (default: in turn)"
     );
     argList::addBoolOption("remesh", "Closed surfaces get new triangles first");
+    argList::addOption
+    (
+        "repair", "method",
+        "Closed surfaces are damaged first, and repaired: stitch or wrap"
+    );
     argList::addOption("index", "i", "That case alone, in this process");
     argList::addOption
     (
@@ -161,6 +169,13 @@ static fuzzCase caseOf(const argList& args, const label index)
     one.seed = args.lookupOrDefault<label>("seed", 1);
     one.index = index;
     one.isRemeshed = args.found("remesh");
+    if (args.found("repair"))
+    {
+        one.repair =
+            args["repair"] == "stitch"
+          ? surfaceRepairControls::method::stitch
+          : surfaceRepairControls::method::wrap;
+    }
     one.kind =
         kind.size()
       ? randomSurfaces::kindOf(kind)
