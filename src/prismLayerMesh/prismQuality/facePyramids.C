@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "faceGeometry.H"
+#include "cellGeometry.H"
 #include "prismQuality.H"
 
 namespace Foam
@@ -13,35 +13,19 @@ namespace Foam
 
 //- Whether the centre of a cell is on the inner side of all its faces. Those
 //  are given with area vectors outwards; which is as in
-//  primitiveMesh::makeCellCentresAndVols and checkFacePyramids.
+//  primitiveMesh::checkFacePyramids.
 static bool hasPositivePyramids(const UList<faceGeometry>& faces)
 {
-    point estimate(Zero);
-    for (const faceGeometry& f : faces)
-    {
-        estimate += f.centre/scalar(faces.size());
-    }
-
-    vector sum(Zero);
-    scalar volume3 = 0;
-    for (const faceGeometry& f : faces)
-    {
-        const scalar v = f.pyramid3(estimate);
-        volume3 += v;
-        sum += v*(0.75*(f.centre - estimate));
-    }
-
-    if (volume3 <= VSMALL)
+    const cellGeometry cell(faces);
+    if (cell.volume3 <= VSMALL)
     {
         return false;
     }
 
-    const point centre(estimate + sum/volume3);
-
     for (const faceGeometry& f : faces)
     {
         // Faces without area have no pyramid
-        if (f.pyramid3(centre) < -SMALL*volume3)
+        if (f.pyramid3(cell.centre) < -SMALL*cell.volume3)
         {
             return false;
         }
@@ -60,28 +44,19 @@ bool hasPositivePyramids(const prismLayers& layers, const label facei)
 
     // Lower face, upper face, sides
     List<faceGeometry> faces(n + 2);
-    List<point> points(n);
-    List<point> side(4);
 
     for (label i = 0; i <= layers.nLayers; ++i)
     {
         faces[0] = faces[1];
         faces[0].area *= -1;
-
-        for (label k = 0; k < n; ++k)
-        {
-            points[k] = layers(f[k], i);
-        }
-        faces[1] = faceGeometry(points);
+        faces[1] = faceGeometry(levelPoints{layers, f, i});
 
         for (label k = 0; i > 0 && k < n; ++k)
         {
-            const label next = k + 1 < n ? k + 1 : 0;
-            side[0] = layers(f[k], i - 1);
-            side[1] = layers(f[next], i - 1);
-            side[2] = points[next];
-            side[3] = points[k];
-            faces[2 + k] = faceGeometry(side);
+            faces[2 + k] = faceGeometry
+            (
+                sidePoints{layers, f[k], f[f.fcIndex(k)], i}
+            );
         }
 
         if (i > 0 && !hasPositivePyramids(faces))

@@ -5,7 +5,6 @@
 
 
 #include "stackHeights.H"
-#include "faceGeometry.H"
 
 namespace Foam
 {
@@ -119,9 +118,11 @@ void stackHeights::compute(const label facei, const label nLayers)
         collect(facei, i, upper_);
         const faceGeometry upperFace(upper_);
 
-        heights_[i - 1] =
-            2.0/3.0*volume3(lower_, upper_, lowerFace, upperFace)
-           /max(mag(lowerFace.area) + mag(upperFace.area), VSMALL);
+        heights_[i - 1] = layerHeight
+        (
+            lowerFace, upperFace,
+            volume3(lower_, upper_, lowerFace, upperFace)
+        );
 
         lowerFace = upperFace;
         lower_.swap(upper_);
