@@ -1,0 +1,29 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "faceQuality.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+scalar cosineLack(const vector& area, const vector& between, const scalar aim)
+{
+    const scalar dot = between & area;
+    const scalar squares = magSqr(between)*magSqr(area);
+
+    // Most faces are good, and squares cost less than roots
+    if (squares <= 0 || (dot > 0 && sqr(dot) >= sqr(aim)*squares))
+    {
+        return 0;
+    }
+
+    return aim - dot/Foam::sqrt(squares);
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
