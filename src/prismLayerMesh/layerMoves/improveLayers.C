@@ -4,10 +4,12 @@
 \*---------------------------------------------------------------------------*/
 
 #include "improveLayers.H"
+#include "bendColumns.H"
 #include "fitHeights.H"
 #include "growColumns.H"
 #include "leanColumns.H"
 #include "limitHeightJumps.H"
+#include "unitConversion.H"
 
 namespace Foam
 {
@@ -74,6 +76,9 @@ public:
     void limitJumps();
 
     void fitAll();
+
+    //- Bend columns to where faces are better, with heights as they are
+    void bend();
 };
 
 
@@ -273,6 +278,41 @@ void improvement::fitAll()
     settle();
 }
 
+
+void improvement::bend()
+{
+    const layerMoveControls& controls = editor_.controls();
+    const auto atFault = [&](const label facei) { return isAtFault(facei); };
+    bendAims aims;
+    aims.faces.cosine = Foam::cos(degToRad(controls.aimedAngle));
+    aims.faces.skewness = controls.aimedSkewness;
+
+    const prismLayers& layers = editor_.layers();
+    layerGeometry geometry(layers, editor_.front().addressing);
+    labelList looked(identity(layers.faces.size()));
+    barred_ = false;
+
+    for (label round = 0; round < controls.maxBends; ++round)
+    {
+        labelList columns
+        (
+            poorColumns(layers, geometry, looked, aims.faces)
+        );
+        inplaceSubsetList
+        (
+            columns, [&](const label c) { return !barred_[c]; }
+        );
+        aims.hold(editor_, columns);
+
+        const label then = editor_.now();
+        bendColumns(editor_, geometry, aims, columns, atFault);
+        settle();
+
+        looked = editor_.touchedSince(then);
+        geometry.update(looked);
+    }
+}
+
 }
 
 
@@ -288,6 +328,7 @@ void improveLayers(layerEditor& editor, const layerJudge& judge)
         better.fitFirst();
         better.limitJumps();
         better.fitAll();
+        better.bend();
     }
 }
 

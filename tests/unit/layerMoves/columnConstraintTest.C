@@ -3,6 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
+#include "bendColumns.H"
 #include "editedColumns.H"
 #include "fitHeights.H"
 #include "growColumns.H"
@@ -93,6 +94,18 @@ static void forAllMoves(editedColumns& m, const Test& test)
     test("fitThickness");
     limitHeightJumps(m.editor, neighboursOnWall(m.front));
     test("limitHeightJumps");
+    layerGeometry geometry(m.editor.layers(), m.front.addressing);
+    bendAims aims;
+    aims.faces = faceAims{0.95, 0.5};
+    aims.hold(m.editor, all);
+    EXPECT_FALSE
+    (
+        bendColumns
+        (
+            m.editor, geometry, aims, all, [](label) { return false; }
+        ).empty()
+    );
+    test("bend");
 }
 
 

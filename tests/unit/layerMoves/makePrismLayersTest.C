@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "makePrismLayers.H"
+#include "stackHeights.H"
 #include "testStages.H"
 #include "testSurfaces.H"
 
@@ -185,7 +186,7 @@ TEST(makePrismLayers, haveAllTheirThicknessWhereNothingHinders)
 }
 
 
-TEST(makePrismLayers, endAtTheirRoom)
+TEST(makePrismLayers, columnsEndInTheirRoom)
 {
     for (const layeredShape& s : shapes())
     {
@@ -197,22 +198,29 @@ TEST(makePrismLayers, endAtTheirRoom)
             const scalar h =
                 s.mesh.visibility.heightCosine(p, column);
 
-            // Faces have the height rather than columns
-            const scalar tolerance =
-                s.mesh.made.thickness[p] < s.mesh.spacing.thickness[p]
-              ? 0.3 : 0.1;
-
-            // Less where the bound on the stretch is reached
-            EXPECT_LE(h, s.mesh.made.thickness[p]*(1 + tolerance));
-            if
-            (
-                mag(column)
-              < 0.9*h*s.mesh.columns.stretch(p, s.mesh.made.thickness[p])
-            )
-            {
-                EXPECT_NEAR(h/s.mesh.made.thickness[p], 1, tolerance);
-            }
+            // Faces have the height rather than columns, which may bend
+            EXPECT_LE(h, 1.3*s.mesh.made.thickness[p]);
         }
+    }
+}
+
+
+TEST(makePrismLayers, facesHaveTheThicknessOfTheirColumns)
+{
+    for (const layeredShape& s : shapes())
+    {
+        stackHeights stack(s.mesh.made.layers);
+        label nWrong = 0;
+        forAll(s.wall.faces, facei)
+        {
+            const face& f = s.wall.faces[facei];
+            const scalarField of(s.mesh.made.thickness, f);
+            stack.compute(facei);
+            // It varies along curved walls, and beside lower columns
+            nWrong += of == scalarField(s.mesh.spacing.thickness, f)
+                && mag(sum(stack.heights())/average(of) - 1) > 0.15;
+        }
+        EXPECT_LT(nWrong, 0.01*s.wall.faces.size()) << s.name;
     }
 }
 

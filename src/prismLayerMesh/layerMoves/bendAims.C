@@ -1,0 +1,69 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "bendAims.H"
+#include "stackHeights.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void bendAims::hold(const layerEditor& editor, const labelUList& columns)
+{
+    const labelListList& pointFaces = editor.front().addressing.pointFaces;
+    stackHeights stack(editor.layers());
+
+    for (const label c : columns)
+    {
+        for (const label facei : pointFaces[c])
+        {
+            if
+            (
+                heights.insert(facei, scalarField())
+             && facei < editor.front().nWallFaces
+            )
+            {
+                stack.compute(facei);
+                heights[facei] = stack.heights();
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+labelList poorColumns
+(
+    const prismLayers& layers,
+    const layerGeometry& geometry,
+    const labelUList& faces,
+    const faceAims& aims
+)
+{
+    boolList isPoor(faces.size());
+
+    #pragma omp parallel for schedule(dynamic, 64) if (faces.size() > 64)
+    forAll(faces, i)
+    {
+        isPoor[i] = geometry.lack(faces[i], aims) > 0;
+    }
+
+    labelHashSet columns;
+    forAll(faces, i)
+    {
+        if (isPoor[i])
+        {
+            columns.insert(layers.faces[faces[i]]);
+        }
+    }
+
+    return columns.sortedToc();
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

@@ -1,0 +1,236 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include <Eigen/Dense>
+
+#include "bendColumns.H"
+#include "columnCells.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Shapes, as functions of the share of the height, in which a column moves
+static constexpr label nShapes = 3;
+
+//- Each in three directions
+static constexpr label nUnknowns = 3*nShapes;
+
+typedef Eigen::Matrix<scalar, nUnknowns, 1> bendVector;
+
+//- Step of differences, over the height of the column
+static constexpr scalar differenceStep = 0.02;
+
+//- Damping of Levenberg and Marquardt that is tried, in this order, over the
+//  mean of the diagonal
+static constexpr scalar dampings[] = {0.01, 0.1, 1, 10};
+
+
+namespace
+{
+
+//- A column that moves from where it is
+class bentColumn
+{
+    layerEditor& editor_;
+    const label c_;
+    const columnState before_;
+
+    //- Lengths that a column of unit displacement in a shape moves, by level
+    List<FixedList<scalar, nShapes>> shapes_;
+
+public:
+
+    bentColumn(layerEditor& editor, const label c)
+    :
+        editor_(editor),
+        c_(c),
+        before_(editor.state(c)),
+        shapes_(before_.points.size())
+    {
+        const point& root = editor.layers()(c, 0);
+        const scalar full = mag(before_.points.last() - root);
+
+        forAll(shapes_, i)
+        {
+            // At the wall, lean, bend, and a bulge near to the wall
+            const scalar height = mag(before_.points[i] - root);
+            const scalar t = height/full;
+            shapes_[i] = {height, height*t, height*sqr(1 - t)};
+        }
+    }
+
+    const columnState& before() const { return before_; }
+
+    void displace(const bendVector& x)
+    {
+        forAll(shapes_, i)
+        {
+            vector d(Zero);
+            for (label k = 0; k < nShapes; ++k)
+            {
+                d += shapes_[i][k]*vector(x[3*k], x[3*k + 1], x[3*k + 2]);
+            }
+            editor_.setPoint(c_, i + 1, before_.points[i] + d);
+        }
+    }
+
+    void restore()
+    {
+        editor_.restore(c_, before_);
+    }
+};
+
+
+//- Normal equations of a step of Gauss and Newton
+struct normalEquations
+{
+    Eigen::Matrix<scalar, nUnknowns, nUnknowns> matrix;
+    bendVector source;
+};
+
+}
+
+
+//- From differences of the residuals. Leaves the column displaced.
+static normalEquations linearise
+(
+    bentColumn& column,
+    columnCells& cells,
+    const UList<scalar>& residuals
+)
+{
+    typedef Eigen::Matrix<scalar, Eigen::Dynamic, nUnknowns> jacobian;
+    const label n = residuals.size();
+    const Eigen::Map<const Eigen::VectorXd> r(residuals.cdata(), n);
+    jacobian J(n, label(nUnknowns));
+    DynamicList<scalar> moved;
+
+    for (label k = 0; k < nUnknowns; ++k)
+    {
+        column.displace(differenceStep*bendVector::Unit(k));
+        cells.evaluate(moved);
+        J.col(k) = Eigen::Map<const Eigen::VectorXd>(moved.cdata(), n) - r;
+    }
+    J /= differenceStep;
+
+    return normalEquations{J.transpose()*J, -J.transpose()*r};
+}
+
+
+//- Bend one column. False if it stays.
+static bool bend
+(
+    layerEditor& editor,
+    const layerGeometry& geometry,
+    const bendAims& aims,
+    const label c,
+    const std::function<bool(label)>& isAtFault,
+    bentColumn& column
+)
+{
+    const layerMoveControls& controls = editor.controls();
+    columnCells cells(editor, geometry, aims, c);
+    DynamicList<scalar> residuals;
+    const scalar sum = cells.evaluate(residuals);
+
+    if (sum <= controls.bendSlack)
+    {
+        return false;
+    }
+
+    const label nPoorSides = cells.nPoorSides();
+    const normalEquations step(linearise(column, cells, residuals));
+    const labelList& around = editor.front().addressing.pointFaces[c];
+
+    for (const scalar damping : dampings)
+    {
+        auto matrix(step.matrix);
+        matrix.diagonal().array() +=
+            damping*step.matrix.trace()/nUnknowns + VSMALL;
+        bendVector x(matrix.ldlt().solve(step.source));
+        x *= min
+        (
+            scalar(1), controls.maxBend/max(x.cwiseAbs().maxCoeff(), VSMALL)
+        );
+        column.displace(x);
+
+        if
+        (
+            cells.evaluate(residuals) <= controls.bendGain*sum
+         && cells.nPoorSides() <= nPoorSides
+         && std::none_of(around.begin(), around.end(), isAtFault)
+        )
+        {
+            return true;
+        }
+    }
+
+    column.restore();
+
+    return false;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+labelList bendColumns
+(
+    layerEditor& editor,
+    layerGeometry& geometry,
+    const bendAims& aims,
+    const labelUList& columns,
+    const std::function<bool(label)>& isAtFault
+)
+{
+    const labelListList& pointFaces = editor.front().addressing.pointFaces;
+    DynamicList<DynamicList<label>> groups;
+    for (const label c : columns)
+    {
+        if (!editor.isFixed(c))
+        {
+            groups(editor.colours()[c]).append(c);
+        }
+    }
+
+    DynamicList<label> bent;
+
+    for (const labelUList& group : groups)
+    {
+        List<autoPtr<bentColumn>> bending(group.size());
+        boolList bends(group.size(), false);
+
+        #pragma omp parallel for schedule(dynamic, 4) if (group.size() > 8)
+        forAll(group, i)
+        {
+            bending[i].reset(new bentColumn(editor, group[i]));
+            bends[i] = bend
+            (
+                editor, geometry, aims, group[i], isAtFault, bending[i]()
+            );
+        }
+
+        labelHashSet changed;
+        forAll(group, i)
+        {
+            if (bends[i])
+            {
+                editor.accept(group[i], bending[i]->before());
+                changed.insert(pointFaces[group[i]]);
+                bent.append(group[i]);
+            }
+        }
+        geometry.update(changed.sortedToc());
+    }
+
+    sort(bent);
+
+    return labelList(std::move(bent));
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

@@ -1,0 +1,266 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "columnCells.H"
+#include "stackHeights.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Whether a point sees both triangles of a side, cut along a diagonal, from
+//  inside; their normals point to where sign times them does
+static bool seesBoth
+(
+    const sidePoints& x,
+    const point& centre,
+    const label first,
+    const scalar sign
+)
+{
+    const vector a(x[first] - centre);
+    const vector b(x[(first + 1) % 4] - centre);
+    const vector c(x[(first + 2) % 4] - centre);
+    const vector d(x[(first + 3) % 4] - centre);
+
+    return sign*((a ^ b) & c) > 0 && sign*((a ^ c) & d) > 0;
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void columnCells::addSides
+(
+    const layerGeometry& geometry,
+    const labelUList& around,
+    const label column
+)
+{
+    forAll(around, j)
+    {
+        const face& f = stacks_[j].columns;
+        forAll(f, k)
+        {
+            const label g = geometry.across(around[j], k);
+            const label other = g < 0 ? -1 : around.find(g);
+            const label a = f[k];
+            const label b = f[f.fcIndex(k)];
+
+            if (other >= 0 && other < j)
+            {
+                // The earlier stack has it, the other way round
+                const face& h = stacks_[other].columns;
+                stacks_[j].sides[k] = stacks_[other].sides[h.find(b)];
+                stacks_[j].outwards[k] = false;
+                continue;
+            }
+
+            stacks_[j].sides[k] = sides_.size();
+            stacks_[j].outwards[k] = true;
+            sides_.append
+            (
+                side
+                {
+                    a, b, a == column || b == column, j, other,
+                    g < 0 || other >= 0
+                  ? pointField() : pointField(geometry.centres(g)),
+                    List<faceGeometry>(layers_.nLayers)
+                }
+            );
+            for (label i = 1; i <= layers_.nLayers; ++i)
+            {
+                sides_.last().faces[i - 1] =
+                    faceGeometry(sidePoints{layers_, a, b, i});
+            }
+        }
+    }
+}
+
+
+void columnCells::updateCells(stack& s) const
+{
+    const label n = s.columns.size();
+    List<faceGeometry> faces(n + 2);
+
+    for (label i = 1; i <= layers_.nLayers; ++i)
+    {
+        faces[0] = s.levels[i - 1];
+        faces[0].area *= -1;
+        faces[1] = s.levels[i];
+        for (label k = 0; k < n; ++k)
+        {
+            faces[2 + k] = sides_[s.sides[k]].faces[i - 1];
+            faces[2 + k].area *= s.outwards[k] ? 1 : -1;
+        }
+
+        const cellGeometry cell(faces);
+        s.centres[i - 1] = cell.centre;
+        s.volumes3[i - 1] = cell.volume3;
+    }
+}
+
+
+void columnCells::addLacks(DynamicList<scalar>& residuals) const
+{
+    const auto add = [&]
+    (
+        const faceGeometry& f,
+        const auto& points,
+        const point& a,
+        const point& b
+    )
+    {
+        residuals.append(cosineLack(f.area, b - a, aims_.cosine));
+        residuals.append(skewnessExcess(f, points, a, b, aims_.skewness));
+    };
+
+    for (const stack& s : stacks_)
+    {
+        for (label i = 1; i < layers_.nLayers; ++i)
+        {
+            add
+            (
+                s.levels[i], levelPoints{layers_, s.columns, i},
+                s.centres[i - 1], s.centres[i]
+            );
+        }
+    }
+
+    for (const side& s : sides_)
+    {
+        const UList<point>& other =
+            s.second < 0 ? s.beyond : stacks_[s.second].centres;
+        for (label i = 1; i <= other.size(); ++i)
+        {
+            add
+            (
+                s.faces[i - 1], sidePoints{layers_, s.a, s.b, i},
+                stacks_[s.first].centres[i - 1], other[i - 1]
+            );
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+columnCells::columnCells
+(
+    const layerEditor& editor,
+    const layerGeometry& geometry,
+    const bendAims& aims,
+    const label column
+)
+:
+    layers_(editor.layers()),
+    aims_(aims.faces),
+    heightWeight_(editor.controls().heightWeight)
+{
+    const labelList& around = editor.front().addressing.pointFaces[column];
+    const label n = layers_.nLayers;
+
+    for (const label facei : around)
+    {
+        const face& f = layers_.faces[facei];
+        stacks_.append
+        (
+            stack
+            {
+                f, aims.heights[facei],
+                labelList(f.size()), boolList(f.size()),
+                List<faceGeometry>(n + 1), pointField(n), scalarField(n)
+            }
+        );
+        stacks_.last().levels[0] = faceGeometry(levelPoints{layers_, f, 0});
+    }
+
+    addSides(geometry, around, column);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+scalar columnCells::evaluate(DynamicList<scalar>& residuals)
+{
+    residuals.clear();
+
+    for (side& s : sides_)
+    {
+        for (label i = 1; s.moves && i <= layers_.nLayers; ++i)
+        {
+            s.faces[i - 1] = faceGeometry(sidePoints{layers_, s.a, s.b, i});
+        }
+    }
+
+    for (stack& s : stacks_)
+    {
+        for (label i = 1; i <= layers_.nLayers; ++i)
+        {
+            s.levels[i] = faceGeometry(levelPoints{layers_, s.columns, i});
+        }
+        updateCells(s);
+
+        // The first height, and the thickness
+        if (s.heights.size())
+        {
+            scalar thickness = 0;
+            forAll(s.heights, i)
+            {
+                const scalar height = layerHeight
+                (
+                    s.levels[i], s.levels[i + 1], s.volumes3[i]
+                );
+                thickness += height;
+                if (i == 0)
+                {
+                    residuals.append(heightWeight_*(height/s.heights[0] - 1));
+                }
+            }
+            residuals.append(heightWeight_*(thickness/sum(s.heights) - 1));
+        }
+    }
+
+    addLacks(residuals);
+
+    scalar sum = 0;
+    for (const scalar r : residuals)
+    {
+        sum += sqr(r);
+    }
+
+    return sum;
+}
+
+
+label columnCells::nPoorSides() const
+{
+    label nPoor = 0;
+
+    for (const side& s : sides_)
+    {
+        const UList<point>& other =
+            s.second < 0 ? s.beyond : stacks_[s.second].centres;
+
+        for (label i = 1; i <= layers_.nLayers; ++i)
+        {
+            const sidePoints x{layers_, s.a, s.b, i};
+            const point& own = stacks_[s.first].centres[i - 1];
+            const auto sees = [&](const label first)
+            {
+                return seesBoth(x, own, first, 1)
+                    && (other.empty() || seesBoth(x, other[i - 1], first, -1));
+            };
+
+            nPoor += !sees(0) && !sees(1);
+        }
+    }
+
+    return nPoor;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

@@ -1,0 +1,217 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "bendColumns.H"
+#include "editedColumns.H"
+#include "stackHeights.H"
+#include "unitConversion.H"
+
+#include <gtest/gtest.h>
+#include <omp.h>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+using namespace Foam;
+
+static bool never(label)
+{
+    return false;
+}
+
+
+//- Layers one column of which was moved aside, by a share of its height.
+//  Without that, faces around it have less than 60 degrees.
+struct leaningColumn
+{
+    static constexpr label column = 30;
+
+    editedColumns m;
+    layerGeometry geometry;
+    bendAims aims;
+
+    explicit leaningColumn(const scalar share = 1)
+    :
+        m(fronts()[0]),
+        geometry(m.editor.layers(), m.front.addressing)
+    {
+        aims.faces = faceAims{::cos(degToRad(60.0)), 3};
+        aims.hold(m.editor, labelList(1, column));
+
+        const scalar* heights = m.editor.heights(column);
+        for (label i = 1; i <= 4; ++i)
+        {
+            m.editor.setPoint
+            (
+                column, i,
+                m.editor.layers()(column, i)
+              + share*heights[i]*across()
+            );
+        }
+        geometry.update(m.front.addressing.pointFaces[column]);
+    }
+
+    vector across() const
+    {
+        return normalised
+        (
+            m.front.visibility.cones[column].axis ^ vector(1, 2, 3)
+        );
+    }
+
+    scalar lack() const
+    {
+        scalar sum = 0;
+        for (const label facei : m.front.addressing.pointFaces[column])
+        {
+            sum += geometry.lack(facei, aims.faces);
+        }
+        return sum;
+    }
+
+    labelList bend(const std::function<bool(label)>& isAtFault = never)
+    {
+        return bendColumns
+        (
+            m.editor, geometry, aims, labelList(1, column), isAtFault
+        );
+    }
+};
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(bendColumns, columnComesBackFromASide)
+{
+    leaningColumn one;
+    const scalar before = one.lack();
+    ASSERT_GT(before, 0.1);
+
+    for (label i = 0; i < 10 && one.lack() > 0; ++i)
+    {
+        EXPECT_EQ(one.bend(), labelList(1, leaningColumn::column));
+    }
+
+    EXPECT_LT(one.lack(), 1e-3*before);
+}
+
+
+TEST(bendColumns, heightsAreHeld)
+{
+    leaningColumn one;
+    for (label i = 0; i < 10; ++i)
+    {
+        one.bend();
+    }
+
+    stackHeights stack(one.m.editor.layers());
+    for
+    (
+        const label facei
+      : one.m.front.addressing.pointFaces[leaningColumn::column]
+    )
+    {
+        stack.compute(facei);
+        EXPECT_NEAR
+        (
+            stack.heights()[0]/one.aims.heights[facei].first(), 1, 0.02
+        );
+        EXPECT_NEAR
+        (
+            sum(stack.heights())/sum(one.aims.heights[facei]), 1, 0.02
+        );
+    }
+}
+
+
+TEST(bendColumns, goodColumnStays)
+{
+    leaningColumn one(0);
+
+    EXPECT_TRUE(one.bend().empty());
+}
+
+
+TEST(bendColumns, columnAtFaultStays)
+{
+    leaningColumn one;
+    const pointField before(one.m.editor.layers().points);
+    const label then = one.m.editor.now();
+
+    EXPECT_TRUE(one.bend([](label) { return true; }).empty());
+    EXPECT_EQ(one.m.editor.layers().points, before);
+    EXPECT_TRUE(one.m.editor.touchedSince(then).empty());
+}
+
+
+TEST(bendColumns, geometryFollows)
+{
+    leaningColumn one;
+    one.bend();
+    const layerGeometry anew
+    (
+        one.m.editor.layers(), one.m.front.addressing
+    );
+
+    forAll(one.m.front.surface.faces, facei)
+    {
+        EXPECT_EQ(one.geometry.centres(facei), anew.centres(facei));
+    }
+}
+
+
+TEST(bendColumns, poorColumnsAreThoseOfPoorStacks)
+{
+    leaningColumn one;
+    const labelList all(identity(one.m.front.surface.faces.size()));
+
+    const labelList poor
+    (
+        poorColumns(one.m.editor.layers(), one.geometry, all, one.aims.faces)
+    );
+
+    EXPECT_TRUE(poor.found(leaningColumn::column));
+    EXPECT_LT(poor.size(), 40);
+    EXPECT_TRUE
+    (
+        poorColumns
+        (
+            one.m.editor.layers(), one.geometry, labelList(1, label(0)),
+            one.aims.faces
+        ).empty()
+    );
+}
+
+
+TEST(bendColumns, numberOfThreadsChangesNothing)
+{
+    pointField points;
+    const label nThreads = omp_get_max_threads();
+
+    for (const label n : {1, 4})
+    {
+        omp_set_num_threads(n);
+        editedColumns m(fronts()[2]);
+        layerGeometry geometry(m.editor.layers(), m.front.addressing);
+        bendAims aims;
+        aims.faces = faceAims{::cos(degToRad(5.0)), 0.01};
+        const labelList all(identity(m.nColumns()));
+        aims.hold(m.editor, all);
+
+        EXPECT_FALSE
+        (
+            bendColumns(m.editor, geometry, aims, all, never).empty()
+        );
+        if (n == 1)
+        {
+            points = m.editor.layers().points;
+        }
+        EXPECT_EQ(m.editor.layers().points, points);
+    }
+
+    omp_set_num_threads(nThreads);
+}
+
+
+// ************************************************************************* //
