@@ -103,6 +103,15 @@ void columnCells::updateCells(stack& s) const
 }
 
 
+scalar columnCells::heightError(const scalar height, const scalar held) const
+{
+    const scalar error = height/held - 1;
+    const scalar slack = controls_.heightSlack;
+
+    return error - max(-slack, min(error, slack));
+}
+
+
 void columnCells::addLacks(DynamicList<scalar>& residuals) const
 {
     const auto add = [&]
@@ -157,7 +166,7 @@ columnCells::columnCells
 :
     layers_(editor.layers()),
     aims_(aims.faces),
-    heightWeight_(editor.controls().heightWeight)
+    controls_(editor.controls())
 {
     const labelList& around = editor.front().addressing.pointFaces[column];
     const label n = layers_.nLayers;
@@ -216,10 +225,17 @@ scalar columnCells::evaluate(DynamicList<scalar>& residuals)
                 thickness += height;
                 if (i == 0)
                 {
-                    residuals.append(heightWeight_*(height/s.heights[0] - 1));
+                    residuals.append
+                    (
+                        controls_.firstHeightWeight
+                       *heightError(height, s.heights[0])
+                    );
                 }
             }
-            residuals.append(heightWeight_*(thickness/sum(s.heights) - 1));
+            residuals.append
+            (
+                controls_.thicknessWeight*heightError(thickness, sum(s.heights))
+            );
         }
     }
 

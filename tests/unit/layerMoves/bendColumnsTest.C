@@ -115,11 +115,12 @@ TEST(bendColumns, heightsAreHeld)
         stack.compute(facei);
         EXPECT_NEAR
         (
-            stack.heights()[0]/one.aims.heights[facei].first(), 1, 0.02
+            stack.heights()[0]/one.aims.heights[facei].first(), 1, 0.01
         );
+        // The thickness has less weight
         EXPECT_NEAR
         (
-            sum(stack.heights())/sum(one.aims.heights[facei]), 1, 0.02
+            sum(stack.heights())/sum(one.aims.heights[facei]), 1, 0.03
         );
     }
 }
