@@ -56,7 +56,7 @@ public:
 
         forAll(shapes_, i)
         {
-            // At the wall, lean, bend, and a bulge near to the wall
+            // Lean, bend, and a bulge near to the wall
             const scalar height = mag(before_.points[i] - root);
             const scalar t = height/full;
             shapes_[i] = {height, height*t, height*sqr(1 - t)};
