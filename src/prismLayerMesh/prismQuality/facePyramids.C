@@ -39,33 +39,14 @@ static bool hasPositivePyramids(const UList<faceGeometry>& faces)
 
 bool hasPositivePyramids(const prismLayers& layers, const label facei)
 {
-    const face& f = layers.faces[facei];
-    const label n = f.size();
-
-    // Lower face, upper face, sides
-    List<faceGeometry> faces(n + 2);
-
-    for (label i = 0; i <= layers.nLayers; ++i)
-    {
-        faces[0] = faces[1];
-        faces[0].area *= -1;
-        faces[1] = faceGeometry(levelPoints{layers, f, i});
-
-        for (label k = 0; i > 0 && k < n; ++k)
+    return visitCells
+    (
+        layers, layers.faces[facei],
+        [](label, const UList<faceGeometry>& faces)
         {
-            faces[2 + k] = faceGeometry
-            (
-                sidePoints{layers, f[k], f[f.fcIndex(k)], i}
-            );
+            return hasPositivePyramids(faces);
         }
-
-        if (i > 0 && !hasPositivePyramids(faces))
-        {
-            return false;
-        }
-    }
-
-    return true;
+    );
 }
 
 } // End namespace Foam

@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layerGeometry.H"
-#include "EdgeMap.H"
 
 namespace Foam
 {
@@ -13,29 +12,16 @@ namespace Foam
 
 void layerGeometry::update(const label facei)
 {
-    const face& f = layers_.faces[facei];
-    const label n = f.size();
-
-    // Lower face, upper face, sides
-    List<faceGeometry> faces(n + 2);
-    faces[1] = faceGeometry(levelPoints{layers_, f, 0});
-
-    for (label i = 1; i <= layers_.nLayers; ++i)
-    {
-        faces[0] = faces[1];
-        faces[0].area *= -1;
-        faces[1] = faceGeometry(levelPoints{layers_, f, i});
-
-        for (label k = 0; k < n; ++k)
+    visitCells
+    (
+        layers_, layers_.faces[facei],
+        [&](const label i, const UList<faceGeometry>& faces)
         {
-            faces[2 + k] = faceGeometry
-            (
-                sidePoints{layers_, f[k], f[f.fcIndex(k)], i}
-            );
+            centres_[facei*layers_.nLayers + i - 1] =
+                cellGeometry(faces).centre;
+            return true;
         }
-
-        centres_[facei*layers_.nLayers + i - 1] = cellGeometry(faces).centre;
-    }
+    );
 }
 
 
