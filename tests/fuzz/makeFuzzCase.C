@@ -92,20 +92,6 @@ static void addRegion
 }
 
 
-//- Of a closed surface, negative if the normals point into the body
-static scalar signedVolume(const wallSurface& surface)
-{
-    scalar volume = 0;
-    for (const face& f : surface.faces)
-    {
-        const vector r(f.centre(surface.points) - surface.points[0]);
-        volume += (f.areaNormal(surface.points) & r)/3;
-    }
-
-    return volume;
-}
-
-
 //- First heights that are rough along the wall
 static void addValues
 (
@@ -216,7 +202,7 @@ Foam::wallSurface Foam::fuzzCase::repaired
 {
     Random random(mixed(seed + 2, index));
     wallSurface surface(wall);
-    if (signedVolume(surface) < 0)
+    if (enclosedVolume(surface) < 0)
     {
         for (face& f : surface.faces)
         {

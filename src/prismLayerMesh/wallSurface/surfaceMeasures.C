@@ -15,19 +15,14 @@ namespace Foam
 surfaceMeasures measuresOf(const wallSurface& surface)
 {
     surfaceMeasures result;
-    const point origin
-    (
-        surface.points.empty() ? point(Zero) : surface.points[0]
-    );
-
     for (const face& f : surface.faces)
     {
-        const vector area(f.areaNormal(surface.points));
-        result.area += mag(area);
-        result.volume += area & (f.centre(surface.points) - origin);
+        result.area += f.mag(surface.points);
     }
-    result.volume =
-        outline(surface.faces).empty() ? mag(result.volume)/3 : scalar(0);
+    if (surface.faces.size() && outline(surface.faces).empty())
+    {
+        result.volume = mag(enclosedVolume(surface));
+    }
 
     for (const scalar angle : smallestAngles(surface))
     {
