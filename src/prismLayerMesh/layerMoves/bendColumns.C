@@ -14,7 +14,7 @@ namespace Foam
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Shapes, as functions of the share of the height, in which a column moves
-static constexpr label nShapes = 3;
+static constexpr label nShapes = 4;
 
 //- Each in three directions
 static constexpr label nUnknowns = 3*nShapes;
@@ -56,10 +56,12 @@ public:
 
         forAll(shapes_, i)
         {
-            // Lean, bend, and a bulge near to the wall
+            // Lean, bend, and bulges near to the wall
             const scalar height = mag(before_.points[i] - root);
             const scalar t = height/full;
-            shapes_[i] = {height, height*t, height*sqr(1 - t)};
+            const scalar u = scalar(i)/shapes_.size();
+            shapes_[i] =
+                {height, height*t, height*sqr(1 - t), height*pow4(1 - u)};
         }
     }
 
