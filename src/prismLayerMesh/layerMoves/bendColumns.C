@@ -144,7 +144,7 @@ static bool bend
         return false;
     }
 
-    const label nPoorSides = cells.nPoorSides();
+    const label nPoorFaces = cells.nPoorFaces();
     const normalEquations step(linearise(column, cells, residuals));
     const labelList& around = editor.front().addressing.pointFaces[c];
 
@@ -163,7 +163,7 @@ static bool bend
         if
         (
             cells.evaluate(residuals) <= controls.bendGain*sum
-         && cells.nPoorSides() <= nPoorSides
+         && cells.nPoorFaces() <= nPoorFaces
          && std::none_of(around.begin(), around.end(), isAtFault)
         )
         {

@@ -9,27 +9,6 @@
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- Whether a point sees both triangles of a side, cut along a diagonal, from
-//  inside; their normals point to where sign times them does
-static bool seesBoth
-(
-    const sidePoints& x,
-    const point& centre,
-    const label first,
-    const scalar sign
-)
-{
-    const vector a(x[first] - centre);
-    const vector b(x[(first + 1) % 4] - centre);
-    const vector c(x[(first + 2) % 4] - centre);
-    const vector d(x[(first + 3) % 4] - centre);
-
-    return sign*((a ^ b) & c) > 0 && sign*((a ^ c) & d) > 0;
-}
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void columnCells::addSides
@@ -112,6 +91,35 @@ scalar columnCells::heightError(const scalar height, const scalar held) const
 }
 
 
+const UList<point>& columnCells::centresBeyond(const side& s) const
+{
+    return s.second < 0 ? s.beyond : stacks_[s.second].centres;
+}
+
+
+scalar columnCells::levelPlanarity(const stack& s, const label i) const
+{
+    return planarity
+    (
+        s.levels[i], levelPoints{layers_, s.columns, i}, s.centres[i - 1],
+        i < layers_.nLayers ? &s.centres[i] : nullptr
+    );
+}
+
+
+scalar columnCells::sidePlanarity(const side& s, const label i) const
+{
+    const UList<point>& other = centresBeyond(s);
+
+    return planarity
+    (
+        s.faces[i - 1], sidePoints{layers_, s.a, s.b, i},
+        stacks_[s.first].centres[i - 1],
+        other.size() ? &other[i - 1] : nullptr
+    );
+}
+
+
 void columnCells::addLacks(DynamicList<scalar>& residuals) const
 {
     const auto add = [&]
@@ -125,6 +133,10 @@ void columnCells::addLacks(DynamicList<scalar>& residuals) const
         residuals.append(cosineLack(f.area, b - a, aims_.cosine));
         residuals.append(skewnessExcess(f, points, a, b, aims_.skewness));
     };
+    const auto addPlanarity = [&](const scalar value)
+    {
+        residuals.append(max(aims_.planarity - value, scalar(0)));
+    };
 
     for (const stack& s : stacks_)
     {
@@ -136,12 +148,15 @@ void columnCells::addLacks(DynamicList<scalar>& residuals) const
                 s.centres[i - 1], s.centres[i]
             );
         }
+        for (label i = 1; i <= layers_.nLayers && s.columns.size() == 4; ++i)
+        {
+            addPlanarity(levelPlanarity(s, i));
+        }
     }
 
     for (const side& s : sides_)
     {
-        const UList<point>& other =
-            s.second < 0 ? s.beyond : stacks_[s.second].centres;
+        const UList<point>& other = centresBeyond(s);
         for (label i = 1; i <= other.size(); ++i)
         {
             add
@@ -149,6 +164,10 @@ void columnCells::addLacks(DynamicList<scalar>& residuals) const
                 s.faces[i - 1], sidePoints{layers_, s.a, s.b, i},
                 stacks_[s.first].centres[i - 1], other[i - 1]
             );
+        }
+        for (label i = 1; i <= layers_.nLayers; ++i)
+        {
+            addPlanarity(sidePlanarity(s, i));
         }
     }
 }
@@ -251,26 +270,23 @@ scalar columnCells::evaluate(DynamicList<scalar>& residuals)
 }
 
 
-label columnCells::nPoorSides() const
+label columnCells::nPoorFaces() const
 {
     label nPoor = 0;
 
+    for (const stack& s : stacks_)
+    {
+        for (label i = 1; i <= layers_.nLayers && s.columns.size() == 4; ++i)
+        {
+            nPoor += levelPlanarity(s, i) <= 0;
+        }
+    }
+
     for (const side& s : sides_)
     {
-        const UList<point>& other =
-            s.second < 0 ? s.beyond : stacks_[s.second].centres;
-
         for (label i = 1; i <= layers_.nLayers; ++i)
         {
-            const sidePoints x{layers_, s.a, s.b, i};
-            const point& own = stacks_[s.first].centres[i - 1];
-            const auto sees = [&](const label first)
-            {
-                return seesBoth(x, own, first, 1)
-                    && (other.empty() || seesBoth(x, other[i - 1], first, -1));
-            };
-
-            nPoor += !sees(0) && !sees(1);
+            nPoor += sidePlanarity(s, i) <= 0;
         }
     }
 

@@ -286,6 +286,7 @@ void improvement::bend()
     bendAims aims;
     aims.faces.cosine = Foam::cos(degToRad(controls.aimedAngle));
     aims.faces.skewness = controls.aimedSkewness;
+    aims.faces.planarity = controls.aimedPlanarity;
 
     const prismLayers& layers = editor_.layers();
     layerGeometry geometry(layers, editor_.front().addressing);

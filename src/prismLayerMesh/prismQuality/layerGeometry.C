@@ -78,27 +78,35 @@ scalar layerGeometry::lack(const label facei, const faceAims& aims) const
     const face& f = layers_.faces[facei];
     const UList<point> own(centres(facei));
     scalar sum = 0;
-    const auto add = [&](const auto& points, const point& a, const point& b)
+    const auto add = [&](const auto& points, const point& a, const point* b)
     {
         const faceGeometry here(points);
-        sum += sqr(cosineLack(here.area, b - a, aims.cosine))
-          + sqr(skewnessExcess(here, points, a, b, aims.skewness));
+        sum += sqr(max(aims.planarity - planarity(here, points, a, b), 0.0));
+        if (b)
+        {
+            sum += sqr(cosineLack(here.area, *b - a, aims.cosine))
+              + sqr(skewnessExcess(here, points, a, *b, aims.skewness));
+        }
     };
 
-    for (label i = 1; i < layers_.nLayers; ++i)
+    for (label i = 1; i <= layers_.nLayers; ++i)
     {
-        add(levelPoints{layers_, f, i}, own[i - 1], own[i]);
+        add
+        (
+            levelPoints{layers_, f, i}, own[i - 1],
+            i < layers_.nLayers ? &own[i] : nullptr
+        );
     }
 
     forAll(f, k)
     {
         const label g = across(facei, k);
-        for (label i = 1; g >= 0 && i <= layers_.nLayers; ++i)
+        for (label i = 1; i <= layers_.nLayers; ++i)
         {
             add
             (
-                sidePoints{layers_, f[k], f[f.fcIndex(k)], i},
-                own[i - 1], centres(g)[i - 1]
+                sidePoints{layers_, f[k], f[f.fcIndex(k)], i}, own[i - 1],
+                g < 0 ? nullptr : &centres(g)[i - 1]
             );
         }
     }

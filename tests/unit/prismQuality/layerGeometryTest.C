@@ -8,6 +8,7 @@
 #include "openSurfaces.H"
 #include "testLayers.H"
 #include "testSurfaces.H"
+#include "polyMeshTetDecomposition.H"
 #include "polyMeshTools.H"
 #include "Random.H"
 
@@ -19,8 +20,8 @@ using namespace Foam;
 
 static const label n = 3;
 
-//- Layers whose points are off by up to 0.02
-static prismLayers shaken(const wallSurface& wall)
+//- Layers whose points are off by up to half of a length
+static prismLayers shaken(const wallSurface& wall, const scalar by = 0.04)
 {
     prismLayers layers
     (
@@ -33,7 +34,7 @@ static prismLayers shaken(const wallSurface& wall)
     Random random(5);
     for (point& p : layers.points)
     {
-        p += 0.04*(random.sample01<vector>() - vector::uniform(0.5));
+        p += by*(random.sample01<vector>() - vector::uniform(0.5));
     }
 
     return layers;
@@ -143,6 +144,75 @@ TEST(layerGeometry, skewnessFromEitherSideIsTheSame)
 
         EXPECT_NEAR(skewnessExcess(f, points, b, a, 0.01), one, 1e-6*one);
     }
+}
+
+
+//- planarity() of a square with a corner that is raised, between centres above
+//  and below it
+static scalar planarityOfRaised(const scalar by, const point* above)
+{
+    const pointField points
+    ({{0, 0, 0}, {1, 0, 0}, {1, 1, by}, {0, 1, 0}});
+
+    return planarity
+    (
+        faceGeometry(points), points, point(0.5, 0.5, -0.2), above
+    );
+}
+
+
+TEST(planarity, isOneForPlaneFacesAndTriangles)
+{
+    const point above(0.4, 0.6, 0.1);
+    const pointField triangle({{0, 0, 0}, {1, 0, 0}, {1, 1, 1}});
+
+    EXPECT_NEAR(planarityOfRaised(0, &above), 1, 1e-14);
+    EXPECT_EQ
+    (
+        planarity(faceGeometry(triangle), triangle, point::zero, &above), 1
+    );
+}
+
+
+TEST(planarity, isNotPositiveWhereACentreIsBehindATriangleOfEitherCut)
+{
+    const point above(0.8, 0.8, 0.3);
+
+    EXPECT_GT(planarityOfRaised(0.2, &above), 0.1);
+    EXPECT_GT(planarityOfRaised(0.9, nullptr), 0.1);
+    EXPECT_LT(planarityOfRaised(0.9, &above), 0);
+}
+
+
+TEST(planarity, isPositiveWherePolyMeshFindsABasePoint)
+{
+    const prismLayers layers(shaken(testSurfaces::quadSphere(4), 0.12));
+    const memoryMesh memory(layers);
+    const polyMesh& mesh = memory();
+    labelList counts(2, Zero);
+
+    for (label facei = 0; facei < mesh.nInternalFaces(); ++facei)
+    {
+        const pointField points(mesh.faces()[facei].points(mesh.points()));
+        const bool isPlane = 0 < planarity
+        (
+            geometryOf(mesh, facei), points,
+            mesh.cellCentres()[mesh.faceOwner()[facei]],
+            &mesh.cellCentres()[mesh.faceNeighbour()[facei]]
+        );
+        ++counts[isPlane];
+
+        EXPECT_EQ
+        (
+            isPlane,
+            polyMeshTetDecomposition::findSharedBasePoint
+            (
+                mesh, facei, polyMeshTetDecomposition::minTetQuality
+            ) >= 0
+        );
+    }
+
+    EXPECT_GT(min(counts), 10);
 }
 
 
