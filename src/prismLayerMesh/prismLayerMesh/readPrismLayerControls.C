@@ -183,6 +183,37 @@ static backgroundMeshControls readBackgroundMesh
 }
 
 
+static qualityControls readQuality(const dictionary& dict)
+{
+    checkKeys
+    (
+        dict,
+        {
+            "maxNonOrtho", "maxInternalSkewness", "minFaceWeight",
+            "minVolRatio", "minTetQuality", "priority"
+        }
+    );
+
+    qualityControls controls;
+    readBounded(dict, "maxNonOrtho", 30, 90, controls.maxNonOrtho);
+    readBounded
+    (
+        dict, "maxInternalSkewness", 1, 100, controls.maxInternalSkewness
+    );
+    readBounded(dict, "minFaceWeight", 0, 0.5, controls.minFaceWeight);
+    readBounded(dict, "minVolRatio", 0, 1, controls.minVolRatio);
+    readBounded(dict, "minTetQuality", -1e30, 1, controls.minTetQuality);
+
+    typedef qualityControls::priorities priorities;
+    const wordList names({"quality", "thickness"});
+    word name(names[int(controls.priority)]);
+    readChoice(dict, "priority", names, name);
+    controls.priority = priorities(names.find(name));
+
+    return controls;
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 prismLayerControls readPrismLayerControls(const dictionary& dict)
@@ -196,6 +227,7 @@ prismLayerControls readPrismLayerControls(const dictionary& dict)
             "envelope",
             "backgroundMesh",
             "field",
+            "quality",
             "farField"
         }
     );
@@ -213,6 +245,7 @@ prismLayerControls readPrismLayerControls(const dictionary& dict)
     (
         optionalDict(dict, "field"), controls.layers.onLevelSets
     );
+    controls.quality = readQuality(optionalDict(dict, "quality"));
     controls.farField = readFarFieldControls
     (
         optionalDict(dict, "farField"), controls.surface
