@@ -217,6 +217,7 @@ void Foam::prismCase::writeAll
     report.points = countKinds(m.pointKinds);
     report.nFurtherColumns = m.front.extraColumnPoints().size();
     report.nRetreats = m.made.nRetreats;
+    report.faces = m.faces;
 
     const autoPtr<polyMesh> mesh(writeMesh(m, files));
     log.end
@@ -231,7 +232,7 @@ void Foam::prismCase::writeAll
 
     if (hasFarField)
     {
-        const farFieldReport far(makeFarFieldReport(mesh()));
+        const farFieldReport far(makeFarFieldReport(mesh(), m.bounds));
         entries.add(farFieldName, toDictionary(far));
         Foam::write(Info, far);
     }

@@ -5,148 +5,55 @@
 
 #include "farFieldReport.H"
 #include "DynamicField.H"
-#include "polyMeshTools.H"
 #include "prismPolyMesh.H"
-#include "unitConversion.H"
+#include "UIndirectList.H"
 
-#include <iomanip>
 #include <sstream>
 
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- What checkMesh accepts: non-orthogonality [deg] and skewness
-static const scalar goodAngle = 70;
-static const scalar goodSkewness = 4;
-
-
-static scalarField nonOrthogonality(const polyMesh& mesh)
-{
-    scalarField angles
-    (
-        polyMeshTools::faceOrthogonality
-        (
-            mesh, mesh.faceAreas(), mesh.cellCentres()
-        )
-    );
-    for (scalar& angle : angles)
-    {
-        angle = radToDeg(::acos(max(-1.0, min(1.0, angle))));
-    }
-
-    return angles;
-}
-
-
-static faceQuality qualityOf
-(
-    const labelUList& faces,
-    const scalarField& allAngles,
-    const scalarField& allSkewness,
-    const vectorField& centres
-)
-{
-    const scalarField angles(allAngles, faces);
-    const scalarField skewness(allSkewness, faces);
-
-    faceQuality quality;
-    quality.nFaces = faces.size();
-    quality.nonOrthogonality = makePercentiles(angles);
-    quality.skewness = makePercentiles(skewness);
-
-    DynamicField<point> places;
-    forAll(faces, i)
-    {
-        if (angles[i] > goodAngle || skewness[i] > goodSkewness)
-        {
-            places.append(centres[faces[i]]);
-        }
-    }
-    quality.poorPlaces = places;
-
-    return quality;
-}
-
-
-static dictionary toDictionary(const faceQuality& quality)
-{
-    dictionary dict;
-    dict.add("faces", quality.nFaces);
-    dict.add("nonOrthogonality", toDictionary(quality.nonOrthogonality));
-    dict.add("skewness", toDictionary(quality.skewness));
-    dict.add("poorFaces", quality.poorPlaces.size());
-
-    return dict;
-}
-
-
-static void write
-(
-    Ostream& os,
-    const std::string& where,
-    const faceQuality& quality
-)
-{
-    std::ostringstream line;
-    line<< std::fixed << std::setprecision(1)
-        << "Non-orthogonality " << where << ": mean "
-        << quality.nonOrthogonality.mean << ", max "
-        << quality.nonOrthogonality.max << "; max skewness "
-        << std::setprecision(2) << quality.skewness.max;
-
-    if (quality.poorPlaces.size())
-    {
-        const point& x = quality.poorPlaces[0];
-        line<< "; beyond 70 or 4 " << quality.poorPlaces.size()
-            << " faces, first at " << std::defaultfloat << std::setprecision(6)
-            << '(' << x.x() << ' ' << x.y() << ' ' << x.z() << ')';
-    }
-
-    os  << line.str().c_str() << nl;
-}
-
-
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-farFieldReport makeFarFieldReport(const polyMesh& mesh)
+farFieldReport makeFarFieldReport
+(
+    const polyMesh& mesh,
+    const qualityControls& bounds
+)
 {
     const label nLayerCells = mesh.cellZones()[boundaryLayerName].size();
-    const vectorField& centres = mesh.faceCentres();
     const scalarField& volumes = mesh.cellVolumes();
-    const scalarField angles(nonOrthogonality(mesh));
-    const scalarField skewness
-    (
-        polyMeshTools::faceSkewness
-        (
-            mesh, mesh.points(), centres, mesh.faceAreas(), mesh.cellCentres()
-        )
-    );
-
-    // By the number of cells in the far field
-    FixedList<DynamicList<label>, 3> faces;
+    const auto cell = [&](const label celli)
+    {
+        return faceCell{mesh.cellCentres()[celli], volumes[celli]};
+    };
     DynamicField<scalar> volumeRatios;
+    farFieldReport report;
 
     for (label facei = 0; facei < mesh.nInternalFaces(); ++facei)
     {
         const label owner = mesh.faceOwner()[facei];
         const label neighbour = mesh.faceNeighbour()[facei];
-        const label nFar = (owner >= nLayerCells) + (neighbour >= nLayerCells);
+        if (neighbour < nLayerCells)
+        {
+            continue;
+        }
 
-        faces[nFar].append(facei);
+        faceGeometry f;
+        f.centre = mesh.faceCentres()[facei];
+        f.area = mesh.faceAreas()[facei];
+        const UIndirectList<point> points(mesh.points(), mesh.faces()[facei]);
+        facesBeyondBounds& faces =
+            owner < nLayerCells ? report.transition : report.farField;
+        faces.add(facei, f, points, cell(owner), cell(neighbour), bounds);
 
-        if (nFar == 1)
+        if (owner < nLayerCells)
         {
             volumeRatios.append(volumes[neighbour]/volumes[owner]);
         }
     }
 
-    farFieldReport report;
     report.nCells = mesh.nCells() - nLayerCells;
-    report.layers = qualityOf(faces[0], angles, skewness, centres);
-    report.transition = qualityOf(faces[1], angles, skewness, centres);
-    report.farField = qualityOf(faces[2], angles, skewness, centres);
     report.volumeRatio = makePercentiles(volumeRatios);
 
     for (const polyPatch& patch : mesh.boundaryMesh())
@@ -173,7 +80,6 @@ dictionary toDictionary(const farFieldReport& report)
     dictionary dict;
     dict.add("cells", report.nCells);
     dict.add("patchFaces", patches);
-    dict.add("layers", toDictionary(report.layers));
     dict.add("transition", toDictionary(report.transition));
     dict.add("inside", toDictionary(report.farField));
     dict.add("volumeRatio", toDictionary(report.volumeRatio));
@@ -193,8 +99,7 @@ void write(Ostream& os, const farFieldReport& report)
         << ", 99 % below " << report.volumeRatio.p99;
 
     os  << nl << "Far field: " << volumes.str().c_str() << nl;
-    write(os, "of layers", report.layers);
-    write(os, "between", report.transition);
+    write(os, "between layers and far field", report.transition);
     write(os, "in the far field", report.farField);
 }
 

@@ -5,6 +5,7 @@
 
 #include "layerReport.H"
 #include "dictionary.H"
+#include "StringStream.H"
 #include "Switch.H"
 
 #include <iomanip>
@@ -254,6 +255,7 @@ dictionary toDictionary(const layerReport& report)
     dict.add("patches", patches);
     dict.add("field", report.noField.empty() ? "followed" : report.noField);
     dict.add("columns", columnsDictionary(report));
+    dict.add("quality", toDictionary(report.faces));
     dict.add("stages", stagesDictionary(report.stages));
 
     return dict;
@@ -279,6 +281,10 @@ void write(Ostream& os, const layerReport& report)
         << "First height from face to face changes by a factor of at most "
         << report.firstHeightChange.max << ", on 99 % of edges "
         << report.firstHeightChange.p99 << '\n';
+
+    OStringStream faces;
+    write(faces, "between cells", report.faces);
+    text<< faces.str();
 
     text<< std::defaultfloat << std::setprecision(6);
     for (const point& x : report.outlyingCentres)

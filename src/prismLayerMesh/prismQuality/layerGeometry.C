@@ -4,9 +4,17 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layerGeometry.H"
+#include "unitConversion.H"
 
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Non-orthogonality [rad] that cells of some height may have beyond that of
+//  flat ones
+static const scalar wallMargin = degToRad(5.0);
+
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -17,11 +25,37 @@ void layerGeometry::update(const label facei)
         layers_, layers_.faces[facei],
         [&](const label i, const UList<faceGeometry>& faces)
         {
-            centres_[facei*layers_.nLayers + i - 1] =
-                cellGeometry(faces).centre;
+            const cellGeometry cell(faces);
+            centres_[facei*layers_.nLayers + i - 1] = cell.centre;
+            volumes3_[facei*layers_.nLayers + i - 1] = cell.volume3;
             return true;
         }
     );
+}
+
+
+void layerGeometry::join(const edge& e, const label a, const label b)
+{
+    const face& f = layers_.faces[a];
+    const face& g = layers_.faces[b];
+    const scalar flat = wallCosine
+    (
+        faceGeometry(levelPoints{layers_, f, 0}),
+        faceGeometry(levelPoints{layers_, g, 0}),
+        layers_(e.end(), 0) - layers_(e.start(), 0)
+    );
+    const scalar cosine = flat > 1
+      ? GREAT : max(Foam::cos(Foam::acos(flat) + wallMargin), scalar(0));
+    const auto set = [&](const face& from, const label facei, const label other)
+    {
+        const label k = from.edgeDirection(e) > 0
+          ? from.find(e.start()) : from.find(e.end());
+        across_[facei][k] = other;
+        wallCosines_[facei][k] = cosine;
+    };
+
+    set(f, a, b);
+    set(g, b, a);
 }
 
 
@@ -35,25 +69,22 @@ layerGeometry::layerGeometry
 :
     layers_(layers),
     across_(layers.faces.size()),
-    centres_(layers.faces.size()*layers.nLayers)
+    wallCosines_(layers.faces.size()),
+    centres_(layers.faces.size()*layers.nLayers),
+    volumes3_(centres_.size())
 {
     forAll(across_, facei)
     {
-        across_[facei].setSize(layers.faces[facei].size(), -1);
+        const label n = layers.faces[facei].size();
+        across_[facei].setSize(n, -1);
+        wallCosines_[facei].setSize(n, GREAT);
     }
     forAll(addressing.edges, e)
     {
         const labelPair& two = addressing.edgeFaces[e];
-        for (const label side : {0, 1})
+        if (two.first() >= 0 && two.second() >= 0)
         {
-            if (two[side] >= 0)
-            {
-                const face& f = layers.faces[two[side]];
-                const edge& ends = addressing.edges[e];
-                const label k = f.edgeDirection(ends) > 0
-                  ? f.find(ends.start()) : f.find(ends.end());
-                across_[two[side]][k] = two[1 - side];
-            }
+            join(addressing.edges[e], two.first(), two.second());
         }
     }
 
@@ -73,18 +104,43 @@ void layerGeometry::update(const labelUList& faces)
 }
 
 
+bool layerGeometry::isOfWall
+(
+    const label facei,
+    const label k,
+    const label i
+) const
+{
+    const face& f = layers_.faces[facei];
+    const faceGeometry side(sidePoints{layers_, f[k], f[f.fcIndex(k)], i});
+    const vector between
+    (
+        centres(across(facei, k))[i - 1] - centres(facei)[i - 1]
+    );
+
+    return wallCosines_[facei][k] < 1
+        && cosineLack(side.area, between, wallCosines_[facei][k]) <= 0;
+}
+
+
 scalar layerGeometry::lack(const label facei, const faceAims& aims) const
 {
     const face& f = layers_.faces[facei];
     const UList<point> own(centres(facei));
     scalar sum = 0;
-    const auto add = [&](const auto& points, const point& a, const point* b)
+    const auto add = [&]
+    (
+        const auto& points,
+        const point& a,
+        const point* b,
+        const scalar cosine
+    )
     {
         const faceGeometry here(points);
-        sum += sqr(max(aims.planarity - planarity(here, points, a, b), 0.0));
+        sum += sqr(planarityLack(here, points, a, b, aims.planarity));
         if (b)
         {
-            sum += sqr(cosineLack(here.area, *b - a, aims.cosine))
+            sum += sqr(cosineLack(here.area, *b - a, cosine))
               + sqr(skewnessExcess(here, points, a, *b, aims.skewness));
         }
     };
@@ -94,7 +150,7 @@ scalar layerGeometry::lack(const label facei, const faceAims& aims) const
         add
         (
             levelPoints{layers_, f, i}, own[i - 1],
-            i < layers_.nLayers ? &own[i] : nullptr
+            i < layers_.nLayers ? &own[i] : nullptr, aims.cosine
         );
     }
 
@@ -106,7 +162,8 @@ scalar layerGeometry::lack(const label facei, const faceAims& aims) const
             add
             (
                 sidePoints{layers_, f[k], f[f.fcIndex(k)], i}, own[i - 1],
-                g < 0 ? nullptr : &centres(g)[i - 1]
+                g < 0 ? nullptr : &centres(g)[i - 1],
+                cosineAim(facei, k, aims)
             );
         }
     }

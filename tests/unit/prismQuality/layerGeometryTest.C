@@ -10,7 +10,6 @@
 #include "testSurfaces.H"
 #include "polyMeshTetDecomposition.H"
 #include "polyMeshTools.H"
-#include "Random.H"
 
 #include <gtest/gtest.h>
 
@@ -18,28 +17,7 @@
 
 using namespace Foam;
 
-static const label n = 3;
-
-//- Layers whose points are off by up to half of a length
-static prismLayers shaken(const wallSurface& wall, const scalar by = 0.04)
-{
-    prismLayers layers
-    (
-        testSurfaces::straightLayers
-        (
-            wall, testSurfaces::geometricHeights(n, 0.05, 1.2)
-        )
-    );
-
-    Random random(5);
-    for (point& p : layers.points)
-    {
-        p += by*(random.sample01<vector>() - vector::uniform(0.5));
-    }
-
-    return layers;
-}
-
+static const label n = testSurfaces::nShaken;
 
 static List<wallSurface> walls()
 {
@@ -64,7 +42,7 @@ TEST(layerGeometry, centresAreThoseOfPolyMesh)
 {
     for (const wallSurface& wall : walls())
     {
-        const prismLayers layers(shaken(wall));
+        const prismLayers layers(testSurfaces::shakenLayers(wall));
         const layerGeometry geometry(layers, makeWallAddressing(wall));
         const memoryMesh mesh(layers);
 
@@ -80,11 +58,11 @@ TEST(layerGeometry, centresAreThoseOfPolyMesh)
 TEST(layerGeometry, lacksAreThoseOfPolyMesh)
 {
     // Twice from the two sides of a side of cells, once between layers
-    const faceAims aims{0.9, 0.1};
+    const faceAims aims{0.7, 0.1};
 
     for (const wallSurface& wall : walls())
     {
-        const prismLayers layers(shaken(wall));
+        const prismLayers layers(testSurfaces::shakenLayers(wall));
         const layerGeometry geometry(layers, makeWallAddressing(wall));
         scalar sum = 0;
         forAll(wall.faces, facei)
@@ -129,7 +107,7 @@ TEST(layerGeometry, lacksAreThoseOfPolyMesh)
 
 TEST(layerGeometry, skewnessFromEitherSideIsTheSame)
 {
-    const prismLayers layers(shaken(testSurfaces::quadSphere(4)));
+    const prismLayers layers(testSurfaces::shakenLayers(testSurfaces::quadSphere(4)));
     const memoryMesh memory(layers);
     const polyMesh& mesh = memory();
 
@@ -147,46 +125,85 @@ TEST(layerGeometry, skewnessFromEitherSideIsTheSame)
 }
 
 
-//- planarity() of a square with a corner that is raised, between centres above
-//  and below it
-static scalar planarityOfRaised(const scalar by, const point* above)
+//- What a square with a corner that is raised, between centres above and below
+//  it, lacks of an aim
+static scalar lackOfRaised
+(
+    const scalar by,
+    const point* above,
+    const scalar aim = 0.1
+)
 {
     const pointField points
     ({{0, 0, 0}, {1, 0, 0}, {1, 1, by}, {0, 1, 0}});
 
-    return planarity
+    return planarityLack
     (
-        faceGeometry(points), points, point(0.5, 0.5, -0.2), above
+        faceGeometry(points), points, point(0.5, 0.5, -0.2), above, aim
     );
 }
 
 
-TEST(planarity, isOneForPlaneFacesAndTriangles)
+TEST(layerGeometry, sidesNeedNotBeBetterThanTheWall)
+{
+    // The centres of a short and of a long triangle are far aside
+    wallSurface wall;
+    wall.points = pointField
+    ({{0, 0, 0}, {1, 0, 0}, {0.5, 0.1, 0}, {6, -0.1, 0}});
+    wall.faces = {face({0, 1, 2}), face({0, 3, 1})};
+    wall.patchIDs = labelList(2, Zero);
+    wall.patchNames = {"wall"};
+    prismLayers layers
+    (
+        testSurfaces::straightLayers(wall, scalarList({0, 0.01, 0.02}))
+    );
+    const layerGeometry flat(layers, makeWallAddressing(wall));
+    const faceAims aims{0.9};
+
+    EXPECT_LT(flat.cosineAim(0, 0, aims), 0.2);
+    EXPECT_EQ(flat.cosineAim(0, 1, aims), 0.9);
+    EXPECT_EQ(flat.lack(0, aims), 0);
+    EXPECT_TRUE(flat.isOfWall(0, 0, 1));
+
+    // Nor worse by more than five degrees
+    layers.points[layers.index(0, 1)] += vector(0, 0.05, 0);
+    layers.points[layers.index(1, 1)] -= vector(0, 0.3, 0);
+    const layerGeometry turned(layers, makeWallAddressing(wall));
+    EXPECT_GT(turned.lack(0, aims), 0);
+}
+
+
+TEST(planarityLack, isZeroForPlaneFacesAndTriangles)
 {
     const point above(0.4, 0.6, 0.1);
     const pointField triangle({{0, 0, 0}, {1, 0, 0}, {1, 1, 1}});
 
-    EXPECT_NEAR(planarityOfRaised(0, &above), 1, 1e-14);
+    EXPECT_EQ(lackOfRaised(0, &above, 0.999), 0);
+    EXPECT_NEAR(lackOfRaised(0, &above, 1.5), 0.5, 1e-14);
     EXPECT_EQ
     (
-        planarity(faceGeometry(triangle), triangle, point::zero, &above), 1
+        planarityLack
+        (
+            faceGeometry(triangle), triangle, point::zero, &above, 2
+        ),
+        0
     );
 }
 
 
-TEST(planarity, isNotPositiveWhereACentreIsBehindATriangleOfEitherCut)
+TEST(planarityLack, isMoreThanTheAimBehindATriangleOfEitherCut)
 {
     const point above(0.8, 0.8, 0.3);
 
-    EXPECT_GT(planarityOfRaised(0.2, &above), 0.1);
-    EXPECT_GT(planarityOfRaised(0.9, nullptr), 0.1);
-    EXPECT_LT(planarityOfRaised(0.9, &above), 0);
+    EXPECT_EQ(lackOfRaised(0.2, &above), 0);
+    EXPECT_EQ(lackOfRaised(0.9, nullptr), 0);
+    EXPECT_GT(lackOfRaised(0.9, &above), 0.1);
 }
 
 
-TEST(planarity, isPositiveWherePolyMeshFindsABasePoint)
+TEST(planarityLack, isWherePolyMeshFindsNoBasePoint)
 {
-    const prismLayers layers(shaken(testSurfaces::quadSphere(4), 0.12));
+    const prismLayers layers(testSurfaces::shakenLayers(testSurfaces::quadSphere(4), 0.12));
     const memoryMesh memory(layers);
     const polyMesh& mesh = memory();
     labelList counts(2, Zero);
@@ -194,11 +211,11 @@ TEST(planarity, isPositiveWherePolyMeshFindsABasePoint)
     for (label facei = 0; facei < mesh.nInternalFaces(); ++facei)
     {
         const pointField points(mesh.faces()[facei].points(mesh.points()));
-        const bool isPlane = 0 < planarity
+        const bool isPlane = 0 == planarityLack
         (
             geometryOf(mesh, facei), points,
             mesh.cellCentres()[mesh.faceOwner()[facei]],
-            &mesh.cellCentres()[mesh.faceNeighbour()[facei]]
+            &mesh.cellCentres()[mesh.faceNeighbour()[facei]], SMALL
         );
         ++counts[isPlane];
 
@@ -250,7 +267,7 @@ TEST(layerGeometry, updateFollowsChanges)
 {
     const wallSurface wall(testSurfaces::sphere(4));
     const wallAddressing addressing(makeWallAddressing(wall));
-    prismLayers layers(shaken(wall));
+    prismLayers layers(testSurfaces::shakenLayers(wall));
     layerGeometry geometry(layers, addressing);
     layers.points[layers.index(5, 2)] += vector(0.01, 0, 0);
     geometry.update(addressing.pointFaces[5]);

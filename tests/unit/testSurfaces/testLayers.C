@@ -6,6 +6,7 @@
 
 #include "testLayers.H"
 #include "DynamicList.H"
+#include "Random.H"
 #include "unitConversion.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -157,6 +158,27 @@ Foam::prismLayers Foam::testSurfaces::onePolygon
     }
 
     return straightLayers(wall, heights);
+}
+
+
+Foam::prismLayers Foam::testSurfaces::shakenLayers
+(
+    const wallSurface& wall,
+    const scalar by
+)
+{
+    prismLayers layers
+    (
+        straightLayers(wall, geometricHeights(nShaken, 0.05, 1.2))
+    );
+
+    Random random(5);
+    for (point& p : layers.points)
+    {
+        p += by*(random.sample01<vector>() - vector::uniform(0.5));
+    }
+
+    return layers;
 }
 
 

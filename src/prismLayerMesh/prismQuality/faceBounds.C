@@ -1,0 +1,271 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "faceBounds.H"
+#include "dictionary.H"
+#include "tetPointRef.H"
+#include "unitConversion.H"
+
+#include <iomanip>
+#include <sstream>
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Static Member Data  * * * * * * * * * * * * //
+
+const char* const facesBeyondBounds::names[nBounds] =
+{
+    "maxNonOrtho", "maxInternalSkewness", "minFaceWeight", "minVolRatio",
+    "minTetQuality"
+};
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- [deg], of what is a cosine but for rounding errors
+static scalar angleOf(const scalar cosine)
+{
+    return radToDeg(Foam::acos(max(scalar(-1), min(cosine, scalar(1)))));
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void facesBeyondBounds::add
+(
+    const label facei,
+    const faceGeometry& f,
+    const FixedList<scalar, nBounds>& measures,
+    const qualityControls& bounds
+)
+{
+    const scalar angle = angleOf(measures[0]);
+    const bool isBeyond[nBounds] =
+    {
+        angle > bounds.maxNonOrtho,
+        measures[1] > bounds.maxInternalSkewness,
+        measures[2] < bounds.minFaceWeight,
+        measures[3] < bounds.minVolRatio,
+        measures[4] > 0
+    };
+
+    ++nFaces;
+    sumCosines += measures[0];
+    maxNonOrtho = max(maxNonOrtho, angle);
+    maxSkewness = max(maxSkewness, measures[1]);
+    minWeight = min(minWeight, measures[2]);
+    minVolRatio = min(minVolRatio, measures[3]);
+
+    bool isPoor = false;
+    for (label k = 0; k < nBounds; ++k)
+    {
+        nBeyond[k] += isBeyond[k];
+        isPoor = isPoor || isBeyond[k];
+    }
+
+    nPoor += isPoor;
+    if (isPoor && facei < firstLabel)
+    {
+        firstLabel = facei;
+        firstPlace = f.centre;
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+scalar facesBeyondBounds::meanNonOrtho() const
+{
+    return nFaces ? angleOf(sumCosines/nFaces) : 0;
+}
+
+
+
+void facesBeyondBounds::operator+=(const facesBeyondBounds& others)
+{
+    nFaces += others.nFaces;
+    sumCosines += others.sumCosines;
+    maxNonOrtho = max(maxNonOrtho, others.maxNonOrtho);
+    maxSkewness = max(maxSkewness, others.maxSkewness);
+    minWeight = min(minWeight, others.minWeight);
+    minVolRatio = min(minVolRatio, others.minVolRatio);
+    nPoor += others.nPoor;
+    nOfWall += others.nOfWall;
+
+    for (label k = 0; k < nBounds; ++k)
+    {
+        nBeyond[k] += others.nBeyond[k];
+    }
+
+    if (others.firstLabel < firstLabel)
+    {
+        firstLabel = others.firstLabel;
+        firstPlace = others.firstPlace;
+    }
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+bool isPoorTet
+(
+    const point& a,
+    const point& b,
+    const point& c,
+    const point& d,
+    const scalar bound
+)
+{
+    const scalar volume6 = ((b - a) ^ (c - a)) & (d - a);
+
+    if (bound <= 0)
+    {
+        return volume6 < 0;
+    }
+
+    // 6 V R <= sqrt(3)/4 l^4 for the longest edge l, so that the quality is at
+    // least 5178 (V/l^3)^4
+    const scalar longestSqr = max
+    (
+        max(max(magSqr(b - a), magSqr(c - a)), magSqr(c - b)),
+        max(max(magSqr(d - a), magSqr(d - b)), magSqr(d - c))
+    );
+    const scalar square = sqr(volume6/6)/(pow3(longestSqr) + VSMALL);
+
+    return volume6 <= 0
+     || (5178*sqr(square) < bound && tetPointRef(a, b, c, d).quality() < bound);
+}
+
+
+facesBeyondBounds boundsOfLayers
+(
+    const prismLayers& layers,
+    const layerGeometry& geometry,
+    const qualityControls& bounds
+)
+{
+    facesBeyondBounds all;
+    const auto cell = [&](const label facei, const label i)
+    {
+        return faceCell
+        {
+            geometry.centres(facei)[i - 1], geometry.volume3(facei, i)/3
+        };
+    };
+
+    #pragma omp parallel
+    {
+        facesBeyondBounds own;
+
+        #pragma omp for schedule(static, 64)
+        forAll(layers.faces, facei)
+        {
+            const face& f = layers.faces[facei];
+
+            for (label i = 1; i <= layers.nLayers; ++i)
+            {
+                const auto add = [&](const auto& points, const faceCell& other)
+                {
+                    own.add
+                    (
+                        facei, faceGeometry(points), points, cell(facei, i),
+                        other, bounds
+                    );
+                };
+
+                if (i < layers.nLayers)
+                {
+                    add(levelPoints{layers, f, i}, cell(facei, i + 1));
+                }
+
+                forAll(f, k)
+                {
+                    const label g = geometry.across(facei, k);
+                    if (g > facei)
+                    {
+                        const sidePoints side
+                        {
+                            layers, f[k], f[f.fcIndex(k)], i
+                        };
+                        const label before = own.nBeyond[0];
+                        add(side, cell(g, i));
+                        own.nOfWall += own.nBeyond[0] > before
+                         && geometry.isOfWall(facei, k, i);
+                    }
+                }
+            }
+        }
+
+        #pragma omp critical
+        all += own;
+    }
+
+    return all;
+}
+
+
+dictionary toDictionary(const facesBeyondBounds& faces)
+{
+    dictionary beyond;
+    for (label k = 0; k < facesBeyondBounds::nBounds; ++k)
+    {
+        beyond.add(facesBeyondBounds::names[k], faces.nBeyond[k]);
+    }
+
+    dictionary dict;
+    dict.add("faces", faces.nFaces);
+    dict.add("meanNonOrthogonality", faces.meanNonOrtho());
+    dict.add("maxNonOrthogonality", faces.maxNonOrtho);
+    dict.add("maxSkewness", faces.maxSkewness);
+    dict.add("minFaceWeight", faces.minWeight);
+    dict.add("minVolumeRatio", faces.minVolRatio);
+    dict.add("poorFaces", faces.nPoor);
+    dict.add("nonOrthogonalByWall", faces.nOfWall);
+    dict.add("beyond", beyond);
+
+    return dict;
+}
+
+
+void write(Ostream& os, const char* where, const facesBeyondBounds& faces)
+{
+    std::ostringstream text;
+    text<< std::fixed << std::setprecision(1)
+        << "Faces " << where << ": non-orthogonality mean "
+        << faces.meanNonOrtho() << ", max " << faces.maxNonOrtho
+        << std::setprecision(2) << "; skewness max " << faces.maxSkewness
+        << std::defaultfloat << std::setprecision(2)
+        << "; weight min " << faces.minWeight
+        << "; volume ratio min " << faces.minVolRatio << '\n';
+
+    if (faces.nPoor)
+    {
+        const char* separator = "    beyond bounds: ";
+        for (label k = 0; k < facesBeyondBounds::nBounds; ++k)
+        {
+            if (faces.nBeyond[k])
+            {
+                text<< separator << faces.nBeyond[k] << ' '
+                    << facesBeyondBounds::names[k];
+                separator = ", ";
+            }
+            if (k == 0 && faces.nOfWall)
+            {
+                text<< " (" << faces.nOfWall << " by the wall's own faces)";
+            }
+        }
+
+        const point& x = faces.firstPlace;
+        text<< std::setprecision(6) << "; first at (" << x.x() << ' ' << x.y()
+            << ' ' << x.z() << ")\n";
+    }
+
+    os  << text.str().c_str();
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

@@ -1,0 +1,214 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "faceBounds.H"
+#include "memoryMesh.H"
+#include "openSurfaces.H"
+#include "testLayers.H"
+#include "testSurfaces.H"
+#include "polyMeshTetDecomposition.H"
+#include "polyMeshTools.H"
+#include "StringStream.H"
+#include "tetPointRef.H"
+#include "unitConversion.H"
+
+#include <gtest/gtest.h>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+using namespace Foam;
+
+static facesBeyondBounds countedIn
+(
+    const wallSurface& wall,
+    const prismLayers& layers,
+    const qualityControls& bounds
+)
+{
+    return boundsOfLayers
+    (
+        layers, layerGeometry(layers, makeWallAddressing(wall)), bounds
+    );
+}
+
+
+//- Number of values that are beyond a bound, of internal faces
+template<class IsBeyond>
+static label count(const scalarField& values, const IsBeyond& isBeyond)
+{
+    return std::count_if(values.begin(), values.end(), isBeyond);
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(facesBeyondBounds, areThoseOfPolyMesh)
+{
+    qualityControls bounds;
+    bounds.maxNonOrtho = 40;
+    bounds.maxInternalSkewness = 0.3;
+    bounds.minFaceWeight = 0.4;
+    bounds.minVolRatio = 0.6;
+
+    for (const wallSurface& wall :
+         {testSurfaces::sphere(4), testSurfaces::quadSphere(4)})
+    {
+        const prismLayers layers(testSurfaces::shakenLayers(wall, 0.06));
+        const facesBeyondBounds faces(countedIn(wall, layers, bounds));
+
+        const memoryMesh memory(layers);
+        const polyMesh& mesh = memory();
+        const label n = mesh.nInternalFaces();
+        const auto internal = [&](const scalarField& all)
+        {
+            return scalarField(SubField<scalar>(all, n));
+        };
+        const scalarField cosines
+        (
+            internal
+            (
+                polyMeshTools::faceOrthogonality
+                (
+                    mesh, mesh.faceAreas(), mesh.cellCentres()
+                )
+            )
+        );
+        const scalarField skewness
+        (
+            internal
+            (
+                polyMeshTools::faceSkewness
+                (
+                    mesh, mesh.points(), mesh.faceCentres(), mesh.faceAreas(),
+                    mesh.cellCentres()
+                )
+            )
+        );
+        const scalarField weights
+        (
+            internal
+            (
+                polyMeshTools::faceWeights
+                (
+                    mesh, mesh.faceCentres(), mesh.faceAreas(),
+                    mesh.cellCentres()
+                )
+            )
+        );
+        const scalarField ratios
+        (
+            internal(polyMeshTools::volRatio(mesh, mesh.cellVolumes()))
+        );
+
+        EXPECT_EQ(faces.nFaces, n);
+        EXPECT_NEAR
+        (
+            faces.maxNonOrtho, radToDeg(::acos(min(cosines))), 1e-9
+        );
+        EXPECT_NEAR(faces.maxSkewness, max(skewness), 1e-9);
+        EXPECT_NEAR(faces.minWeight, min(weights), 1e-9);
+        EXPECT_NEAR(faces.minVolRatio, min(ratios), 1e-9);
+
+        const scalar cosine = ::cos(degToRad(bounds.maxNonOrtho));
+        const label expected[] =
+        {
+            count(cosines, [&](scalar x) { return x < cosine; }),
+            count
+            (
+                skewness,
+                [&](scalar x) { return x > bounds.maxInternalSkewness; }
+            ),
+            count(weights, [&](scalar x) { return x < bounds.minFaceWeight; }),
+            count(ratios, [&](scalar x) { return x < bounds.minVolRatio; })
+        };
+        for (label k = 0; k < 4; ++k)
+        {
+            EXPECT_GT(expected[k], 0) << k;
+            EXPECT_EQ(faces.nBeyond[k], expected[k]) << k;
+        }
+        EXPECT_GE(faces.nPoor, expected[0]);
+        EXPECT_LE(faces.nPoor, n);
+    }
+}
+
+
+TEST(facesBeyondBounds, tetrahedraArePoorWherePolyMeshFindsNoBasePoint)
+{
+    const wallSurface wall(testSurfaces::quadSphere(4));
+    const prismLayers layers(testSurfaces::shakenLayers(wall, 0.09));
+    const facesBeyondBounds faces(countedIn(wall, layers, qualityControls()));
+
+    const memoryMesh memory(layers);
+    label expected = 0;
+    for (label facei = 0; facei < memory().nInternalFaces(); ++facei)
+    {
+        expected += polyMeshTetDecomposition::findSharedBasePoint
+        (
+            memory(), facei, qualityControls().minTetQuality
+        ) < 0;
+    }
+
+    EXPECT_GT(expected, 10);
+    EXPECT_EQ(faces.nBeyond[4], expected);
+}
+
+
+TEST(facesBeyondBounds, poorTetrahedraAreBelowTheBound)
+{
+    const point a(0, 0, 0), b(1, 0, 0), c(0, 1, 0);
+
+    for (const scalar height : {1.0, 1e-2, 1e-4})
+    {
+        const point d(0.3, 0.3, height);
+        const scalar quality = tetPointRef(a, b, c, d).quality();
+
+        EXPECT_TRUE(isPoorTet(a, b, c, d, 1.01*quality));
+        EXPECT_FALSE(isPoorTet(a, b, c, d, 0.99*quality));
+        EXPECT_TRUE(isPoorTet(a, c, b, d, 0.99*quality));
+        EXPECT_TRUE(isPoorTet(a, c, b, d, -1));
+    }
+}
+
+
+TEST(facesBeyondBounds, knowWhatTheWallBrings)
+{
+    // Two triangles in a plane, of which one is far longer than the other:
+    // their centres are 80 degrees aside
+    wallSurface wall;
+    wall.points = pointField
+    ({{0, 0, 0}, {1, 0, 0}, {0.5, 0.1, 0}, {6, -0.1, 0}});
+    wall.faces = {face({0, 1, 2}), face({0, 3, 1})};
+    wall.patchIDs = labelList(2, Zero);
+    wall.patchNames = {"wall"};
+
+    const prismLayers layers
+    (
+        testSurfaces::straightLayers(wall, scalarList({0, 0.01, 0.02}))
+    );
+    const facesBeyondBounds faces(countedIn(wall, layers, qualityControls()));
+
+    EXPECT_GT(faces.maxNonOrtho, 80);
+    EXPECT_EQ(faces.nBeyond[0], 2);
+    EXPECT_EQ(faces.nOfWall, 2);
+}
+
+
+TEST(facesBeyondBounds, logNamesBoundsAndPlace)
+{
+    const wallSurface wall(testSurfaces::sphere(4));
+    const prismLayers layers(testSurfaces::shakenLayers(wall, 0.06));
+    qualityControls bounds;
+    OStringStream good, poor;
+    write(good, "of layers", countedIn(wall, layers, bounds));
+    bounds.maxNonOrtho = 30;
+    write(poor, "of layers", countedIn(wall, layers, bounds));
+
+    EXPECT_EQ(good.str().find("Faces of layers: non-orthogonality"), 0u);
+    EXPECT_NE(poor.str().find(" maxNonOrtho"), std::string::npos);
+    EXPECT_NE(poor.str().find("; first at ("), std::string::npos);
+}
+
+
+// ************************************************************************* //
