@@ -97,25 +97,35 @@ const UList<point>& columnCells::centresBeyond(const side& s) const
 }
 
 
-scalar columnCells::levelPlanarity(const stack& s, const label i) const
+scalar columnCells::levelLack
+(
+    const stack& s,
+    const label i,
+    const scalar aim
+) const
 {
-    return planarity
+    return planarityLack
     (
         s.levels[i], levelPoints{layers_, s.columns, i}, s.centres[i - 1],
-        i < layers_.nLayers ? &s.centres[i] : nullptr
+        i < layers_.nLayers ? &s.centres[i] : nullptr, aim
     );
 }
 
 
-scalar columnCells::sidePlanarity(const side& s, const label i) const
+scalar columnCells::sideLack
+(
+    const side& s,
+    const label i,
+    const scalar aim
+) const
 {
     const UList<point>& other = centresBeyond(s);
 
-    return planarity
+    return planarityLack
     (
         s.faces[i - 1], sidePoints{layers_, s.a, s.b, i},
         stacks_[s.first].centres[i - 1],
-        other.size() ? &other[i - 1] : nullptr
+        other.size() ? &other[i - 1] : nullptr, aim
     );
 }
 
@@ -130,14 +140,9 @@ void columnCells::addLacks(DynamicList<scalar>& residuals) const
         const point& b
     )
     {
-        residuals.append(cosineLack(f.area, b - a, aims_.cosine));
-        residuals.append(skewnessExcess(f, points, a, b, aims_.skewness));
+        residuals.append(cosineLack(f.area, b - a, aims_.faces.cosine));
+        residuals.append(skewnessExcess(f, points, a, b, aims_.faces.skewness));
     };
-    const auto addPlanarity = [&](const scalar value)
-    {
-        residuals.append(max(aims_.planarity - value, scalar(0)));
-    };
-
     for (const stack& s : stacks_)
     {
         for (label i = 1; i < layers_.nLayers; ++i)
@@ -150,7 +155,11 @@ void columnCells::addLacks(DynamicList<scalar>& residuals) const
         }
         for (label i = 1; i <= layers_.nLayers && s.columns.size() == 4; ++i)
         {
-            addPlanarity(levelPlanarity(s, i));
+            residuals.append
+            (
+                controls_.planarityWeight
+               *levelLack(s, i, aims_.faces.planarity)
+            );
         }
     }
 
@@ -167,7 +176,11 @@ void columnCells::addLacks(DynamicList<scalar>& residuals) const
         }
         for (label i = 1; i <= layers_.nLayers; ++i)
         {
-            addPlanarity(sidePlanarity(s, i));
+            residuals.append
+            (
+                controls_.planarityWeight
+               *sideLack(s, i, aims_.faces.planarity)
+            );
         }
     }
 }
@@ -184,7 +197,7 @@ columnCells::columnCells
 )
 :
     layers_(editor.layers()),
-    aims_(aims.faces),
+    aims_(aims),
     controls_(editor.controls())
 {
     const labelList& around = editor.front().addressing.pointFaces[column];
@@ -244,16 +257,18 @@ scalar columnCells::evaluate(DynamicList<scalar>& residuals)
                 thickness += height;
                 if (i == 0)
                 {
+                    const scalar error = heightError(height, s.heights[0]);
                     residuals.append
                     (
-                        controls_.firstHeightWeight
-                       *heightError(height, s.heights[0])
+                        aims_.firstHeightWeight*error
+                      + (controls_.firstHeightWeight - aims_.firstHeightWeight)
+                       *max(error - (controls_.maxExcess - 1), scalar(0))
                     );
                 }
             }
             residuals.append
             (
-                controls_.thicknessWeight*heightError(thickness, sum(s.heights))
+                aims_.thicknessWeight*heightError(thickness, sum(s.heights))
             );
         }
     }
@@ -278,7 +293,7 @@ label columnCells::nPoorFaces() const
     {
         for (label i = 1; i <= layers_.nLayers && s.columns.size() == 4; ++i)
         {
-            nPoor += levelPlanarity(s, i) <= 0;
+            nPoor += levelLack(s, i, SMALL) > 0;
         }
     }
 
@@ -286,7 +301,7 @@ label columnCells::nPoorFaces() const
     {
         for (label i = 1; i <= layers_.nLayers; ++i)
         {
-            nPoor += sidePlanarity(s, i) <= 0;
+            nPoor += sideLack(s, i, SMALL) > 0;
         }
     }
 

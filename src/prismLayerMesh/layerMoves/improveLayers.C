@@ -30,6 +30,9 @@ class improvement
     //- Columns that had to be rolled back, and stay
     boolList barred_;
 
+    //- Columns that were bent with heights that give way
+    labelHashSet gaveWay_;
+
     //- Times of the journal: when the last round began, and up to which all is
     //  judged
     label roundBegan_ = 0;
@@ -63,6 +66,15 @@ class improvement
     //- Roll back columns until all can be certified
     void settle();
 
+    //- Bend columns of faces that are beyond bounds. The geometry is up to date
+    //  before and after. Returns the columns that bent.
+    labelHashSet bendTo
+    (
+        const faceAims& bounds,
+        bendAims& aims,
+        layerGeometry& geometry
+    );
+
 public:
 
     improvement(layerEditor& editor, const layerJudge& judge);
@@ -77,7 +89,11 @@ public:
 
     void fitAll();
 
-    //- Bend columns to where faces are better, with heights as they are
+    //- Columns that bent with heights that give way, in ascending order
+    labelList gaveWay() const { return gaveWay_.sortedToc(); }
+
+    //- Bend columns to where faces are better: with heights as they are, then
+    //  as the user's priority is with heights that give way
     void bend();
 };
 
@@ -279,25 +295,24 @@ void improvement::fitAll()
 }
 
 
-void improvement::bend()
+labelHashSet improvement::bendTo
+(
+    const faceAims& bounds,
+    bendAims& aims,
+    layerGeometry& geometry
+)
 {
     const layerMoveControls& controls = editor_.controls();
     const auto atFault = [&](const label facei) { return isAtFault(facei); };
-    bendAims aims;
-    aims.faces.cosine = Foam::cos(degToRad(controls.aimedAngle));
-    aims.faces.skewness = controls.aimedSkewness;
-    aims.faces.planarity = controls.aimedPlanarity;
-
-    const prismLayers& layers = editor_.layers();
-    layerGeometry geometry(layers, editor_.front().addressing);
-    labelList looked(identity(layers.faces.size()));
+    labelList looked(identity(editor_.layers().faces.size()));
+    labelHashSet bent;
     barred_ = false;
 
-    for (label round = 0; round < controls.maxBends; ++round)
+    for (label round = 0; round < controls.maxBends && looked.size(); ++round)
     {
         labelList columns
         (
-            poorColumns(layers, geometry, looked, aims.faces)
+            poorColumns(editor_.layers(), geometry, looked, bounds)
         );
         inplaceSubsetList
         (
@@ -306,11 +321,44 @@ void improvement::bend()
         aims.hold(editor_, columns);
 
         const label then = editor_.now();
-        bendColumns(editor_, geometry, aims, columns, atFault);
+        bent.insert(bendColumns(editor_, geometry, aims, columns, atFault));
         settle();
 
         looked = editor_.touchedSince(then);
         geometry.update(looked);
+    }
+
+    return bent;
+}
+
+
+void improvement::bend()
+{
+    const layerMoveControls& controls = editor_.controls();
+    const qualityControls& quality = controls.quality;
+
+    bendAims aims;
+    aims.faces.cosine =
+        Foam::cos(degToRad(quality.maxNonOrtho - controls.angleMargin));
+    aims.faces.skewness = controls.skewnessShare*quality.maxInternalSkewness;
+    aims.faces.planarity = controls.aimedPlanarity;
+    aims.firstHeightWeight = controls.firstHeightWeight;
+    aims.thicknessWeight = controls.thicknessWeight;
+
+    layerGeometry geometry(editor_.layers(), editor_.front().addressing);
+    bendTo(aims.faces, aims, geometry);
+
+    if (quality.priority == qualityControls::priorities::quality)
+    {
+        faceAims bounds;
+        bounds.cosine = Foam::cos(degToRad(quality.maxNonOrtho));
+        bounds.skewness = quality.maxInternalSkewness;
+        bounds.planarity = SMALL;
+
+        aims.thicknessWeight = controls.lowThicknessWeight;
+        gaveWay_ = bendTo(bounds, aims, geometry);
+        aims.firstHeightWeight = controls.lowFirstHeightWeight;
+        gaveWay_ |= bendTo(bounds, aims, geometry);
     }
 }
 
@@ -319,7 +367,7 @@ void improvement::bend()
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void improveLayers(layerEditor& editor, const layerJudge& judge)
+labelList improveLayers(layerEditor& editor, const layerJudge& judge)
 {
     improvement better(editor, judge);
     better.leanAndGrow();
@@ -331,6 +379,8 @@ void improveLayers(layerEditor& editor, const layerJudge& judge)
         better.fitAll();
         better.bend();
     }
+
+    return better.gaveWay();
 }
 
 } // End namespace Foam

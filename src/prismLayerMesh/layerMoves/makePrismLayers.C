@@ -26,11 +26,22 @@ madeLayers makePrismLayers
 
     madeLayers made;
     made.nRetreats = certifyLayers(editor, judge);
-    improveLayers(editor, judge);
-
+    made.gaveWay = improveLayers(editor, judge);
     made.thickness = editor.thickness();
     made.causes = editor.causes();
     made.layers = editor.release();
+
+    for (const label c : made.gaveWay)
+    {
+        const vector column
+        (
+            made.layers(c, spacing.nLayers) - made.layers(c, 0)
+        );
+        made.thickness[c] = min
+        (
+            made.thickness[c], front.visibility.heightCosine(c, column)
+        );
+    }
 
     return made;
 }

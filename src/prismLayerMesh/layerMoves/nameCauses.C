@@ -5,6 +5,7 @@
 
 #include "nameCauses.H"
 #include "stackHeights.H"
+#include "UIndirectList.H"
 
 #include <algorithm>
 
@@ -140,9 +141,13 @@ void nameCauses
 {
     List<squeezeCause>& causes = made.causes;
 
+    boolList gaveWay(causes.size(), false);
+    UIndirectList<bool>(gaveWay, made.gaveWay) = true;
+
     for (const label c : lowColumns(front, graded, made))
     {
-        causes[c] = causeOfLow(front, graded, columns, c);
+        causes[c] = gaveWay[c]
+          ? squeezeCause::quality : causeOfLow(front, graded, columns, c);
     }
 
     forAll(causes, c)

@@ -211,7 +211,9 @@ void pipeline::makeLayers()
     const layerSpacing spacing(m_.spacing.at(front.wallPoints));
 
     observer_.begin("prismLayers");
-    m_.made = makePrismLayers(front, spacing, m_.columns);
+    layerMoveControls moves;
+    moves.quality = controls_.quality;
+    m_.made = makePrismLayers(front, spacing, m_.columns, moves);
     nameCauses
     (
         front, m_.pointKinds, m_.request.at(front.wallPoints), spacing,
@@ -228,6 +230,13 @@ void pipeline::makeLayers()
         FatalErrorInFunction
             << "The layers could not be certified" << exit(FatalError);
     }
+
+    m_.bounds = controls_.quality;
+    m_.faces = boundsOfLayers
+    (
+        m_.made.layers, layerGeometry(m_.made.layers, front.addressing),
+        m_.bounds
+    );
 }
 
 

@@ -37,6 +37,8 @@ struct leaningColumn
         geometry(m.editor.layers(), m.front.addressing)
     {
         aims.faces = faceAims{::cos(degToRad(60.0)), 3};
+        aims.firstHeightWeight = 10;
+        aims.thicknessWeight = 2;
         aims.hold(m.editor, labelList(1, column));
 
         const scalar* heights = m.editor.heights(column);

@@ -29,7 +29,8 @@ struct namedColumns
         asked(m.spacing),
         made
         {
-            m.editor.layers(), m.editor.thickness(), m.editor.causes(), 0
+            m.editor.layers(), m.editor.thickness(), m.editor.causes(),
+            labelList(), 0
         }
     {}
 
@@ -70,6 +71,24 @@ struct namedColumns
 
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(nameCauses, lowColumnsThatGaveWayHaveTheCauseQuality)
+{
+    namedColumns named(testSurfaces::sphere(8));
+    const label c = 20;
+    named.lower(c, 0.5);
+    named.made.gaveWay = labelList(1, c);
+
+    EXPECT_EQ(named.causeOf(c), squeezeCause::quality);
+
+    // Its neighbours did not, nor do columns that gave way without becoming low
+    const label beside = named.addressing.pointPoints[c][0];
+    EXPECT_EQ(named.made.causes[beside], squeezeCause::validity);
+    namedColumns full(testSurfaces::sphere(8));
+    full.made.gaveWay = labelList(1, c);
+    EXPECT_EQ(full.causeOf(c), squeezeCause::none);
+}
+
 
 TEST(nameCauses, fullColumnsHaveNone)
 {
