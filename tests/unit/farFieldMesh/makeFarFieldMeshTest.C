@@ -180,7 +180,10 @@ TEST(makeFarFieldMesh, reportsTheTransition)
 {
     const farCase c(testSurfaces::sphere(5), boxOf(4));
     const memoryMesh memory(c.layers, c.mesh);
-    const farFieldReport report(makeFarFieldReport(memory(), qualityControls()));
+    const farFieldReport report
+    (
+        makeFarFieldReport(memory(), qualityControls())
+    );
 
     EXPECT_EQ(report.nCells, c.mesh.tets.size());
     EXPECT_EQ(report.transition.nFaces, 300);

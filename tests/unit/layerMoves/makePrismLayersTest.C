@@ -205,52 +205,6 @@ TEST(makePrismLayers, columnsEndInTheirRoom)
 }
 
 
-TEST(makePrismLayers, heightsGiveWayIfThePriorityIsQuality)
-{
-    layerMoveControls moves;
-    moves.quality.priority = qualityControls::priorities::thickness;
-    label nPoor = 0;
-    label nPoorOfHigh = 0;
-    bool isNamed = false;
-
-    for (const layeredShape& s : shapes())
-    {
-        const prismLayerMesh& m = s.mesh;
-        const madeLayers high
-        (
-            makePrismLayers
-            (
-                m.front, m.spacing.at(m.front.wallPoints), m.columns, moves
-            )
-        );
-        const facesBeyondBounds faces
-        (
-            boundsOfLayers
-            (
-                high.layers, layerGeometry(high.layers, m.front.addressing),
-                moves.quality
-            )
-        );
-
-        EXPECT_TRUE(high.gaveWay.empty()) << s.name;
-        EXPECT_EQ(count(high, squeezeCause::quality), 0) << s.name;
-        EXPECT_EQ
-        (
-            m.made.gaveWay.empty(),
-            high.layers.points == m.made.layers.points
-        ) << s.name;
-        EXPECT_LE(m.faces.nPoor, faces.nPoor) << s.name;
-        nPoor += m.faces.nBeyond[0] - m.faces.nOfWall;
-        nPoorOfHigh += faces.nBeyond[0] - faces.nOfWall;
-        isNamed = isNamed || count(m.made, squeezeCause::quality) > 0;
-    }
-
-    // Of those beyond maxNonOrtho that are not so by the wall
-    EXPECT_LT(nPoor, 0.5*nPoorOfHigh);
-    EXPECT_TRUE(isNamed);
-}
-
-
 TEST(makePrismLayers, facesHaveTheThicknessOfTheirColumns)
 {
     for (const layeredShape& s : shapes())

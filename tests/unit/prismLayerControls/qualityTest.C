@@ -13,7 +13,8 @@ using namespace Foam;
 
 static qualityControls qualityOf(const std::string& entries)
 {
-    return readControls(surface + layers + "quality { " + entries + " }").quality;
+    return readControls(surface + layers + "quality { " + entries + " }")
+        .quality;
 }
 
 

@@ -34,11 +34,48 @@ static facesBeyondBounds countedIn
 }
 
 
-//- Number of values that are beyond a bound, of internal faces
-template<class IsBeyond>
-static label count(const scalarField& values, const IsBeyond& isBeyond)
+//- The measures of polyMeshTools, of internal faces
+struct polyMeshMeasures
 {
-    return std::count_if(values.begin(), values.end(), isBeyond);
+    scalarField cosines, skewness, weights, ratios;
+
+    explicit polyMeshMeasures(const polyMesh& mesh)
+    {
+        const pointField& cells = mesh.cellCentres();
+        const pointField& centres = mesh.faceCentres();
+        const vectorField& areas = mesh.faceAreas();
+        const auto internal = [&](const scalarField& all)
+        {
+            return scalarField(SubField<scalar>(all, mesh.nInternalFaces()));
+        };
+
+        cosines = internal
+        (
+            polyMeshTools::faceOrthogonality(mesh, areas, cells)
+        );
+        skewness = internal
+        (
+            polyMeshTools::faceSkewness
+            (
+                mesh, mesh.points(), centres, areas, cells
+            )
+        );
+        weights = internal
+        (
+            polyMeshTools::faceWeights(mesh, centres, areas, cells)
+        );
+        ratios = internal(polyMeshTools::volRatio(mesh, mesh.cellVolumes()));
+    }
+};
+
+
+//- Number of values below a bound
+static label nBelow(const scalarField& values, const scalar bound)
+{
+    return std::count_if
+    (
+        values.begin(), values.end(), [&](const scalar x) { return x < bound; }
+    );
 }
 
 
@@ -57,71 +94,28 @@ TEST(facesBeyondBounds, areThoseOfPolyMesh)
     {
         const prismLayers layers(testSurfaces::shakenLayers(wall, 0.06));
         const facesBeyondBounds faces(countedIn(wall, layers, bounds));
-
         const memoryMesh memory(layers);
-        const polyMesh& mesh = memory();
-        const label n = mesh.nInternalFaces();
-        const auto internal = [&](const scalarField& all)
-        {
-            return scalarField(SubField<scalar>(all, n));
-        };
-        const scalarField cosines
-        (
-            internal
-            (
-                polyMeshTools::faceOrthogonality
-                (
-                    mesh, mesh.faceAreas(), mesh.cellCentres()
-                )
-            )
-        );
-        const scalarField skewness
-        (
-            internal
-            (
-                polyMeshTools::faceSkewness
-                (
-                    mesh, mesh.points(), mesh.faceCentres(), mesh.faceAreas(),
-                    mesh.cellCentres()
-                )
-            )
-        );
-        const scalarField weights
-        (
-            internal
-            (
-                polyMeshTools::faceWeights
-                (
-                    mesh, mesh.faceCentres(), mesh.faceAreas(),
-                    mesh.cellCentres()
-                )
-            )
-        );
-        const scalarField ratios
-        (
-            internal(polyMeshTools::volRatio(mesh, mesh.cellVolumes()))
-        );
+        const polyMeshMeasures m(memory());
 
-        EXPECT_EQ(faces.nFaces, n);
+        EXPECT_EQ(faces.nFaces, memory().nInternalFaces());
         EXPECT_NEAR
         (
-            faces.maxNonOrtho, radToDeg(::acos(min(cosines))), 1e-9
+            faces.maxNonOrtho, radToDeg(::acos(min(m.cosines))), 1e-9
         );
-        EXPECT_NEAR(faces.maxSkewness, max(skewness), 1e-9);
-        EXPECT_NEAR(faces.minWeight, min(weights), 1e-9);
-        EXPECT_NEAR(faces.minVolRatio, min(ratios), 1e-9);
+        EXPECT_NEAR
+        (
+            faces.meanNonOrtho(), radToDeg(::acos(average(m.cosines))), 1e-9
+        );
+        EXPECT_NEAR(faces.maxSkewness, max(m.skewness), 1e-9);
+        EXPECT_NEAR(faces.minWeight, min(m.weights), 1e-9);
+        EXPECT_NEAR(faces.minVolRatio, min(m.ratios), 1e-9);
 
-        const scalar cosine = ::cos(degToRad(bounds.maxNonOrtho));
         const label expected[] =
         {
-            count(cosines, [&](scalar x) { return x < cosine; }),
-            count
-            (
-                skewness,
-                [&](scalar x) { return x > bounds.maxInternalSkewness; }
-            ),
-            count(weights, [&](scalar x) { return x < bounds.minFaceWeight; }),
-            count(ratios, [&](scalar x) { return x < bounds.minVolRatio; })
+            nBelow(m.cosines, ::cos(degToRad(bounds.maxNonOrtho))),
+            nBelow(-m.skewness, -bounds.maxInternalSkewness),
+            nBelow(m.weights, bounds.minFaceWeight),
+            nBelow(m.ratios, bounds.minVolRatio)
         };
         for (label k = 0; k < 4; ++k)
         {
@@ -129,7 +123,7 @@ TEST(facesBeyondBounds, areThoseOfPolyMesh)
             EXPECT_EQ(faces.nBeyond[k], expected[k]) << k;
         }
         EXPECT_GE(faces.nPoor, expected[0]);
-        EXPECT_LE(faces.nPoor, n);
+        EXPECT_LE(faces.nPoor, faces.nFaces);
     }
 }
 

@@ -16,6 +16,7 @@
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 using namespace Foam;
+using testSurfaces::shakenLayers;
 
 static const label n = testSurfaces::nShaken;
 
@@ -42,7 +43,7 @@ TEST(layerGeometry, centresAreThoseOfPolyMesh)
 {
     for (const wallSurface& wall : walls())
     {
-        const prismLayers layers(testSurfaces::shakenLayers(wall));
+        const prismLayers layers(shakenLayers(wall));
         const layerGeometry geometry(layers, makeWallAddressing(wall));
         const memoryMesh mesh(layers);
 
@@ -62,7 +63,7 @@ TEST(layerGeometry, lacksAreThoseOfPolyMesh)
 
     for (const wallSurface& wall : walls())
     {
-        const prismLayers layers(testSurfaces::shakenLayers(wall));
+        const prismLayers layers(shakenLayers(wall));
         const layerGeometry geometry(layers, makeWallAddressing(wall));
         scalar sum = 0;
         forAll(wall.faces, facei)
@@ -107,7 +108,7 @@ TEST(layerGeometry, lacksAreThoseOfPolyMesh)
 
 TEST(layerGeometry, skewnessFromEitherSideIsTheSame)
 {
-    const prismLayers layers(testSurfaces::shakenLayers(testSurfaces::quadSphere(4)));
+    const prismLayers layers(shakenLayers(testSurfaces::quadSphere(4)));
     const memoryMesh memory(layers);
     const polyMesh& mesh = memory();
 
@@ -203,7 +204,7 @@ TEST(planarityLack, isMoreThanTheAimBehindATriangleOfEitherCut)
 
 TEST(planarityLack, isWherePolyMeshFindsNoBasePoint)
 {
-    const prismLayers layers(testSurfaces::shakenLayers(testSurfaces::quadSphere(4), 0.12));
+    const prismLayers layers(shakenLayers(testSurfaces::quadSphere(4), 0.12));
     const memoryMesh memory(layers);
     const polyMesh& mesh = memory();
     labelList counts(2, Zero);
@@ -267,7 +268,7 @@ TEST(layerGeometry, updateFollowsChanges)
 {
     const wallSurface wall(testSurfaces::sphere(4));
     const wallAddressing addressing(makeWallAddressing(wall));
-    prismLayers layers(testSurfaces::shakenLayers(wall));
+    prismLayers layers(shakenLayers(wall));
     layerGeometry geometry(layers, addressing);
     layers.points[layers.index(5, 2)] += vector(0.01, 0, 0);
     geometry.update(addressing.pointFaces[5]);
