@@ -1,0 +1,199 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "memoryMesh.H"
+#include "meshPiece.H"
+#include "testLayers.H"
+#include "testSurfaces.H"
+#include "StringStream.H"
+
+#include <gtest/gtest.h>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+using namespace Foam;
+
+static const label nProcessors = 3;
+
+//- A mesh in pieces, not all of which touch each other
+struct piecedMesh
+{
+    memoryMesh memory;
+    labelList processorOfCell;
+    List<meshPiece> pieces;
+
+    piecedMesh()
+    :
+        memory(testSurfaces::shakenLayers(testSurfaces::sphere(4))),
+        processorOfCell(memory().nCells()),
+        pieces(nProcessors)
+    {
+        forAll(processorOfCell, celli)
+        {
+            const scalar x = memory().cellCentres()[celli].x();
+            processorOfCell[celli] = x < -0.5 ? 0 : x < 0.5 ? 1 : 2;
+        }
+        forAll(pieces, i)
+        {
+            pieces[i] = makeMeshPiece(memory(), processorOfCell, i);
+        }
+    }
+
+    const polyMesh& mesh() const { return memory(); }
+
+    bool isBetween(const label facei) const
+    {
+        return facei < mesh().nInternalFaces()
+            && processorOfCell[mesh().faceOwner()[facei]]
+            != processorOfCell[mesh().faceNeighbour()[facei]];
+    }
+};
+
+
+//- First face to the k-th other process
+static label startOf(const meshPiece& piece, const label k)
+{
+    label start = piece.neighbour.size() + sum(piece.patchSizes);
+    for (label i = 0; i < k; ++i)
+    {
+        start += piece.processorSizes[i];
+    }
+
+    return start;
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(meshPiece, everyCellIsInOne)
+{
+    const piecedMesh m;
+    labelList n(m.mesh().nCells(), Zero);
+
+    for (const meshPiece& piece : m.pieces)
+    {
+        for (const label celli : piece.cellAddressing)
+        {
+            ++n[celli];
+        }
+        EXPECT_EQ
+        (
+            piece.points,
+            pointField(m.mesh().points(), piece.pointAddressing)
+        );
+    }
+
+    EXPECT_EQ(n, labelList(m.mesh().nCells(), 1));
+}
+
+
+TEST(meshPiece, facesAreThoseOfTheWholeMesh)
+{
+    const piecedMesh m;
+    labelList n(m.mesh().nFaces(), Zero);
+
+    for (const meshPiece& piece : m.pieces)
+    {
+        forAll(piece.faces, i)
+        {
+            const bool turned = piece.faceAddressing[i] < 0;
+            const label facei = mag(piece.faceAddressing[i]) - 1;
+            const face& f = m.mesh().faces()[facei];
+            face own(piece.faces[i]);
+            inplaceRenumber(piece.pointAddressing, own);
+
+            EXPECT_EQ(own, turned ? f.reverseFace() : f);
+            EXPECT_EQ
+            (
+                piece.cellAddressing[piece.owner[i]],
+                turned
+              ? m.mesh().faceNeighbour()[facei] : m.mesh().faceOwner()[facei]
+            );
+            ++n[facei];
+        }
+    }
+
+    forAll(n, facei)
+    {
+        EXPECT_EQ(n[facei], m.isBetween(facei) ? 2 : 1);
+    }
+}
+
+
+TEST(meshPiece, facesBetweenProcessesAreInOneOrder)
+{
+    const piecedMesh m;
+    EXPECT_EQ(m.pieces[0].processors, labelList(1, 1));
+    EXPECT_EQ(m.pieces[1].processors, labelList({0, 2}));
+
+    for (const label other : {0, 2})
+    {
+        const meshPiece& a = m.pieces[1];
+        const meshPiece& b = m.pieces[other];
+        const label k = a.processors.find(other);
+        EXPECT_EQ(a.processorSizes[k], b.processorSizes[0]);
+
+        for (label i = 0; i < a.processorSizes[k]; ++i)
+        {
+            EXPECT_EQ
+            (
+                a.faceAddressing[startOf(a, k) + i],
+                -b.faceAddressing[startOf(b, 0) + i]
+            );
+        }
+    }
+}
+
+
+TEST(meshPiece, becomesAMeshInUpperTriangularOrder)
+{
+    piecedMesh m;
+    const Time& time = m.mesh().time();
+
+    forAll(m.pieces, i)
+    {
+        const label nCells = m.pieces[i].cellAddressing.size();
+        const autoPtr<polyMesh> mesh
+        (
+            makePolyMesh
+            (
+                IOobject("piece" + name(i), time.constant(), time),
+                i, m.pieces[i]
+            )
+        );
+
+        EXPECT_EQ(mesh->nCells(), nCells);
+        EXPECT_FALSE(mesh->checkUpperTriangular());
+        EXPECT_EQ(mesh->boundaryMesh().last().type(), "processor");
+        EXPECT_FALSE(mesh->boundaryMesh().checkDefinition());
+    }
+}
+
+
+TEST(meshPiece, isReadAsItWasWritten)
+{
+    const meshPiece piece(piecedMesh().pieces[1]);
+    OStringStream out(IOstream::BINARY);
+    out << piece;
+    IStringStream in(out.str(), IOstream::BINARY);
+    meshPiece read;
+    in >> read;
+
+    EXPECT_EQ(read.points, piece.points);
+    EXPECT_EQ(read.faces, piece.faces);
+    EXPECT_EQ(read.owner, piece.owner);
+    EXPECT_EQ(read.patchNames, piece.patchNames);
+    EXPECT_EQ(read.processorSizes, piece.processorSizes);
+    EXPECT_EQ(read.zones, piece.zones);
+    EXPECT_EQ(read.faceAddressing, piece.faceAddressing);
+    EXPECT_EQ
+    (
+        read.boundaryAddressing().size(),
+        piece.patchNames.size() + piece.processors.size()
+    );
+}
+
+
+// ************************************************************************* //
