@@ -38,6 +38,10 @@ Usage
         surface.remesh says, and write it to
         constant/triSurface/<name>.prepared.obj, but no mesh
 
+      - \par -parallel
+        Write the mesh in pieces, one for each process, as
+        system/decomposeParDict says, never divided through a stack of cells
+
       - \par -writeFields
         Write VTK files of the envelope, the background mesh with its fields,
         the columns, the layers, and the wall with what was reached on it; how
@@ -65,7 +69,7 @@ using namespace Foam;
 
 static void addOptions()
 {
-    argList::noParallel();
+    argList::noCheckProcessorDirectories();
     argList::addNote
     (
         "Make n layers of prisms on all of a wall surface: the boundary-layer"
@@ -262,10 +266,23 @@ int main(int argc, char *argv[])
     #include "createTime.H"
 
     const prismCase files(args, runTime);
-    prismLayerControls controls(readPrismLayerControls(files.dict()));
 
-    stageLog log;
+    if (!files.team().isMaster())
+    {
+        return files.writePiece() ? 0 : 1;
+    }
+
     const bool checkOnly = args.found("checkSurface");
+    const bool prepareOnly = args.found("prepareSurface");
+    if (files.team().isParallel() && (checkOnly || prepareOnly))
+    {
+        FatalErrorInFunction
+            << "-checkSurface and -prepareSurface are for one process, without"
+            << " -parallel" << exit(FatalError);
+    }
+
+    prismLayerControls controls(readPrismLayerControls(files.dict()));
+    stageLog log;
     const fileNameList surfaceFiles(files.surfaceFiles(controls.surface));
     const preparedWall given
     (
@@ -279,7 +296,7 @@ int main(int argc, char *argv[])
 
     const fileName preparedFile(files.preparedFile(surfaceFiles));
 
-    if (args.found("prepareSurface"))
+    if (prepareOnly)
     {
         files.writePrepared(preparedFile, given.prepared.surface);
         Info<< "End" << nl << endl;

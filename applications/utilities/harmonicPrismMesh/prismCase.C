@@ -56,7 +56,8 @@ Foam::prismCase::prismCase(const argList& args, Time& time)
     args_(args),
     time_(time),
     region_(args.lookupOrDefault<word>("region", polyMesh::defaultRegion)),
-    dict_(dictObject(args, time))
+    dict_(dictObject(args, time)),
+    team_(time)
 {}
 
 
@@ -75,13 +76,21 @@ void Foam::prismCase::checkOverwrite(const UList<fileName>& surfaces) const
         }
     }
 
-    const fileName folder(polyMeshFolder());
-
-    if (!args_.found("overwrite") && isDir(folder))
+    for (label processor = 0; processor < team_.size(); ++processor)
     {
-        FatalErrorInFunction
-            << "There is a mesh already: " << folder << nl
-            << "Use -overwrite to replace it" << exit(FatalError);
+        const fileName folder
+        (
+            team_.isParallel()
+          ? time_.globalPath()/("processor" + name(processor))/polyMeshPath()
+          : polyMeshFolder()
+        );
+
+        if (!args_.found("overwrite") && isDir(folder))
+        {
+            FatalErrorInFunction
+                << "There is a mesh already: " << folder << nl
+                << "Use -overwrite to replace it" << exit(FatalError);
+        }
     }
 }
 
@@ -149,31 +158,29 @@ void Foam::prismCase::writeOuter
 }
 
 
-Foam::autoPtr<Foam::polyMesh> Foam::prismCase::writeMesh
+Foam::IOobject Foam::prismCase::meshObject() const
+{
+    return IOobject
+    (
+        region_, time_.constant(), time_,
+        IOobject::NO_READ, IOobject::AUTO_WRITE
+    );
+}
+
+
+void Foam::prismCase::writeMesh
 (
-    prismLayerMesh& m,
+    const polyMesh& mesh,
+    const meshPiece* piece,
     replacedFiles& files
 ) const
 {
-    autoPtr<polyMesh> mesh
-    (
-        makePrismPolyMesh
-        (
-            m.made.layers,
-            m.farField,
-            IOobject
-            (
-                region_, time_.constant(), time_,
-                IOobject::NO_READ, IOobject::AUTO_WRITE
-            )
-        )
-    );
-
     // The scratch folder is the case while the mesh is written
     const fileName scratch(files.scratch(polyMeshFolder(), polyMeshPath()));
     const fileName caseName(time_.caseName());
     time_.caseName() = scratch.relative(time_.rootPath());
-    const bool written = mesh->write();
+    const bool written =
+        mesh.write() && (!piece || writeAddressing(mesh, *piece));
     time_.caseName() = caseName;
 
     if (!written)
@@ -187,8 +194,74 @@ Foam::autoPtr<Foam::polyMesh> Foam::prismCase::writeMesh
     {
         checkEnd(folder/file, dividerEnd);
     }
+}
+
+
+Foam::autoPtr<Foam::polyMesh> Foam::prismCase::writeMesh
+(
+    prismLayerMesh& m,
+    replacedFiles& files
+) const
+{
+    const label nStacks = m.made.layers.faces.size();
+    const label nLayers = m.made.layers.nLayers;
+    autoPtr<polyMesh> mesh
+    (
+        makePrismPolyMesh(m.made.layers, m.farField, meshObject())
+    );
+
+    if (team_.isParallel())
+    {
+        meshPiece piece(team_.sendPieces(mesh(), nStacks, nLayers));
+        const autoPtr<polyMesh> own
+        (
+            makePolyMesh(meshObject(), team_.processor(), piece)
+        );
+        writeMesh(own(), &piece, files);
+        team_.requireWritten();
+    }
+    else
+    {
+        writeMesh(mesh(), nullptr, files);
+    }
 
     return mesh;
+}
+
+
+bool Foam::prismCase::writePiece() const
+{
+    meshPiece piece(team_.receivePiece());
+    replacedFiles files;
+    string failure;
+    throwErrors(true);
+    IOstream::defaultPrecision(17);
+
+    try
+    {
+        const autoPtr<polyMesh> mesh
+        (
+            makePolyMesh(meshObject(), team_.processor(), piece)
+        );
+        writeMesh(mesh(), &piece, files);
+    }
+    catch (const Foam::error& e)
+    {
+        failure = e.message();
+    }
+
+    const bool all = team_.tellWritten(failure);
+    if (all)
+    {
+        files.replaceAll();
+    }
+    else
+    {
+        files.removeScratch();
+    }
+    throwErrors(false);
+
+    return all;
 }
 
 

@@ -27,7 +27,7 @@ Foam::fileName Foam::prismCase::polyMeshFolder() const
 
 Foam::fileName Foam::prismCase::reportFolder() const
 {
-    return time_.path()/"postProcessing"/"harmonicPrismMesh"
+    return time_.globalPath()/"postProcessing"/"harmonicPrismMesh"
        /(region_ == polyMesh::defaultRegion ? word::null : region_);
 }
 
@@ -52,8 +52,8 @@ Foam::fileName Foam::prismCase::surfaceFile(const fileName& name) const
     }
 
     return name.find('/') == std::string::npos
-      ? time_.path()/time_.constant()/"triSurface"/name
-      : time_.path()/name;
+      ? time_.globalPath()/time_.constant()/"triSurface"/name
+      : time_.globalPath()/name;
 }
 
 
@@ -79,7 +79,7 @@ Foam::fileName Foam::prismCase::surfaceOf(const word& name) const
         region_ == polyMesh::defaultRegion ? name : word(name + '_' + region_)
     );
 
-    return time_.path()/time_.constant()/"triSurface"/(stem + ".obj");
+    return time_.globalPath()/time_.constant()/"triSurface"/(stem + ".obj");
 }
 
 

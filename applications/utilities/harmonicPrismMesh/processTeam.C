@@ -1,0 +1,195 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "processTeam.H"
+#include "decompositionMethod.H"
+#include "IOdictionary.H"
+#include "IPstream.H"
+#include "OPstream.H"
+#include "Time.H"
+
+#include <unistd.h>
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- How often a process that waits looks for the master [microseconds]. Waiting
+//  messages of MPI keep a processor busy, which the master's threads need.
+static const unsigned lookInterval = 5000;
+
+static const auto blocking = UPstream::commsTypes::scheduled;
+
+
+static void setParallel(const bool on)
+{
+    #if OPENFOAM >= 2106
+    UPstream::parRun(on);
+    #else
+    UPstream::parRun() = on;
+    #endif
+}
+
+
+//- By stack of layers, and by other cell: the processes of all cells
+static labelList processorsOfCells
+(
+    const decompositionMethod& decomposition,
+    const polyMesh& mesh,
+    const label nStacks,
+    const label nLayers
+)
+{
+    const label nLayerCells = nStacks*nLayers;
+    const label nParts = nStacks + mesh.nCells() - nLayerCells;
+    labelList parts(mesh.nCells());
+    pointField centres(nParts, Zero);
+    scalarField weights(nParts, Zero);
+
+    forAll(parts, celli)
+    {
+        parts[celli] = celli < nLayerCells
+          ? celli/nLayers : nStacks + celli - nLayerCells;
+        centres[parts[celli]] += mesh.cellCentres()[celli];
+        weights[parts[celli]] += 1;
+    }
+    centres /= weights;
+
+    return decomposition.decompose(mesh, parts, centres, weights);
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+processTeam::processTeam(const Time& time)
+:
+    parallel_(UPstream::parRun()),
+    nProcesses_(parallel_ ? UPstream::nProcs() : 1),
+    processor_(parallel_ ? UPstream::myProcNo() : 0)
+{
+    if (parallel_)
+    {
+        decomposeParDict_ = IOdictionary
+        (
+            IOobject
+            (
+                "decomposeParDict", time.system(), time,
+                IOobject::MUST_READ, IOobject::NO_WRITE, false
+            )
+        );
+    }
+
+    setParallel(false);
+
+    if (parallel_ && isMaster())
+    {
+        const label n = decomposeParDict_.get<label>("numberOfSubdomains");
+        if (n != nProcesses_)
+        {
+            FatalErrorInFunction
+                << "numberOfSubdomains of decomposeParDict is " << n
+                << ", but there are " << nProcesses_ << " processes"
+                << exit(FatalError);
+        }
+        decomposition_ = decompositionMethod::New(decomposeParDict_);
+    }
+}
+
+
+processTeam::~processTeam()
+{
+    setParallel(parallel_);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+meshPiece processTeam::sendPieces
+(
+    const polyMesh& mesh,
+    const label nStacks,
+    const label nLayers
+) const
+{
+    const labelList processors
+    (
+        processorsOfCells(decomposition_(), mesh, nStacks, nLayers)
+    );
+
+    for (label other = 1; other < nProcesses_; ++other)
+    {
+        const char now = 1;
+        UOPstream::write(blocking, other, &now, 1);
+        OPstream stream(blocking, other);
+        stream << makeMeshPiece(mesh, processors, other);
+    }
+
+    return makeMeshPiece(mesh, processors, 0);
+}
+
+
+void processTeam::requireWritten() const
+{
+    string failure;
+    for (label other = 1; other < nProcesses_; ++other)
+    {
+        string message;
+        IPstream stream(blocking, other);
+        stream >> message;
+        if (failure.empty() && message.size())
+        {
+            failure = "Process " + name(other) + ": " + message;
+        }
+    }
+    for (label other = 1; other < nProcesses_; ++other)
+    {
+        OPstream stream(blocking, other);
+        stream << failure.empty();
+    }
+
+    if (failure.size())
+    {
+        FatalErrorInFunction << failure.c_str() << exit(FatalError);
+    }
+}
+
+
+meshPiece processTeam::receivePiece() const
+{
+    char now = 0;
+    const label request = UPstream::nRequests();
+    UIPstream::read(UPstream::commsTypes::nonBlocking, 0, &now, 1);
+    while (!UPstream::finishedRequest(request))
+    {
+        usleep(lookInterval);
+    }
+    UPstream::resetRequests(request);
+
+    meshPiece piece;
+    IPstream stream(blocking, 0);
+    stream >> piece;
+
+    return piece;
+}
+
+
+bool processTeam::tellWritten(const string& message) const
+{
+    {
+        OPstream stream(blocking, 0);
+        stream << message;
+    }
+
+    bool all = false;
+    IPstream stream(blocking, 0);
+    stream >> all;
+
+    return all;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
