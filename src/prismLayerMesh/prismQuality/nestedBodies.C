@@ -11,6 +11,8 @@
 #include "DynamicList.H"
 #include "Map.H"
 
+#include <algorithm>
+
 namespace Foam
 {
 
@@ -54,6 +56,7 @@ static boundBox boundsOf
 }
 
 
+//- None if there is only one
 static List<frontBody> findBodies(const prismLayers& layers)
 {
     disjointSets columns(layers.nColumns());
@@ -66,6 +69,17 @@ static List<frontBody> findBodies(const prismLayers& layers)
         }
     }
 
+    const label first = columns.find(layers.faces[0][0]);
+    const bool isOne = std::all_of
+    (
+        layers.faces.begin(), layers.faces.end(),
+        [&](const face& f) { return columns.find(f[0]) == first; }
+    );
+    if (isOne)
+    {
+        return List<frontBody>();
+    }
+
     Map<DynamicList<label>> faces;
 
     forAll(layers.faces, facei)
@@ -76,20 +90,16 @@ static List<frontBody> findBodies(const prismLayers& layers)
     List<frontBody> bodies(faces.size());
     label bodyi = 0;
 
-    for (const label first : faces.sortedToc())
+    for (const label column : faces.sortedToc())
     {
         frontBody& body = bodies[bodyi++];
-        body.faces = faces[first];
-        body.root = layers(first, 0);
+        body.faces = faces[column];
+        body.root = layers(column, 0);
     }
 
-    // One needs no more
     for (frontBody& body : bodies)
     {
-        body.bounds =
-            bodies.size() > 1
-          ? boundsOf(layers, body.faces, 0, layers.nLayers)
-          : boundBox();
+        body.bounds = boundsOf(layers, body.faces, 0, layers.nLayers);
     }
 
     return bodies;

@@ -5,6 +5,7 @@
 
 #include "nestedBodies.H"
 #include "labelledTriangle.H"
+#include "markedGrid.H"
 #include "prismQuality.H"
 #include "sideCrossings.H"
 
@@ -53,6 +54,41 @@ static bool addTriangles
 }
 
 
+static boundBox boxOf
+(
+    const prismLayers& layers,
+    const face& f,
+    const label level
+)
+{
+    boundBox box(boundBox::invertedBox);
+    for (const label c : f)
+    {
+        box.add(layers(c, level));
+    }
+
+    return box;
+}
+
+
+//- Of the outer surface
+static std::vector<boundBox> boxesOf
+(
+    const prismLayers& layers,
+    const labelUList& faces
+)
+{
+    std::vector<boundBox> boxes;
+    boxes.reserve(faces.size());
+    for (const label facei : faces)
+    {
+        boxes.push_back(boxOf(layers, layers.faces[facei], layers.nLayers));
+    }
+
+    return boxes;
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 List<labelPair> findIntersections(const prismLayers& layers)
@@ -91,23 +127,41 @@ List<labelPair> findIntersections
 
     // Each pair has one of the first
     std::vector<labelledTriangle> first, second;
-
-    forAll(layers.faces, facei)
+    forAll(candidates, facei)
     {
-        auto& outer = candidates[facei] ? first : second;
-
         if
         (
-            addTriangles(layers, facei, layers.nLayers, outer)
-         && candidates[facei]
+            candidates[facei]
+         && addTriangles(layers, facei, layers.nLayers, first)
         )
         {
             const label outerFace = layers.faces.size() + facei;
             pairs.append(labelPair(outerFace, outerFace));
         }
+    }
 
+    const markedGrid grid(boxesOf(layers, outerFaces));
+    List<FixedList<bool, 2>> near(layers.faces.size());
+
+    #pragma omp parallel for schedule(static, 1024)
+    forAll(near, facei)
+    {
+        const face& f = layers.faces[facei];
+        near[facei][0] = grid.mayTouch(boxOf(layers, f, 0));
+        near[facei][1] = !candidates[facei]
+            && grid.mayTouch(boxOf(layers, f, layers.nLayers));
+    }
+
+    forAll(near, facei)
+    {
         // Where the wall is degenerate it is nothing its neighbours are not
-        addTriangles(layers, facei, 0, second);
+        for (const label side : {1, 0})
+        {
+            if (near[facei][side])
+            {
+                addTriangles(layers, facei, side*layers.nLayers, second);
+            }
+        }
     }
 
     addIntersections(first, second, pairs);
