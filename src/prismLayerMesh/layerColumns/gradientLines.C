@@ -234,6 +234,7 @@ gradientLines makeGradientLines
 
     const lineTracer tracer(mesh, field, wallPoints, wallDirections);
 
+    #pragma omp parallel for schedule(dynamic, 256)
     forAll(wallPoints, line)
     {
         tracer.trace

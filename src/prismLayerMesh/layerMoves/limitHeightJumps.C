@@ -32,10 +32,10 @@ static heightLimits firstHeights
     first.largest.setSize(front.nWallFaces, 0);
     first.neighbours = neighbours;
 
-    stackHeights stack(layers);
-
+    #pragma omp parallel for schedule(static, 256)
     forAll(first.faces, facei)
     {
+        stackHeights stack(layers);
         const face& f = first.faces[facei];
         const vector& n = normals[facei];
         scalarList& heights = first.heights[facei];

@@ -23,6 +23,35 @@ static const scalar fullFirstShare = 0.99;
 static const scalar narrowCosine = 0.5;
 
 
+//- Whether a face is too low, and none of its columns has a cause
+static bool isLowWithoutCause
+(
+    const layerSpacing& graded,
+    const madeLayers& made,
+    const label facei
+)
+{
+    const face& f = made.layers.faces[facei];
+    const auto hasCause = [&](const label c)
+    {
+        return made.causes[c] != squeezeCause::none;
+    };
+
+    if (std::any_of(f.begin(), f.end(), hasCause))
+    {
+        return false;
+    }
+
+    const scalarField first(graded.firstThickness, f);
+    const scalarField thickness(graded.thickness, f);
+    stackHeights stack(made.layers);
+    stack.compute(facei);
+
+    return stack.heights()[0] < fullFirstShare*average(first)
+        || sum(stack.heights()) < fullShare*average(thickness);
+}
+
+
 //- Columns of faces that are too low, where none has a cause
 static labelList lowColumns
 (
@@ -31,39 +60,20 @@ static labelList lowColumns
     const madeLayers& made
 )
 {
-    const prismLayers& layers = made.layers;
-    stackHeights stack(layers);
-    DynamicList<label> low;
+    boolList isLow(front.nWallFaces);
 
-    for (label facei = 0; facei < front.nWallFaces; ++facei)
+    #pragma omp parallel for schedule(static, 256)
+    forAll(isLow, facei)
     {
-        const face& f = layers.faces[facei];
-        const bool without = std::all_of
-        (
-            f.begin(),
-            f.end(),
-            [&](const label c)
-            {
-                return made.causes[c] == squeezeCause::none;
-            }
-        );
+        isLow[facei] = isLowWithoutCause(graded, made, facei);
+    }
 
-        if (!without)
+    DynamicList<label> low;
+    forAll(isLow, facei)
+    {
+        if (isLow[facei])
         {
-            continue;
-        }
-
-        const scalarField first(graded.firstThickness, f);
-        const scalarField thickness(graded.thickness, f);
-        stack.compute(facei);
-
-        if
-        (
-            stack.heights()[0] < fullFirstShare*average(first)
-         || sum(stack.heights()) < fullShare*average(thickness)
-        )
-        {
-            low.append(f);
+            low.append(made.layers.faces[facei]);
         }
     }
 

@@ -26,11 +26,11 @@ faceHeights makeFaceHeights
     result.totalOverRequest.setSize(nFaces);
     result.growthOverRequest.setSize(nFaces*(n - 1));
 
-    stackHeights stack(layers);
-
+    #pragma omp parallel for schedule(static, 256)
     forAll(wall.faces, facei)
     {
         const face& f = wall.faces[facei];
+        stackHeights stack(layers);
         stack.compute(facei);
         const scalarField& heights = stack.heights();
         const scalar ratio = average(scalarField(request.ratio, f));
