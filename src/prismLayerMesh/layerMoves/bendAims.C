@@ -18,6 +18,11 @@ void bendAims::hold(const layerEditor& editor, const labelUList& columns)
 
     for (const label c : columns)
     {
+        if (places.insert(c, pointField()))
+        {
+            places[c] = editor.state(c).points;
+        }
+
         for (const label facei : pointFaces[c])
         {
             if

@@ -186,6 +186,22 @@ void columnCells::addLacks(DynamicList<scalar>& residuals) const
 }
 
 
+void columnCells::addDisplacements(DynamicList<scalar>& residuals) const
+{
+    const label n = layers_.nLayers;
+    const scalar height = mag(places_.last() - layers_(column_, 0));
+
+    for (const label i : {(n + 1)/2, n})
+    {
+        const vector d((layers_(column_, i) - places_[i - 1])/height);
+        for (direction k = 0; k < vector::nComponents; ++k)
+        {
+            residuals.append(controls_.displacementWeight*d[k]);
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 columnCells::columnCells
@@ -198,7 +214,9 @@ columnCells::columnCells
 :
     layers_(editor.layers()),
     aims_(aims),
-    controls_(editor.controls())
+    controls_(editor.controls()),
+    column_(column),
+    places_(aims.places[column])
 {
     const labelList& around = editor.front().addressing.pointFaces[column];
     const label n = layers_.nLayers;
@@ -274,6 +292,7 @@ scalar columnCells::evaluate(DynamicList<scalar>& residuals)
     }
 
     addLacks(residuals);
+    addDisplacements(residuals);
 
     scalar sum = 0;
     for (const scalar r : residuals)
