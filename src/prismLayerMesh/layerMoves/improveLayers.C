@@ -67,7 +67,7 @@ class improvement
     void settle();
 
     //- Bend columns of faces that are beyond bounds. The geometry is up to date
-    //  before and after. Returns the columns that bent.
+    //  before and after. Returns the columns that bent and stay so.
     labelHashSet bendTo
     (
         const faceAims& bounds,
@@ -321,9 +321,19 @@ labelHashSet improvement::bendTo
         aims.hold(editor_, columns);
 
         const label then = editor_.now();
-        bent.insert(bendColumns(editor_, geometry, aims, columns, atFault));
+        const labelList tried
+        (
+            bendColumns(editor_, geometry, aims, columns, atFault)
+        );
         settle();
 
+        for (const label c : tried)
+        {
+            if (!barred_[c])
+            {
+                bent.insert(c);
+            }
+        }
         looked = editor_.touchedSince(then);
         geometry.update(looked);
     }
