@@ -143,6 +143,7 @@ void columnCells::addLacks(DynamicList<scalar>& residuals) const
         residuals.append(cosineLack(f.area, b - a, aims_.faces.cosine));
         residuals.append(skewnessExcess(f, points, a, b, aims_.faces.skewness));
     };
+
     for (const stack& s : stacks_)
     {
         for (label i = 1; i < layers_.nLayers; ++i)

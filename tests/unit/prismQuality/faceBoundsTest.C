@@ -168,15 +168,7 @@ TEST(facesBeyondBounds, poorTetrahedraAreBelowTheBound)
 
 TEST(facesBeyondBounds, knowWhatTheWallBrings)
 {
-    // Two triangles in a plane, of which one is far longer than the other:
-    // their centres are 80 degrees aside
-    wallSurface wall;
-    wall.points = pointField
-    ({{0, 0, 0}, {1, 0, 0}, {0.5, 0.1, 0}, {6, -0.1, 0}});
-    wall.faces = {face({0, 1, 2}), face({0, 3, 1})};
-    wall.patchIDs = labelList(2, Zero);
-    wall.patchNames = {"wall"};
-
+    const wallSurface wall(testSurfaces::unequalTriangles());
     const prismLayers layers
     (
         testSurfaces::straightLayers(wall, scalarList({0, 0.01, 0.02}))

@@ -147,13 +147,7 @@ static scalar lackOfRaised
 
 TEST(layerGeometry, sidesNeedNotBeBetterThanTheWall)
 {
-    // The centres of a short and of a long triangle are far aside
-    wallSurface wall;
-    wall.points = pointField
-    ({{0, 0, 0}, {1, 0, 0}, {0.5, 0.1, 0}, {6, -0.1, 0}});
-    wall.faces = {face({0, 1, 2}), face({0, 3, 1})};
-    wall.patchIDs = labelList(2, Zero);
-    wall.patchNames = {"wall"};
+    const wallSurface wall(testSurfaces::unequalTriangles());
     prismLayers layers
     (
         testSurfaces::straightLayers(wall, scalarList({0, 0.01, 0.02}))

@@ -85,6 +85,19 @@ wallSurface testSurfaces::sheet(const label n, const scalar height)
 }
 
 
+wallSurface testSurfaces::unequalTriangles()
+{
+    wallSurface wall;
+    wall.points = pointField
+    ({{0, 0, 0}, {1, 0, 0}, {0.5, 0.1, 0}, {6, -0.1, 0}});
+    wall.faces = {face({0, 1, 2}), face({0, 3, 1})};
+    wall.patchIDs = labelList(2, Zero);
+    wall.patchNames = {"wall"};
+
+    return wall;
+}
+
+
 sidePatch testSurfaces::sidePlane
 (
     const word& name,
