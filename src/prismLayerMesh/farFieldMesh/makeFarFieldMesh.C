@@ -222,7 +222,7 @@ static tetMesh fill
 static void improve(const prismLayers& layers, farFieldMesh& mesh)
 {
     splitCornerCells(mesh);
-    mesh.neighbours = tetNeighbours(mesh.tets);
+    mesh.neighbours = tetNeighbours(mesh.tets, mesh.points.size());
     movePoorPoints
     (
         layerCentres(layers, mesh), degToRad(farFieldTuned.poorAngle), mesh

@@ -31,7 +31,7 @@ static farFieldMesh filledCube(const label n)
     mesh.tets = filled.tets;
     mesh.nBoundaryPoints = cube.points.size();
     mesh.boundaryTriangles = cube.faces;
-    mesh.neighbours = tetNeighbours(mesh.tets);
+    mesh.neighbours = tetNeighbours(mesh.tets, mesh.points.size());
 
     return mesh;
 }
@@ -56,7 +56,11 @@ static labelPair boundaryFaces(const farFieldMesh& mesh)
 {
     labelPair most(0, 0);
 
-    for (const FixedList<label, 4>& beyond : tetNeighbours(mesh.tets))
+    const List<FixedList<label, 4>> neighbours
+    (
+        tetNeighbours(mesh.tets, mesh.points.size())
+    );
+    for (const FixedList<label, 4>& beyond : neighbours)
     {
         label n = 0;
         for (const label t : beyond)
@@ -106,7 +110,7 @@ TEST(movePoorPoints, makesFacesMoreOrthogonal)
             Swap(tet[0], tet[1]);
         }
     }
-    mesh.neighbours = tetNeighbours(mesh.tets);
+    mesh.neighbours = tetNeighbours(mesh.tets, mesh.points.size());
 
     const pointField before(mesh.points);
     movePoorPoints(pointField(), degToRad(30), mesh);
