@@ -200,12 +200,16 @@ static prismLayerMesh makeMesh
     const wallSurface& wall,
     const prismLayerControls& controls,
     const localHeights& local,
+    const bool wholeFields,
     stageLog& log
 )
 {
     try
     {
-        return makePrismLayerMesh(wall, controls, local, log.observer());
+        return makePrismLayerMesh
+        (
+            wall, controls, local, log.observer(), wholeFields
+        );
     }
     catch (const wallPointsError& failure)
     {
@@ -242,14 +246,18 @@ static void meshWall
             time, log
         )
     );
-    prismLayerMesh result(makeMesh(files, wall, controls, local, log));
+    const bool pictures = args.found("writeFields");
+    prismLayerMesh result
+    (
+        makeMesh(files, wall, controls, local, pictures, log)
+    );
 
     if (controls.farField.isWanted())
     {
         addFarField(controls.farField, domain, log.observer(), result);
     }
 
-    if (args.found("writeFields"))
+    if (pictures)
     {
         files.writeFields(wall, result);
     }

@@ -87,14 +87,14 @@ static simplexSet findBridges
 //  common neighbour on the wall
 static bool isTip
 (
-    const wallAddressing& addressing,
+    const labelListList& pointPoints,
     const label a,
     const label b
 )
 {
-    for (const label p : addressing.pointPoints[a])
+    for (const label p : pointPoints[a])
     {
-        if (addressing.pointPoints[b].found(p))
+        if (pointPoints[b].found(p))
         {
             return true;
         }
@@ -109,7 +109,7 @@ static bool isTip
 label splitWallBridges
 (
     const faceList& wallTriangles,
-    const wallAddressing& addressing,
+    const labelListList& pointPoints,
     const wallSearch& search,
     backgroundMesh& mesh
 )
@@ -127,7 +127,7 @@ label splitWallBridges
         free.append
         (
             s[0] >= 0
-         || isTip(addressing, s[1], s[2])
+         || isTip(pointPoints, s[1], s[2])
          || search.nearer(points.last(), domainControls::bridgeShare*gap)
         );
     }

@@ -35,9 +35,12 @@ namespace Foam
     const rlimit none{0, 0};
     ::setrlimit(RLIMIT_CORE, &none);
 
-    // At the first it gets SIGXCPU, at the second it is killed
-    const rlimit cpu{cpuSeconds, cpuSeconds + 1};
-    ::setrlimit(RLIMIT_CPU, &cpu);
+    if (cpuSeconds > 0)
+    {
+        // At the first it gets SIGXCPU, at the second it is killed
+        const rlimit cpu{cpuSeconds, cpuSeconds + 1};
+        ::setrlimit(RLIMIT_CPU, &cpu);
+    }
 
     const int null = ::open("/dev/null", O_WRONLY);
     ::dup2(null, STDOUT_FILENO);
@@ -78,7 +81,8 @@ processEnd isolatedProcess
         return processEnd::failed;
     }
 
-    std::fflush(nullptr);
+    // What other threads read is locked: nothing is flushed here, nor in the
+    // child, which ends without that
     const pid_t child = ::fork();
 
     if (child == 0)

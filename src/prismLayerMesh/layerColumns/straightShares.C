@@ -5,7 +5,6 @@
 
 #include "straightShares.H"
 #include "columnControls.H"
-#include "diffusionTensor.H"
 #include "wallSmoother.H"
 
 namespace Foam
@@ -16,17 +15,12 @@ namespace Foam
 scalarField straightShares
 (
     const layerFront& front,
-    const backgroundMesh& mesh,
-    const scalarField& isotropic,
+    const scalarField& slopes,
     const scalarField& thickness
 )
 {
     const scalar from = columnControls::concaveSlope;
     const scalar to = columnControls::convexSlope;
-    const scalarField slopes
-    (
-        mag(scaledGradients(mesh, isotropic)), front.wallPoints
-    );
     scalarField shares(min(max((slopes - from)/(to - from), 0.0), 1.0));
 
     wallSmoother(front.surface, front.addressing).smooth

@@ -85,9 +85,7 @@ static void attempt
     }
     catch (const Foam::error& e)
     {
-        const offsetEnvelope envelope(std::move(fields.envelope));
         fields = wallFields();
-        fields.envelope = envelope;
         fields.failure = e.message();
         sizes = fields.failure;
     }
@@ -126,7 +124,7 @@ static string makeAnisotropicField(const fieldControls& controls, wallFields& f)
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-wallFields makeFields
+offsetEnvelope makeEnvelope
 (
     const wallSurface& wall,
     const wallAddressing& addressing,
@@ -138,20 +136,38 @@ wallFields makeFields
     const stageObserver& observer
 )
 {
-    wallFields f;
     const scalarField wanted(controls.envelope.scale*thickness);
 
     observer.begin("offsetEnvelope");
-    f.envelope = makeOffsetEnvelope
+    const offsetEnvelope envelope
     (
-        wall, addressing, search, visibility, min(wanted, clearance), wanted,
-        controls.backgroundMesh
+        makeOffsetEnvelope
+        (
+            wall, addressing, search, visibility, min(wanted, clearance),
+            wanted, controls.backgroundMesh
+        )
     );
-    observer.end(sizesOf(f.envelope));
+    observer.end(sizesOf(envelope));
+
+    return envelope;
+}
+
+
+wallFields makeFields
+(
+    const wallSurface& wall,
+    const wallAddressing& addressing,
+    const wallSearch& search,
+    const offsetEnvelope& envelope,
+    const fieldControls& controls,
+    const stageObserver& observer
+)
+{
+    wallFields f;
 
     attempt("backgroundMesh", observer, f, [&]()
     {
-        f.background = makeBackgroundMesh(wall, addressing, search, f.envelope);
+        f.background = makeBackgroundMesh(wall, addressing, search, envelope);
         f.topology = wallLevelSetTopology(f.background);
         requireHomeomorphic(f.topology, wallTopology(wall, addressing));
 
@@ -164,7 +180,7 @@ wallFields makeFields
         (
             makeMonotoneField
             (
-                f.background, cotangentWeights(f.background), controls.field
+                f.background, cotangentWeights(f.background), controls
             )
         );
         f.isotropic = field.values;
@@ -174,10 +190,31 @@ wallFields makeFields
 
     attempt("anisotropicField", observer, f, [&]()
     {
-        return makeAnisotropicField(controls.field, f);
+        return makeAnisotropicField(controls, f);
     });
 
     return f;
+}
+
+
+columnLines makeLinesOfPieces
+(
+    const dividedWall& wall,
+    const columnStarts& starts,
+    const fieldControls& controls,
+    const stageObserver& observer,
+    string& failure
+)
+{
+    observer.begin("columnLines");
+    const columnLines made(makeColumnLines(wall, starts, controls, failure));
+    if (failure.size())
+    {
+        failure = "of a piece of the wall: " + failure;
+    }
+    observer.end(text(wall.parts.size(), " pieces ", failure.c_str()));
+
+    return made;
 }
 
 

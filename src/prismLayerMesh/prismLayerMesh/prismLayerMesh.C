@@ -26,6 +26,7 @@ class pipeline
     const wallSurface& wall_;
     const prismLayerControls& controls_;
     const stageObserver& observer_;
+    const bool wholeFields_;
     const wallSearch search_;
 
     prismLayerMesh m_;
@@ -41,7 +42,15 @@ class pipeline
     //  in front of it
     void makeFront(scalar angle);
 
+    //- Divide a closed wall that is large into pieces
+    void divide();
+
     void makeField();
+
+    //- The lines of the isotropic field, the exact and the smooth one: on the
+    //  lines of the others columns beside concave edges cross
+    columnLines linesOfField(const columnStarts& starts);
+
     void makeColumns();
 
     //- Certified layers
@@ -58,12 +67,14 @@ public:
     (
         const wallSurface& wall,
         const prismLayerControls& controls,
-        const stageObserver& observer
+        const stageObserver& observer,
+        const bool wholeFields
     )
     :
         wall_(wall),
         controls_(controls),
         observer_(observer),
+        wholeFields_(wholeFields),
         search_(wall)
     {}
 
@@ -124,6 +135,20 @@ void pipeline::makeFront(const scalar angle)
 }
 
 
+void pipeline::divide()
+{
+    if (wall_.border.sides.empty() && !controls_.layers.onLevelSets)
+    {
+        m_.pieces =
+            divideWall(wall_.points, m_.envelope.radius, pieceControls());
+    }
+    if (m_.pieces.size() == 1)
+    {
+        m_.pieces.clear();
+    }
+}
+
+
 void pipeline::makeField()
 {
     if (!controls_.layers.alongField && !controls_.layers.onLevelSets)
@@ -133,11 +158,21 @@ void pipeline::makeField()
         return;
     }
 
-    m_.fields = makeFields
+    m_.envelope = makeEnvelope
     (
         wall_, m_.addressing, search_, m_.visibility, thickness(),
         m_.front.smallest(m_.clearance), controls_, observer_
     );
+    divide();
+
+    if (m_.pieces.empty() || wholeFields_)
+    {
+        m_.fields = makeFields
+        (
+            wall_, m_.addressing, search_, m_.envelope, controls_.field,
+            observer_
+        );
+    }
 
     if (controls_.layers.onLevelSets)
     {
@@ -160,43 +195,62 @@ void pipeline::makeField()
 }
 
 
+columnLines pipeline::linesOfField(const columnStarts& starts)
+{
+    if (m_.pieces.empty())
+    {
+        return makeColumnLines
+        (
+            m_.fields.background, m_.fields.isotropic, starts
+        );
+    }
+
+    const dividedWall wall
+    {
+        wall_, m_.addressing, search_, m_.envelope, m_.pieces, pieceControls()
+    };
+    return makeLinesOfPieces
+    (
+        wall, starts, controls_.field, observer_, m_.fields.failure
+    );
+}
+
+
 void pipeline::makeColumns()
 {
-    observer_.begin("layerColumns");
     const layerFront& front = m_.front;
     const layerSpacing spacing(m_.spacing.at(front.wallPoints));
-    const scalarField heights(requestedHeights(spacing));
-    const vectorField axes(front.visibility.axes());
-
-    m_.lines = makeStraightLines(front.surface.points, axes, heights);
+    const columnStarts starts
+    {
+        front.wallPoints, front.visibility.axes(), requestedHeights(spacing)
+    };
+    gradientLines straight
+    (
+        makeStraightLines
+        (
+            front.surface.points, starts.directions, starts.arcLengths
+        )
+    );
 
     if (m_.fields.failure.empty() && controls_.layers.alongField)
     {
-        // The isotropic field is the exact and the smooth one: on the lines of
-        // the others columns beside concave edges cross
-        const backgroundMesh& mesh = m_.fields.background;
-        const scalarField& field = m_.fields.isotropic;
-        gradientLines lines
-        (
-            makeGradientLines
-            (
-                mesh, field, front.wallPoints, axes, heights
-            )
-        );
-
+        columnLines along(linesOfField(starts));
         if (!controls_.layers.onLevelSets)
         {
             const scalarField shares
             (
-                straightShares
-                (
-                    front, mesh, field, spacing.thickness
-                )
+                straightShares(front, along.slopes, spacing.thickness)
             );
-            straighten(m_.lines, shares, lines);
+            straighten(straight, shares, along.lines);
         }
-        m_.lines = lines;
+        m_.lines = along.lines;
     }
+    else
+    {
+        m_.lines = straight;
+    }
+
+    observer_.begin("layerColumns");
     m_.columns = makeLayerColumns
     (
         front, m_.clearance, spacing, m_.lines, controls_.layers
@@ -294,10 +348,11 @@ prismLayerMesh makePrismLayerMesh
     const wallSurface& wall,
     const prismLayerControls& controls,
     const localHeights& local,
-    const stageObserver& observer
+    const stageObserver& observer,
+    const bool wholeFields
 )
 {
-    return pipeline(wall, controls, observer).run(local);
+    return pipeline(wall, controls, observer, wholeFields).run(local);
 }
 
 

@@ -251,7 +251,7 @@ static label splitBridgesOf(const wallSurface& wall, backgroundMesh& mesh)
 {
     return splitWallBridges
     (
-        wall.faces, makeWallAddressing(wall), wallSearch(wall), mesh
+        wall.faces, makeWallAddressing(wall).pointPoints, wallSearch(wall), mesh
     );
 }
 
@@ -261,7 +261,14 @@ TEST(splitWallBridges, secondTimeFindsNone)
     const stages s(testSurfaces::slitBlock(8, 0.05), 5, 0.15);
     backgroundMesh mesh(s.background());
 
-    EXPECT_EQ(splitWallBridges(s.wall.faces, s.addressing, s.search, mesh), 0);
+    EXPECT_EQ
+    (
+        splitWallBridges
+        (
+            s.wall.faces, s.addressing.pointPoints, s.search, mesh
+        ),
+        0
+    );
 }
 
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "straightShares.H"
+#include "diffusionTensor.H"
 #include "testStages.H"
 #include "testSurfaces.H"
 
@@ -27,7 +28,12 @@ static scalarField sharesOf(const prismLayerMesh& m)
 {
     return straightShares
     (
-        m.front, m.fields.background, m.fields.isotropic,
+        m.front,
+        scalarField
+        (
+            mag(scaledGradients(m.fields.background, m.fields.isotropic)),
+            m.front.wallPoints
+        ),
         m.spacing.at(m.front.wallPoints).thickness
     );
 }

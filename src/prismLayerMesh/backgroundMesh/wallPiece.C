@@ -1,0 +1,214 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "wallPiece.H"
+#include "boundBox.H"
+#include "ListOps.H"
+
+#include <algorithm>
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- How far a piece goes beyond its points [m]
+static scalar reachOf
+(
+    const scalarField& radius,
+    const labelUList& own,
+    const pieceControls& controls
+)
+{
+    return controls.reach*max(scalarField(radius, own));
+}
+
+
+static void divide
+(
+    const pointField& points,
+    const scalarField& radius,
+    const pieceControls& controls,
+    labelList& part,
+    DynamicList<labelList>& parts
+)
+{
+    const vector span(boundBox(points, part, false).span());
+    const direction widest = findMax(span);
+
+    if
+    (
+        part.size() <= controls.maxPoints
+     || span[widest] < controls.leastWidth*reachOf(radius, part, controls)
+    )
+    {
+        sort(part);
+        parts.append(part);
+        return;
+    }
+
+    const label half = part.size()/2;
+    std::nth_element
+    (
+        part.begin(),
+        part.begin() + half,
+        part.end(),
+        [&](const label p, const label q)
+        {
+            const scalar x = points[p][widest], y = points[q][widest];
+            return x < y || (x == y && p < q);
+        }
+    );
+
+    labelList first(SubList<label>(part, half));
+    labelList second(SubList<label>(part, part.size() - half, half));
+    divide(points, radius, controls, first, parts);
+    divide(points, radius, controls, second, parts);
+}
+
+
+//- Whether the box of a face overlaps another one
+static bool reaches
+(
+    const face& f,
+    const pointField& points,
+    const boundBox& box
+)
+{
+    return boundBox(points, f, false).overlaps(box);
+}
+
+
+//- The points that a piece is for, then those of other faces that reach into
+//  its box
+static labelList pointsOf
+(
+    const wallSurface& wall,
+    const labelList& own,
+    const boundBox& box
+)
+{
+    boolList taken(wall.points.size(), false);
+    for (const face& f : wall.faces)
+    {
+        if (reaches(f, wall.points, box))
+        {
+            UIndirectList<bool>(taken, f) = true;
+        }
+    }
+    UIndirectList<bool>(taken, own) = false;
+
+    labelList points(own);
+    points.append(findIndices(taken, true));
+
+    return points;
+}
+
+
+static offsetEnvelope envelopeOf
+(
+    const offsetEnvelope& all,
+    const labelUList& wallPoints,
+    const boundBox& box
+)
+{
+    labelList inside(all.points.size());
+    label n = 0;
+    offsetEnvelope part;
+
+    forAll(all.points, i)
+    {
+        if (box.contains(all.points[i]))
+        {
+            part.nEnvelope += i < all.nEnvelope;
+            inside[n++] = i;
+        }
+    }
+    inside.setSize(n);
+
+    part.radius = scalarField(all.radius, wallPoints);
+    part.points = pointField(all.points, inside);
+    part.gaps = scalarField(all.gaps, inside);
+
+    return part;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+labelListList divideWall
+(
+    const pointField& points,
+    const scalarField& radius,
+    const pieceControls& controls
+)
+{
+    labelList all(identity(points.size()));
+    DynamicList<labelList> parts;
+    divide(points, radius, controls, all, parts);
+
+    return labelListList(std::move(parts));
+}
+
+
+wallPiece makeWallPiece
+(
+    const wallSurface& wall,
+    const wallAddressing& addressing,
+    const offsetEnvelope& envelope,
+    const labelList& own,
+    const pieceControls& controls
+)
+{
+    boundBox box(wall.points, own, false);
+    const point reach
+    (
+        point::uniform(reachOf(envelope.radius, own, controls))
+    );
+    box.min() -= reach;
+    box.max() += reach;
+
+    wallPiece piece;
+    piece.points = pointsOf(wall, own, box);
+    piece.nOwn = own.size();
+    piece.envelope = envelopeOf(envelope, piece.points, box);
+    piece.wall.points = pointField(wall.points, piece.points);
+
+    const labelList local(invert(wall.points.size(), piece.points));
+    labelList nFaces(piece.points.size(), 0);
+    DynamicList<face> faces;
+    for (const face& f : wall.faces)
+    {
+        if (reaches(f, wall.points, box))
+        {
+            faces.append(face(labelList(UIndirectList<label>(local, f))));
+            for (const label p : faces.last())
+            {
+                ++nFaces[p];
+            }
+        }
+    }
+    piece.wall.faces.transfer(faces);
+
+    piece.isWhole.setSize(nFaces.size());
+    piece.pointPoints.setSize(nFaces.size());
+    forAll(piece.points, p)
+    {
+        const label q = piece.points[p];
+        piece.isWhole[p] = nFaces[p] == addressing.pointFaces[q].size();
+        piece.pointPoints[p] =
+            UIndirectList<label>(local, addressing.pointPoints[q]);
+        inplaceSubsetList
+        (
+            piece.pointPoints[p], [](const label r) { return r >= 0; }
+        );
+    }
+
+    return piece;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

@@ -1,0 +1,34 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "columnLines.H"
+#include "diffusionTensor.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+columnLines makeColumnLines
+(
+    const backgroundMesh& mesh,
+    const scalarField& isotropic,
+    const columnStarts& starts
+)
+{
+    return columnLines
+    {
+        makeGradientLines
+        (
+            mesh, isotropic, starts.wallPoints, starts.directions,
+            starts.arcLengths
+        ),
+        scalarField(mag(scaledGradients(mesh, isotropic)), starts.wallPoints)
+    };
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

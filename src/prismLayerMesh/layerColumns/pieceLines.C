@@ -1,0 +1,257 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "columnLines.H"
+#include "isolatedProcess.H"
+#include "ListOps.H"
+#include "monotoneField.H"
+#include "throwingErrors.H"
+
+#include <cmath>
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- The lines of the pieces, and how they come from their processes
+class piecewiseLines
+{
+    const dividedWall& wall_;
+    const columnStarts& starts_;
+    const fieldControls& controls_;
+
+    //- Columns at each point of the wall
+    labelListList columns_;
+
+    columnLines made_;
+
+    labelList columnsAt(const labelUList& points) const;
+
+    //- The lines of the columns of a piece, and of others around them
+    columnLines makePiece(const labelList& own) const;
+
+    //- Write, and read, those of the columns of a piece
+    void write(const columnLines& lines, label nColumns, std::FILE* out) const;
+    bool read(const labelUList& columns, std::FILE* in);
+
+public:
+
+    piecewiseLines
+    (
+        const dividedWall& wall,
+        const columnStarts& starts,
+        const fieldControls& controls
+    );
+
+    //- Make a piece in a process of its own. Returns the reason why there is
+    //  none, empty if there is one.
+    string makeIsolated(const labelList& own);
+
+    columnLines release() { return std::move(made_); }
+};
+
+
+piecewiseLines::piecewiseLines
+(
+    const dividedWall& wall,
+    const columnStarts& starts,
+    const fieldControls& controls
+)
+:
+    wall_(wall),
+    starts_(starts),
+    controls_(controls),
+    columns_(invertOneToMany(wall.wall.points.size(), starts.wallPoints)),
+    made_
+    {
+        makeStraightLines
+        (
+            pointField(wall.wall.points, starts.wallPoints),
+            starts.directions, starts.arcLengths
+        ),
+        scalarField(starts.wallPoints.size(), 0)
+    }
+{}
+
+
+labelList piecewiseLines::columnsAt(const labelUList& points) const
+{
+    DynamicList<label> columns(points.size());
+    for (const label p : points)
+    {
+        columns.append(columns_[p]);
+    }
+
+    return labelList(std::move(columns));
+}
+
+
+columnLines piecewiseLines::makePiece(const labelList& own) const
+{
+    const wallPiece piece
+    (
+        makeWallPiece
+        (
+            wall_.wall, wall_.addressing, wall_.envelope, own, wall_.controls
+        )
+    );
+    const backgroundMesh mesh(makeBackgroundMesh(piece, wall_.search));
+    const monotoneField field
+    (
+        makeMonotoneField(mesh, cotangentWeights(mesh), controls_)
+    );
+
+    const labelList columns(columnsAt(piece.points));
+    const labelList local(invert(columns_.size(), piece.points));
+    const label n = starts_.nSamples();
+    columnStarts starts;
+    starts.wallPoints.setSize(columns.size());
+    starts.directions = vectorField(starts_.directions, columns);
+    starts.arcLengths.setSize(n*columns.size());
+    forAll(columns, i)
+    {
+        starts.wallPoints[i] = local[starts_.wallPoints[columns[i]]];
+        SubList<scalar>(starts.arcLengths, n, n*i) =
+            SubList<scalar>(starts_.arcLengths, n, n*columns[i]);
+    }
+
+    return makeColumnLines(mesh, field.values, starts);
+}
+
+
+void piecewiseLines::write
+(
+    const columnLines& made,
+    const label nColumns,
+    std::FILE* out
+) const
+{
+    const size_t n = nColumns*starts_.nSamples();
+    std::fwrite(made.slopes.cdata(), sizeof(scalar), nColumns, out);
+    std::fwrite(made.lines.energies.cdata(), sizeof(scalar), n, out);
+    std::fwrite(made.lines.points.cdata(), sizeof(point), n, out);
+}
+
+
+bool piecewiseLines::read(const labelUList& columns, std::FILE* in)
+{
+    const label n = starts_.nSamples();
+    scalarField slopes(columns.size());
+    scalarField energies(n*columns.size());
+    pointField points(energies.size());
+    const auto take = [&](auto& values)
+    {
+        return std::fread
+        (
+            values.data(), sizeof(values[0]), values.size(), in
+        ) == size_t(values.size());
+    };
+
+    if (!take(slopes) || !take(energies) || !take(points))
+    {
+        return false;
+    }
+
+    forAll(columns, i)
+    {
+        const label c = columns[i];
+        made_.slopes[c] = slopes[i];
+        SubList<scalar>(made_.lines.energies, n, n*c) =
+            SubList<scalar>(energies, n, n*i);
+        SubList<point>(made_.lines.points, n, n*c) =
+            SubList<point>(points, n, n*i);
+    }
+
+    return true;
+}
+
+
+string piecewiseLines::makeIsolated(const labelList& own)
+{
+    const labelList columns(columnsAt(own));
+    string failure;
+
+    // First the length of the reason why there are no lines, then what there is
+    const auto work = [&](std::FILE* out)
+    {
+        const throwingErrors throwing;
+        string reason;
+        columnLines made;
+        try
+        {
+            made = makePiece(own);
+            if (!std::isfinite(sum(made.slopes) + sum(mag(made.lines.points))))
+            {
+                reason = "its lines are not finite";
+            }
+        }
+        catch (const Foam::error& e)
+        {
+            reason = e.message();
+        }
+
+        const size_t length = reason.size();
+        std::fwrite(&length, sizeof(length), 1, out);
+        std::fwrite(reason.data(), 1, length, out);
+        if (reason.empty())
+        {
+            write(made, columns.size(), out);
+        }
+    };
+    const auto receive = [&](std::FILE* in)
+    {
+        size_t length = 0;
+        if (std::fread(&length, sizeof(length), 1, in) != 1)
+        {
+            return false;
+        }
+        failure.resize(length);
+
+        return std::fread(&failure[0], 1, length, in) == length
+            && (length > 0 || read(columns, in));
+    };
+
+    return isolatedProcess(work, receive) == processEnd::complete
+      ? failure : string("the process that made it crashed");
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+columnLines makeColumnLines
+(
+    const dividedWall& wall,
+    const columnStarts& starts,
+    const fieldControls& controls,
+    string& failure
+)
+{
+    piecewiseLines lines(wall, starts, controls);
+    List<string> failures(wall.parts.size());
+
+    #pragma omp parallel for schedule(dynamic, 1)
+    forAll(wall.parts, k)
+    {
+        failures[k] = lines.makeIsolated(wall.parts[k]);
+    }
+
+    failure.clear();
+    for (const string& reason : failures)
+    {
+        failure = failure.empty() ? reason : failure;
+    }
+
+    return lines.release();
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

@@ -1,0 +1,246 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "columnLines.H"
+#include "monotoneField.H"
+#include "testStages.H"
+#include "testSurfaces.H"
+
+#include <omp.h>
+
+#include <gtest/gtest.h>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+using namespace Foam;
+using testSurfaces::stages;
+
+//- Pieces of a few hundred points
+static pieceControls smallPieces()
+{
+    pieceControls controls;
+    controls.maxPoints = 400;
+    controls.leastWidth = 2;
+
+    return controls;
+}
+
+
+static dividedWall divided(const stages& s, const pieceControls& controls)
+{
+    return dividedWall
+    {
+        s.wall, s.addressing, s.search, s.envelope,
+        divideWall(s.wall.points, s.envelope.radius, controls), controls
+    };
+}
+
+
+//- On the axes of the cones
+static columnStarts startsOf(const stages& s)
+{
+    return columnStarts
+    {
+        identity(s.wall.points.size()), s.visibility.axes(),
+        requestedHeights(s.spacing)
+    };
+}
+
+
+static columnLines linesOfWhole(const stages& s)
+{
+    const backgroundMesh mesh(s.background());
+    const monotoneField field
+    (
+        makeMonotoneField(mesh, cotangentWeights(mesh), fieldControls())
+    );
+
+    return makeColumnLines(mesh, field.values, startsOf(s));
+}
+
+
+//- Largest distance of the ends of lines over the thickness
+static scalar apart(const stages& s, const columnLines& a, const columnLines& b)
+{
+    const label n = s.spacing.nLayers;
+    scalar largest = 0;
+    for (label i = n - 1; i < a.lines.points.size(); i += n)
+    {
+        largest = max(largest, mag(a.lines.points[i] - b.lines.points[i]));
+    }
+
+    return largest/s.spacing.thickness[0];
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(divideWall, everyPointIsOfOnePart)
+{
+    const stages s(testSurfaces::sphere(12), 4, 0.05);
+    const labelListList parts
+    (
+        divideWall(s.wall.points, s.envelope.radius, smallPieces())
+    );
+    labelList nParts(s.wall.points.size(), 0);
+
+    ASSERT_GT(parts.size(), 2);
+    for (const labelList& part : parts)
+    {
+        EXPECT_LE(part.size(), smallPieces().maxPoints);
+        for (const label p : part)
+        {
+            ++nParts[p];
+        }
+    }
+    EXPECT_EQ(nParts, labelList(nParts.size(), 1));
+}
+
+
+TEST(divideWall, narrowPartsStay)
+{
+    const stages s(testSurfaces::sphere(12), 4, 0.05);
+    const pieceControls controls(smallPieces());
+    const scalarField wide(s.wall.points.size(), 2/controls.reach);
+
+    EXPECT_EQ(divideWall(s.wall.points, wide, controls).size(), 1);
+}
+
+
+TEST(wallPiece, hasAllFacesOfItsPoints)
+{
+    const stages s(testSurfaces::torus(48, 24, 1, 0.4), 4, 0.05);
+    const dividedWall wall(divided(s, smallPieces()));
+    ASSERT_GT(wall.parts.size(), 2);
+
+    for (const labelList& part : wall.parts)
+    {
+        const wallPiece piece
+        (
+            makeWallPiece
+            (
+                s.wall, s.addressing, s.envelope, part, wall.controls
+            )
+        );
+        EXPECT_LT(piece.points.size(), s.wall.points.size());
+        EXPECT_LT(piece.envelope.points.size(), s.envelope.points.size());
+        EXPECT_EQ(labelList(SubList<label>(piece.points, piece.nOwn)), part);
+        EXPECT_EQ(piece.wall.points, pointField(s.wall.points, piece.points));
+
+        for (label p = 0; p < piece.nOwn; ++p)
+        {
+            EXPECT_TRUE(piece.isWhole[p]);
+            EXPECT_EQ
+            (
+                piece.pointPoints[p].size(),
+                s.addressing.pointPoints[part[p]].size()
+            );
+        }
+        EXPECT_TRUE(piece.isWhole.found(false));
+    }
+}
+
+
+TEST(pieceLines, areNearToThoseOfTheWholeField)
+{
+    const wallSurface ball(testSurfaces::sphere(12));
+    const wallSurface shapes[] =
+    {
+        testSurfaces::torus(64, 32, 1, 0.4),
+        testSurfaces::lBlock(12),
+        testSurfaces::merge
+        (
+            ball, testSurfaces::translated(ball, vector(2.03, 0.1, 0.2))
+        )
+    };
+
+    for (const wallSurface& shape : shapes)
+    {
+        const stages s(shape, 6, 0.05);
+        const dividedWall wall(divided(s, smallPieces()));
+        ASSERT_GT(wall.parts.size(), 1);
+
+        string failure;
+        const columnLines pieces
+        (
+            makeColumnLines(wall, startsOf(s), fieldControls(), failure)
+        );
+        const columnLines whole(linesOfWhole(s));
+
+        EXPECT_EQ(failure, "");
+        EXPECT_LT(apart(s, pieces, whole), 0.05);
+        EXPECT_LT(max(mag(pieces.slopes - whole.slopes)), 0.1);
+    }
+}
+
+
+TEST(pieceLines, areTheSameOnAnyNumberOfThreads)
+{
+    const stages s(testSurfaces::sphere(12), 4, 0.05);
+    const dividedWall wall(divided(s, smallPieces()));
+    const label nThreads = omp_get_max_threads();
+    string failure;
+    List<columnLines> made;
+
+    for (const label n : {1, 3})
+    {
+        omp_set_num_threads(n);
+        made.append
+        (
+            makeColumnLines(wall, startsOf(s), fieldControls(), failure)
+        );
+    }
+    omp_set_num_threads(nThreads);
+
+    EXPECT_EQ(made[0].lines.points, made[1].lines.points);
+    EXPECT_EQ(made[0].lines.energies, made[1].lines.energies);
+    EXPECT_EQ(made[0].slopes, made[1].slopes);
+}
+
+
+TEST(pieceLines, areStraightWherePiecesFail)
+{
+    const wallSurface ball(testSurfaces::sphere(12));
+    const stages s
+    (
+        testSurfaces::merge
+        (
+            ball, testSurfaces::translated(ball, vector(0.9, 0.1, 0.2))
+        ),
+        4, 0.02
+    );
+    const columnStarts starts(startsOf(s));
+    string failure;
+    const columnLines made
+    (
+        makeColumnLines
+        (
+            divided(s, smallPieces()), starts, fieldControls(), failure
+        )
+    );
+
+    EXPECT_NE(failure.find("TetGen"), std::string::npos) << failure;
+    const pointField straight
+    (
+        makeStraightLines
+        (
+            s.wall.points, starts.directions, starts.arcLengths
+        ).points
+    );
+    label nStraight = 0;
+    forAll(made.slopes, c)
+    {
+        nStraight += made.slopes[c] == 0;
+        for (label i = 0; i < 4 && made.slopes[c] == 0; ++i)
+        {
+            EXPECT_EQ(made.lines.points[4*c + i], straight[4*c + i]);
+        }
+    }
+    EXPECT_GT(nStraight, 0);
+    EXPECT_LT(nStraight, made.slopes.size());
+}
+
+
+// ************************************************************************* //
