@@ -200,7 +200,7 @@ static prismLayerMesh makeMesh
     const wallSurface& wall,
     const prismLayerControls& controls,
     const localHeights& local,
-    const bool wholeFields,
+    const bool keepStages,
     stageLog& log
 )
 {
@@ -208,7 +208,7 @@ static prismLayerMesh makeMesh
     {
         return makePrismLayerMesh
         (
-            wall, controls, local, log.observer(), wholeFields
+            wall, controls, local, log.observer(), keepStages
         );
     }
     catch (const wallPointsError& failure)

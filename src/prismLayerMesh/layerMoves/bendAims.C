@@ -41,9 +41,8 @@ void bendAims::hold(const layerEditor& editor, const labelUList& columns)
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-labelList poorColumns
+labelList poorStacks
 (
-    const prismLayers& layers,
     const layerGeometry& geometry,
     const labelUList& faces,
     const faceAims& aims
@@ -57,16 +56,7 @@ labelList poorColumns
         isPoor[i] = geometry.lack(faces[i], aims) > 0;
     }
 
-    labelHashSet columns;
-    forAll(faces, i)
-    {
-        if (isPoor[i])
-        {
-            columns.insert(layers.faces[faces[i]]);
-        }
-    }
-
-    return columns.sortedToc();
+    return subset(isPoor, labelList(faces));
 }
 
 } // End namespace Foam

@@ -15,18 +15,6 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-static labelList columnsOf(const faceList& faces, const labelUList& some)
-{
-    labelHashSet columns;
-    for (const label facei : some)
-    {
-        columns.insert(faces[facei]);
-    }
-
-    return columns.sortedToc();
-}
-
-
 //- The columns of groups of faces that are nearly as tall as the tallest of
 //  their group
 static labelHashSet tallColumns
@@ -291,7 +279,7 @@ void certification::makePositive()
         faulty = faultyStacks()
     )
     {
-        const labelList moving(columnsOf(editor_.layers().faces, faulty));
+        const labelList moving(editor_.layers().columnsOf(faulty));
 
         if (!turnColumns(editor_, moving, nTurns_) && !lean(moving))
         {

@@ -66,13 +66,15 @@ class improvement
     //- Roll back columns until all can be certified
     void settle();
 
-    //- Bend columns of faces that are beyond bounds. The geometry is up to date
+    //- Bend columns of faces that are beyond bounds, of stacks that are looked
+    //  at, and of those around columns that bend. The geometry is up to date
     //  before and after. Returns the columns that bent and stay so.
     labelHashSet bendTo
     (
         const faceAims& bounds,
         bendAims& aims,
-        layerGeometry& geometry
+        layerGeometry& geometry,
+        labelList looked
     );
 
 public:
@@ -299,12 +301,12 @@ labelHashSet improvement::bendTo
 (
     const faceAims& bounds,
     bendAims& aims,
-    layerGeometry& geometry
+    layerGeometry& geometry,
+    labelList looked
 )
 {
     const layerMoveControls& controls = editor_.controls();
     const auto atFault = [&](const label facei) { return isAtFault(facei); };
-    labelList looked(identity(editor_.layers().faces.size()));
     labelHashSet bent;
     barred_ = false;
 
@@ -312,7 +314,7 @@ labelHashSet improvement::bendTo
     {
         labelList columns
         (
-            poorColumns(editor_.layers(), geometry, looked, bounds)
+            editor_.layers().columnsOf(poorStacks(geometry, looked, bounds))
         );
         inplaceSubsetList
         (
@@ -356,7 +358,10 @@ void improvement::bend()
     aims.thicknessWeight = controls.thicknessWeight;
 
     layerGeometry geometry(editor_.layers(), editor_.front().addressing);
-    bendTo(aims.faces, aims, geometry);
+    const label then = editor_.now();
+    const labelList all(identity(editor_.layers().faces.size()));
+    labelList poor(poorStacks(geometry, all, aims.faces));
+    bendTo(aims.faces, aims, geometry, poor);
 
     if (quality.priority == qualityControls::priorities::quality)
     {
@@ -366,9 +371,13 @@ void improvement::bend()
         bounds.planarity = SMALL;
 
         aims.thicknessWeight = controls.lowThicknessWeight;
-        gaveWay_ = bendTo(bounds, aims, geometry);
+        poor.append(geometry.withNeighbours(editor_.touchedSince(then)));
+        inplaceUniqueSort(poor);
+        gaveWay_ = bendTo(bounds, aims, geometry, poor);
         aims.firstHeightWeight = controls.lowFirstHeightWeight;
-        gaveWay_ |= bendTo(bounds, aims, geometry);
+        poor.append(geometry.withNeighbours(editor_.touchedSince(then)));
+        inplaceUniqueSort(poor);
+        gaveWay_ |= bendTo(bounds, aims, geometry, poor);
     }
 }
 

@@ -7,7 +7,7 @@
 #include "limitGradient.H"
 #include "sparsePoints.H"
 #include "wallClearance.H"
-#include "DynamicField.H"
+#include "ListOps.H"
 
 namespace Foam
 {
@@ -195,43 +195,50 @@ struct sheetMaker
     }
 
 
-    //- Adds the points at a share of their radius on stems for which
-    //  onSheet holds. Points are about d times their height apart.
+    //- Adds the points at a share of their radius on stems for which onSheet
+    //  holds. Points are about 'wide' times their height apart.
     template<class OnSheet>
     void addSheet
     (
         const scalar share,
-        const scalar d,
+        const scalar wide,
         const OnSheet& onSheet,
         offsetEnvelope& envelope
     ) const
     {
         const scalar inSlits =
-            share < 1 ? d : min(d, sheetControls::slitSpacing);
-        DynamicField<point> points;
-        DynamicField<scalar> spacings, gaps;
-        DynamicList<labelPair> sides;
+            share < 1 ? wide : min(wide, sheetControls::slitSpacing);
+        pointField points(stems.size());
+        List<labelPair> sides(stems.size());
+        boolList stands(stems.size(), false);
 
-        for (const stem& s : stems)
+        #pragma omp parallel for schedule(dynamic, 256)
+        forAll(stems, i)
         {
+            const stem& s = stems[i];
+            const point& root = wall.points[s.p];
             const scalar height = share*s.radius;
-            point x = wall.points[s.p] + height*s.offset;
-            labelPair side;
-
-            if
-            (
-                onSheet(s)
+            points[i] = root + height*s.offset;
+            stands[i] = onSheet(s)
              && search.putOnSides
                 (
-                    wall.points[s.p], sheetControls::sideShare*height, x, side
+                    root, sheetControls::sideShare*height, points[i], sides[i]
                 )
-             && !search.nearer(x, sheetControls::ownShare*height)
-            )
+             && !search.nearer(points[i], sheetControls::ownShare*height);
+        }
+        inplaceSubset(stands, points);
+        inplaceSubset(stands, sides);
+
+        scalarField spacings(points.size()), gaps(points.size());
+        label k = 0;
+        forAll(stems, i)
+        {
+            const stem& s = stems[i];
+            if (stands[i])
             {
-                sides.append(side);
-                points.append(x);
-                spacings.append(height*(limited(s.p, s.radius) ? inSlits : d));
-                gaps.append(s.radius);
+                const scalar d = limited(s.p, s.radius) ? inSlits : wide;
+                spacings[k] = share*s.radius*d;
+                gaps[k++] = s.radius;
             }
         }
 

@@ -26,7 +26,7 @@ class pipeline
     const wallSurface& wall_;
     const prismLayerControls& controls_;
     const stageObserver& observer_;
-    const bool wholeFields_;
+    const bool keepStages_;
     const wallSearch search_;
 
     prismLayerMesh m_;
@@ -56,6 +56,9 @@ class pipeline
     //- Certified layers
     void makeLayers();
 
+    //- Drop what neither mesh nor report need
+    void dropStages();
+
     //- Make from the front on what a member makes; if no layers are possible
     //  with the multiple normals that were chosen, with those that are needed
     template<class Make>
@@ -68,13 +71,13 @@ public:
         const wallSurface& wall,
         const prismLayerControls& controls,
         const stageObserver& observer,
-        const bool wholeFields
+        const bool keepStages
     )
     :
         wall_(wall),
         controls_(controls),
         observer_(observer),
-        wholeFields_(wholeFields),
+        keepStages_(keepStages),
         search_(wall)
     {}
 
@@ -165,7 +168,7 @@ void pipeline::makeField()
     );
     divide();
 
-    if (m_.pieces.empty() || wholeFields_)
+    if (m_.pieces.empty() || keepStages_)
     {
         m_.fields = makeFields
         (
@@ -294,6 +297,20 @@ void pipeline::makeLayers()
 }
 
 
+void pipeline::dropStages()
+{
+    const string failure(m_.fields.failure);
+    m_.visibility = wallVisibility();
+    m_.front.visibility = wallVisibility();
+    m_.envelope = offsetEnvelope();
+    m_.fields = wallFields();
+    m_.fields.failure = failure;
+    m_.field.clear();
+    m_.lines = gradientLines();
+    m_.columns = layerColumns();
+}
+
+
 template<class Make>
 void pipeline::withFewerNormals(const Make& make)
 {
@@ -336,6 +353,11 @@ prismLayerMesh pipeline::run(const localHeights& local)
         makeLayers();
     });
 
+    if (!keepStages_)
+    {
+        dropStages();
+    }
+
     return std::move(m_);
 }
 
@@ -349,10 +371,10 @@ prismLayerMesh makePrismLayerMesh
     const prismLayerControls& controls,
     const localHeights& local,
     const stageObserver& observer,
-    const bool wholeFields
+    const bool keepStages
 )
 {
-    return pipeline(wall, controls, observer, wholeFields).run(local);
+    return pipeline(wall, controls, observer, keepStages).run(local);
 }
 
 

@@ -4,11 +4,25 @@
 \*---------------------------------------------------------------------------*/
 
 #include "prismLayers.H"
+#include "ListOps.H"
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+labelList prismLayers::columnsOf(const labelUList& stacks) const
+{
+    DynamicList<label> columns(4*stacks.size());
+    for (const label facei : stacks)
+    {
+        columns.append(faces[facei]);
+    }
+    inplaceUniqueSort(columns);
+
+    return labelList(std::move(columns));
+}
+
 
 label prismLayers::root(const label c) const
 {

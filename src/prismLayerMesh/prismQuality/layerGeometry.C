@@ -104,6 +104,25 @@ void layerGeometry::update(const labelUList& faces)
 }
 
 
+labelList layerGeometry::withNeighbours(const labelUList& faces) const
+{
+    DynamicList<label> all(faces);
+    for (const label facei : faces)
+    {
+        for (const label other : across_[facei])
+        {
+            if (other >= 0)
+            {
+                all.append(other);
+            }
+        }
+    }
+    inplaceUniqueSort(all);
+
+    return labelList(std::move(all));
+}
+
+
 bool layerGeometry::isOfWall
 (
     const label facei,
