@@ -9,6 +9,7 @@
 #include "monotoneField.H"
 #include "throwingErrors.H"
 
+#include <algorithm>
 #include <cmath>
 
 namespace Foam
@@ -237,10 +238,22 @@ columnLines makeColumnLines
     piecewiseLines lines(wall, starts, controls);
     List<string> failures(wall.parts.size());
 
+    // The largest first, so that threads end together
+    labelList order(identity(wall.parts.size()));
+    std::stable_sort
+    (
+        order.begin(),
+        order.end(),
+        [&](const label i, const label j)
+        {
+            return wall.parts[i].size() > wall.parts[j].size();
+        }
+    );
+
     #pragma omp parallel for schedule(dynamic, 1)
-    forAll(wall.parts, k)
+    forAll(order, k)
     {
-        failures[k] = lines.makeIsolated(wall.parts[k]);
+        failures[order[k]] = lines.makeIsolated(wall.parts[order[k]]);
     }
 
     failure.clear();

@@ -51,6 +51,16 @@ class improvement
     //- Front faces moved in the last round; now another one begins
     labelList beginRound();
 
+    //- The columns of stacks that had not to be rolled back
+    labelList notBarredOf(const labelUList& stacks) const
+    {
+        return subsetList
+        (
+            editor_.layers().columnsOf(stacks),
+            [&](const label c) { return !barred_[c]; }
+        );
+    }
+
     //- Lean columns of stacks that are below their aim
     void lean(const labelUList& faces);
 
@@ -140,25 +150,12 @@ void improvement::lean(const labelUList& faces)
           ? forbidden : own;
     };
 
-    const labelList belowAim
+    const labelList leaning
     (
-        judge_.findBelowAttainable(faces, controls.goodJacobian)
+        notBarredOf(judge_.findBelowAttainable(faces, controls.goodJacobian))
     );
-
-    labelHashSet leaning;
-    for (const label facei : belowAim)
-    {
-        for (const label c : editor_.layers().faces[facei])
-        {
-            if (!barred_[c])
-            {
-                leaning.insert(c);
-            }
-        }
-    }
-
     labelList nTries(barred_.size(), 0);
-    leanColumns(editor_, leaning.sortedToc(), penalty, 1, nTries);
+    leanColumns(editor_, leaning, penalty, 1, nTries);
 }
 
 
@@ -312,13 +309,9 @@ labelHashSet improvement::bendTo
 
     for (label round = 0; round < controls.maxBends && looked.size(); ++round)
     {
-        labelList columns
+        const labelList columns
         (
-            editor_.layers().columnsOf(poorStacks(geometry, looked, bounds))
-        );
-        inplaceSubsetList
-        (
-            columns, [&](const label c) { return !barred_[c]; }
+            notBarredOf(poorStacks(geometry, looked, bounds))
         );
         aims.hold(editor_, columns);
 
@@ -370,14 +363,16 @@ void improvement::bend()
         bounds.skewness = quality.maxInternalSkewness;
         bounds.planarity = SMALL;
 
+        const auto giveWay = [&]()
+        {
+            poor.append(geometry.withNeighbours(editor_.touchedSince(then)));
+            inplaceUniqueSort(poor);
+            gaveWay_ |= bendTo(bounds, aims, geometry, poor);
+        };
         aims.thicknessWeight = controls.lowThicknessWeight;
-        poor.append(geometry.withNeighbours(editor_.touchedSince(then)));
-        inplaceUniqueSort(poor);
-        gaveWay_ = bendTo(bounds, aims, geometry, poor);
+        giveWay();
         aims.firstHeightWeight = controls.lowFirstHeightWeight;
-        poor.append(geometry.withNeighbours(editor_.touchedSince(then)));
-        inplaceUniqueSort(poor);
-        gaveWay_ |= bendTo(bounds, aims, geometry, poor);
+        giveWay();
     }
 }
 

@@ -280,6 +280,12 @@ void pipeline::makeLayers()
 
     observer_.begin("prismQuality");
     m_.certificate = certify(m_.made.layers);
+    m_.bounds = controls_.quality;
+    m_.faces = boundsOfLayers
+    (
+        m_.made.layers, layerGeometry(m_.made.layers, front.addressing),
+        m_.bounds
+    );
     observer_.end(sizesOf(m_.certificate));
 
     if (!m_.certificate.valid())
@@ -287,13 +293,6 @@ void pipeline::makeLayers()
         FatalErrorInFunction
             << "The layers could not be certified" << exit(FatalError);
     }
-
-    m_.bounds = controls_.quality;
-    m_.faces = boundsOfLayers
-    (
-        m_.made.layers, layerGeometry(m_.made.layers, front.addressing),
-        m_.bounds
-    );
 }
 
 

@@ -79,6 +79,9 @@ layerGeometry::layerGeometry
         across_[facei].setSize(n, -1);
         wallCosines_[facei].setSize(n, GREAT);
     }
+
+    // Each edge has places of its own in both of its faces
+    #pragma omp parallel for schedule(static, 256)
     forAll(addressing.edges, e)
     {
         const labelPair& two = addressing.edgeFaces[e];
