@@ -5,11 +5,28 @@
 
 #include "bendAims.H"
 #include "stackHeights.H"
+#include "unitConversion.H"
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bendAims bendAims::withMargins(const layerMoveControls& controls)
+{
+    const qualityControls& quality = controls.quality;
+
+    bendAims aims;
+    aims.faces.cosine =
+        Foam::cos(degToRad(quality.maxNonOrtho - controls.angleMargin));
+    aims.faces.skewness = controls.skewnessShare*quality.maxInternalSkewness;
+    aims.faces.planarity = controls.aimedPlanarity;
+    aims.firstHeightWeight = controls.firstHeightWeight;
+    aims.thicknessWeight = controls.thicknessWeight;
+
+    return aims;
+}
+
 
 void bendAims::hold(const layerEditor& editor, const labelUList& columns)
 {

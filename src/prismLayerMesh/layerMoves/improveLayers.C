@@ -342,14 +342,7 @@ void improvement::bend()
     const layerMoveControls& controls = editor_.controls();
     const qualityControls& quality = controls.quality;
 
-    bendAims aims;
-    aims.faces.cosine =
-        Foam::cos(degToRad(quality.maxNonOrtho - controls.angleMargin));
-    aims.faces.skewness = controls.skewnessShare*quality.maxInternalSkewness;
-    aims.faces.planarity = controls.aimedPlanarity;
-    aims.firstHeightWeight = controls.firstHeightWeight;
-    aims.thicknessWeight = controls.thicknessWeight;
-
+    bendAims aims(bendAims::withMargins(controls));
     layerGeometry geometry(editor_.layers(), editor_.front().addressing);
     const label then = editor_.now();
     const labelList all(identity(editor_.layers().faces.size()));
@@ -358,10 +351,11 @@ void improvement::bend()
 
     if (quality.priority == qualityControls::priorities::quality)
     {
-        faceAims bounds;
-        bounds.cosine = Foam::cos(degToRad(quality.maxNonOrtho));
-        bounds.skewness = quality.maxInternalSkewness;
-        bounds.planarity = SMALL;
+        const faceAims bounds
+        {
+            Foam::cos(degToRad(quality.maxNonOrtho)),
+            quality.maxInternalSkewness, SMALL
+        };
 
         const auto giveWay = [&]()
         {
