@@ -5,9 +5,11 @@
 
 #include "processTeam.H"
 #include "decompositionMethod.H"
+#include "hostThreads.H"
 #include "IOdictionary.H"
 #include "IPstream.H"
 #include "OPstream.H"
+#include "pieceMessages.H"
 #include "Time.H"
 
 #include <unistd.h>
@@ -34,6 +36,36 @@ static void setParallel(const bool on)
 }
 
 
+//- Means of the centres of the faces of cells. Centres of cells, and all else
+//  that a polyMesh makes with them, would take more memory than the mesh.
+static pointField centresOfFaces(const polyMesh& mesh)
+{
+    pointField centres(mesh.nCells(), Zero);
+    labelList nFaces(mesh.nCells(), 0);
+    const auto add = [&](const label celli, const point& x)
+    {
+        centres[celli] += x;
+        ++nFaces[celli];
+    };
+
+    forAll(mesh.faces(), facei)
+    {
+        const point x(mesh.faces()[facei].centre(mesh.points()));
+        add(mesh.faceOwner()[facei], x);
+        if (mesh.isInternalFace(facei))
+        {
+            add(mesh.faceNeighbour()[facei], x);
+        }
+    }
+    forAll(centres, celli)
+    {
+        centres[celli] /= nFaces[celli];
+    }
+
+    return centres;
+}
+
+
 //- By stack of layers, and by other cell: the processes of all cells
 static labelList processorsOfCells
 (
@@ -45,6 +77,7 @@ static labelList processorsOfCells
 {
     const label nLayerCells = nStacks*nLayers;
     const label nParts = nStacks + mesh.nCells() - nLayerCells;
+    const pointField cellCentres(centresOfFaces(mesh));
     labelList parts(mesh.nCells());
     pointField centres(nParts, Zero);
     scalarField weights(nParts, Zero);
@@ -53,7 +86,7 @@ static labelList processorsOfCells
     {
         parts[celli] = celli < nLayerCells
           ? celli/nLayers : nStacks + celli - nLayerCells;
-        centres[parts[celli]] += mesh.cellCentres()[celli];
+        centres[parts[celli]] += cellCentres[celli];
         weights[parts[celli]] += 1;
     }
     centres /= weights;
@@ -72,6 +105,7 @@ processTeam::processTeam(const Time& time)
 {
     if (parallel_)
     {
+        nThreads_ = useThreadsOfHost();
         decomposeParDict_ = IOdictionary
         (
             IOobject
@@ -95,6 +129,8 @@ processTeam::processTeam(const Time& time)
                 << exit(FatalError);
         }
         decomposition_ = decompositionMethod::New(decomposeParDict_);
+        Info<< "The master makes the mesh on " << nThreads_ << " threads" << nl
+            << endl;
     }
 }
 
@@ -123,8 +159,7 @@ meshPiece processTeam::sendPieces
     {
         const char now = 1;
         UOPstream::write(blocking, other, &now, 1);
-        OPstream stream(blocking, other);
-        stream << makeMeshPiece(mesh, processors, other);
+        sendPiece(makeMeshPiece(mesh, processors, other), other);
     }
 
     return makeMeshPiece(mesh, processors, 0);
@@ -168,11 +203,7 @@ meshPiece processTeam::receivePiece() const
     }
     UPstream::resetRequests(request);
 
-    meshPiece piece;
-    IPstream stream(blocking, 0);
-    stream >> piece;
-
-    return piece;
+    return Foam::receivePiece(0);
 }
 
 

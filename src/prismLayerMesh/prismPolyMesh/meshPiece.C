@@ -334,29 +334,6 @@ bool writeAddressing(const polyMesh& mesh, const meshPiece& piece)
 }
 
 
-Ostream& operator<<(Ostream& os, const meshPiece& piece)
-{
-    return os
-        << piece.points << piece.faces << piece.owner << piece.neighbour
-        << piece.patchNames << piece.patchTypes << piece.patchSizes
-        << piece.processors << piece.processorSizes
-        << piece.zoneNames << piece.zones
-        << piece.cellAddressing << piece.pointAddressing
-        << piece.faceAddressing;
-}
-
-
-Istream& operator>>(Istream& is, meshPiece& piece)
-{
-    return is
-        >> piece.points >> piece.faces >> piece.owner >> piece.neighbour
-        >> piece.patchNames >> piece.patchTypes >> piece.patchSizes
-        >> piece.processors >> piece.processorSizes
-        >> piece.zoneNames >> piece.zones
-        >> piece.cellAddressing >> piece.pointAddressing
-        >> piece.faceAddressing;
-}
-
 } // End namespace Foam
 
 // ************************************************************************* //

@@ -7,7 +7,6 @@
 #include "meshPiece.H"
 #include "testLayers.H"
 #include "testSurfaces.H"
-#include "StringStream.H"
 
 #include <gtest/gtest.h>
 
@@ -169,30 +168,6 @@ TEST(meshPiece, becomesAMeshInUpperTriangularOrder)
         EXPECT_EQ(mesh->boundaryMesh().last().type(), "processor");
         EXPECT_FALSE(mesh->boundaryMesh().checkDefinition());
     }
-}
-
-
-TEST(meshPiece, isReadAsItWasWritten)
-{
-    const meshPiece piece(piecedMesh().pieces[1]);
-    OStringStream out(IOstream::BINARY);
-    out << piece;
-    IStringStream in(out.str(), IOstream::BINARY);
-    meshPiece read;
-    in >> read;
-
-    EXPECT_EQ(read.points, piece.points);
-    EXPECT_EQ(read.faces, piece.faces);
-    EXPECT_EQ(read.owner, piece.owner);
-    EXPECT_EQ(read.patchNames, piece.patchNames);
-    EXPECT_EQ(read.processorSizes, piece.processorSizes);
-    EXPECT_EQ(read.zones, piece.zones);
-    EXPECT_EQ(read.faceAddressing, piece.faceAddressing);
-    EXPECT_EQ
-    (
-        read.boundaryAddressing().size(),
-        piece.patchNames.size() + piece.processors.size()
-    );
 }
 
 
