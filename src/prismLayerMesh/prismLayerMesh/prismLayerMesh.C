@@ -98,6 +98,7 @@ void pipeline::makeHeights(const localHeights& local)
     m_.addressing = makeWallAddressing(wall_);
     m_.request =
         makeLayerSpacing(wall_, m_.addressing, controls_.layers, local);
+    requireCountable(m_.addressing.edges.size(), m_.request.nLayers);
     m_.graded = gradedSpacing
     (
         m_.request, m_.addressing, controls_.layers.transitionRatio

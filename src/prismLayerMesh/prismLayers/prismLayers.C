@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "prismLayers.H"
+#include "error.H"
 #include "ListOps.H"
 
 namespace Foam
@@ -69,6 +70,29 @@ pointField prismLayers::outerPoints() const
     }
 
     return outer;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void requireCountable
+(
+    const std::int64_t nWallEdges,
+    const std::int64_t nLayers
+)
+{
+    // Faces of the wall have two for each edge, sides have four
+    const std::int64_t nCorners = (2*(nLayers + 1) + 4*nLayers)*nWallEdges;
+
+    if (nCorners > labelMax)
+    {
+        FatalErrorInFunction
+            << "The faces of " << label(nLayers) << " layers would have "
+            << std::to_string(nCorners).c_str() << " corners, of which labels"
+            << " of " << label(8*sizeof(label)) << " bits count " << labelMax
+            << ": fewer layers or faces, or an OpenFOAM with WM_LABEL_SIZE=64"
+            << exit(FatalError);
+    }
 }
 
 } // End namespace Foam

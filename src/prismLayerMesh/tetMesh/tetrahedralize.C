@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <string>
+#include <vector>
 
 namespace Foam
 {
@@ -188,7 +189,8 @@ static void run
     std::fwrite(out.pointlist, sizeof(REAL), 3*out.numberofpoints, result);
     std::fwrite
     (
-        out.tetrahedronlist, sizeof(int), 4*out.numberoftetrahedra, result
+        out.tetrahedronlist, sizeof(int), 4*size_t(out.numberoftetrahedra),
+        result
     );
 }
 
@@ -208,19 +210,21 @@ static bool read
         return false;
     }
 
-    static_assert
-    (
-        sizeof(point) == 3*sizeof(REAL) && sizeof(tetCell) == 4*sizeof(int),
-        "points of three doubles and labels of 32 bits"
-    );
+    static_assert(sizeof(point) == 3*sizeof(REAL), "points of three doubles");
 
     mesh.points.setSize(sizes[0]);
     mesh.tets.setSize(sizes[1]);
+    std::vector<int> corners(4*size_t(sizes[1]));
 
     const size_t nPoints =
         std::fread(mesh.points.data(), sizeof(point), sizes[0], result);
-    const size_t nTets =
-        std::fread(mesh.tets.data(), sizeof(tetCell), sizes[1], result);
+    const size_t nCorners =
+        std::fread(corners.data(), sizeof(int), corners.size(), result);
+
+    forAll(mesh.tets, t)
+    {
+        std::copy_n(corners.begin() + 4*t, 4, mesh.tets[t].begin());
+    }
 
     // Those of the domain as they were, those that were added turned back
     forAll(mesh.points, p)
@@ -229,7 +233,7 @@ static bool read
           ? domain.points[p] : mesh.points[p] & rotation;
     }
 
-    return nPoints == size_t(sizes[0]) && nTets == size_t(sizes[1]);
+    return nPoints == size_t(sizes[0]) && nCorners == corners.size();
 }
 
 

@@ -6,6 +6,7 @@
 #include "testLayers.H"
 #include "testSurfaces.H"
 #include "prismLayers.H"
+#include "thrownMessage.H"
 
 #include <gtest/gtest.h>
 
@@ -148,6 +149,31 @@ TEST(prismLayers, meshPointsAreThoseOfTheColumns)
         {
             EXPECT_EQ(points[layers.pointLabel(c, i)], layers(c, i));
         }
+    }
+}
+
+
+TEST(requireCountable, cornersOfAllFacesAreCounted)
+{
+    EXPECT_NO_THROW(requireCountable(3, 1));
+
+    // Of 32 bits: 11 000 000 triangles with 22 layers are too many
+    const auto require = [](const label nLayers)
+    {
+        requireCountable(16500000, nLayers);
+    };
+    if (sizeof(label) == 4)
+    {
+        EXPECT_NO_THROW(require(21));
+        expectWords
+        (
+            thrownMessage<Foam::error>([&]() { require(22); }),
+            {"22 layers", "2211000000", "32 bits", "WM_LABEL_SIZE=64"}
+        );
+    }
+    else
+    {
+        EXPECT_NO_THROW(require(22));
     }
 }
 
