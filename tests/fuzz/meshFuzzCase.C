@@ -4,6 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "meshFuzzCase.H"
+#include "cutBlindFaces.H"
+#include "cutReflexFaces.H"
 #include "embeddingFault.H"
 #include "meshFaults.H"
 #include "prismLayerMesh.H"
@@ -214,6 +216,11 @@ void meshFuzzCase(const fuzzCase& one, const listener& tell)
         {
             remesh(one, wall, controls, local, tell);
         }
+        if (one.repair != surfaceRepairControls::method::none)
+        {
+            cutReflexFaces(wall);
+        }
+        cutBlindFaces(wall);
         mesh(wall, controls, local, tell);
     }
     catch (const wallPointsError& e)

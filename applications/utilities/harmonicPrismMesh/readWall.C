@@ -5,6 +5,8 @@
 
 #include "readWall.H"
 #include "boxSidePlanes.H"
+#include "cutBlindFaces.H"
+#include "cutReflexFaces.H"
 #include "endWall.H"
 #include "prismPolyMesh.H"
 #include "surfaceAdvice.H"
@@ -107,6 +109,14 @@ static wallSurface takeWall
                 << "With its border on the side patches the wall has defects"
                 << nl << describe(defects).c_str() << exit(FatalError);
         }
+    }
+
+    // Repair may have folded some
+    const label nCut = cutReflexFaces(wall) + cutBlindFaces(wall);
+    if (nCut)
+    {
+        Info<< "    faces cut into triangles, for a direction in front of all"
+            << " faces at each point " << nCut << endl;
     }
 
     return wall;

@@ -9,15 +9,20 @@
 #include "autoPtr.H"
 #include "boundBox.H"
 #include "cutSurface.H"
+#include "EdgeMap.H"
 #include "triFace.H"
+#include "unitConversion.H"
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
+//- Angle between faces at an edge [deg] below which they are folded
+static constexpr scalar foldAngle = 0.5;
+
 //- Rounds in which the surface is kept nearer to the given one where its faces
-//  would intersect
+//  would intersect or are folded
 static constexpr label maxRounds = 8;
 
 //- The same where it is too far away
@@ -81,6 +86,36 @@ static wallSurface trianglesOf
     result.patchIDs = std::move(patchIDs);
 
     return result;
+}
+
+
+//- Faces that are folded onto a neighbour: a fin as thin as the deviation may
+//  lose all of its thickness, and with it the room for layers at its points
+static labelList foldedFaces(const wallSurface& surface)
+{
+    static const scalar smallest = -Foam::cos(degToRad(foldAngle));
+    const vectorField normals(surface.faceNormals());
+    EdgeMap<label> faceAt(2*surface.faces.size());
+    DynamicList<label> folded;
+
+    forAll(surface.faces, facei)
+    {
+        for (const edge& e : surface.faces[facei].edges())
+        {
+            const auto other = faceAt.cfind(e);
+            if (!other.found())
+            {
+                faceAt.insert(e, facei);
+            }
+            else if ((normals[facei] & normals[other.val()]) < smallest)
+            {
+                folded.append(facei);
+                folded.append(other.val());
+            }
+        }
+    }
+
+    return labelList(std::move(folded));
 }
 
 
@@ -166,6 +201,7 @@ remeshedSurface remeshSurface
     mesher->remesh();
     wallSurface made(mesher->edited().surface());
     labelList conflicts(facesInConflict(made));
+    labelList folded(foldedFaces(made));
 
     for (label round = 0; round < maxRounds; ++round)
     {
@@ -176,17 +212,19 @@ remeshedSurface remeshSurface
                 triangles.points, nearestSurface(made), controls.deviation
             )
         );
-        if (conflicts.empty() && (away.empty() || round >= maxDeviating))
+        labelList faces(conflicts);
+        faces.append(folded);
+        if (faces.empty() && (away.empty() || round >= maxDeviating))
         {
             break;
         }
 
         const labelList nearest(mesher->edited().nearestFaces());
-        for (const label t : trianglesAt(shape, made, nearest, conflicts, away))
+        for (const label t : trianglesAt(shape, made, nearest, faces, away))
         {
             shape.tighten(t);
         }
-        if (conflicts.size())
+        if (faces.size())
         {
             // Changes of few triangles do not always take them apart
             mesher.reset(new remesher(shape, controls));
@@ -198,6 +236,7 @@ remeshedSurface remeshSurface
         }
         made = mesher->edited().surface();
         conflicts = facesInConflict(made);
+        folded = foldedFaces(made);
     }
 
     if (conflicts.size())

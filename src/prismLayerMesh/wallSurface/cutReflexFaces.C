@@ -38,7 +38,7 @@ static bool hasReflexOrFoldedCorner(const face& f, const pointField& points)
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-label cutReflexFaces(wallSurface& wall)
+label cutFaces(wallSurface& wall, const boolList& isCut)
 {
     DynamicList<face> kept(wall.faces.size()), triangles;
     DynamicList<label> keptIDs(wall.faces.size()), triangleIDs;
@@ -46,14 +46,7 @@ label cutReflexFaces(wallSurface& wall)
     forAll(wall.faces, facei)
     {
         const face& f = wall.faces[facei];
-
-        // One without area is left for findWallDefects
-        if
-        (
-            f.size() == 3
-         || f.mag(wall.points) < VSMALL
-         || !hasReflexOrFoldedCorner(f, wall.points)
-        )
+        if (!isCut[facei])
         {
             kept.append(f);
             keptIDs.append(wall.patchIDs[facei]);
@@ -78,6 +71,23 @@ label cutReflexFaces(wallSurface& wall)
     wall.patchIDs.transfer(keptIDs);
 
     return nCut;
+}
+
+
+label cutReflexFaces(wallSurface& wall)
+{
+    boolList isCut(wall.faces.size());
+
+    forAll(isCut, facei)
+    {
+        const face& f = wall.faces[facei];
+
+        // One without area is left for findWallDefects
+        isCut[facei] = f.size() > 3 && f.mag(wall.points) >= VSMALL
+         && hasReflexOrFoldedCorner(f, wall.points);
+    }
+
+    return cutFaces(wall, isCut);
 }
 
 } // End namespace Foam

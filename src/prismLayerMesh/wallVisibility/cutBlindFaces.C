@@ -1,0 +1,73 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "cutBlindFaces.H"
+#include "cutReflexFaces.H"
+#include "wallVisibility.H"
+
+#include <algorithm>
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+static labelList emptyCones(const wallSurface& wall)
+{
+    return makeWallVisibility(wall, makeWallAddressing(wall)).emptyCones();
+}
+
+
+//- The polygons at points
+static boolList polygonsAt(const wallSurface& wall, const labelUList& points)
+{
+    boolList isAsked(wall.points.size(), false);
+    UIndirectList<bool>(isAsked, points) = true;
+    boolList result(wall.faces.size());
+
+    forAll(wall.faces, facei)
+    {
+        const face& f = wall.faces[facei];
+        result[facei] = f.size() > 3 && std::any_of
+        (
+            f.begin(), f.end(), [&](const label p) { return isAsked[p]; }
+        );
+    }
+
+    return result;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+label cutBlindFaces(wallSurface& wall)
+{
+    const bool hasPolygons = std::any_of
+    (
+        wall.faces.begin(),
+        wall.faces.end(),
+        [](const face& f) { return f.size() > 3; }
+    );
+    if (!hasPolygons)
+    {
+        return 0;
+    }
+
+    const labelList blind(emptyCones(wall));
+    wallSurface trial(wall);
+    cutFaces(trial, polygonsAt(wall, blind));
+    const labelList stillBlind(emptyCones(trial));
+    labelList cured(blind);
+    inplaceSubsetList
+    (
+        cured, [&](const label p) { return !stillBlind.found(p); }
+    );
+
+    return cutFaces(wall, polygonsAt(wall, cured));
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
