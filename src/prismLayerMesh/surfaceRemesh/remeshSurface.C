@@ -183,6 +183,20 @@ static labelHashSet pointsAway
 }
 
 
+static void requireNone(const labelList& conflicts, const wallSurface& made)
+{
+    if (conflicts.size())
+    {
+        FatalErrorInFunction
+            << "With surface.remesh " << conflicts.size()
+            << " faces intersect, the first at "
+            << made.faces[conflicts[0]].centre(made.points) << nl
+            << "A smaller surface.remesh.deviation or minEdge may help."
+            << exit(FatalError);
+    }
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 remeshedSurface remeshSurface
@@ -239,15 +253,7 @@ remeshedSurface remeshSurface
         folded = foldedFaces(made);
     }
 
-    if (conflicts.size())
-    {
-        FatalErrorInFunction
-            << "With surface.remesh " << conflicts.size()
-            << " faces intersect, the first at "
-            << made.faces[conflicts[0]].centre(made.points) << nl
-            << "A smaller surface.remesh.deviation or minEdge may help."
-            << exit(FatalError);
-    }
+    requireNone(conflicts, made);
 
     remeshedSurface result;
     result.surface = made;
