@@ -210,9 +210,12 @@ columnLines makeLinesOfPieces
     const columnLines made(makeColumnLines(wall, starts, controls, failure));
     if (failure.size())
     {
-        failure = "of a piece of the wall: " + failure;
+        failure = "a piece of the wall has none: " + failure;
     }
-    observer.end(text(wall.parts.size(), " pieces ", failure.c_str()));
+    observer.end
+    (
+        failure.empty() ? text(wall.parts.size(), " pieces") : failure
+    );
 
     return made;
 }
