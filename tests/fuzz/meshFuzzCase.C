@@ -83,9 +83,9 @@ static void mesh
 
     tell("stage", "checks");
 
-    if (m.fields.failure.size())
+    if (m.noField.size())
     {
-        tell("noField", oneLine(m.fields.failure));
+        tell("noField", oneLine(m.noField));
     }
 
     const std::string fault(findMeshFault(wall, m.made.layers));

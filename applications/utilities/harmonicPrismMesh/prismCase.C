@@ -286,7 +286,7 @@ void Foam::prismCase::writeAll
             m.made.causes
         )
     );
-    report.noField = m.fields.failure;
+    report.noField = m.noField;
     report.points = countKinds(m.pointKinds);
     report.nFurtherColumns = m.front.extraColumnPoints().size();
     report.nRetreats = m.made.nRetreats;

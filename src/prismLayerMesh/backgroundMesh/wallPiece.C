@@ -149,7 +149,7 @@ labelListList divideWall
     DynamicList<labelList> parts;
     divide(points, radius, controls, all, parts);
 
-    return labelListList(std::move(parts));
+    return parts.size() > 1 ? labelListList(std::move(parts)) : labelListList();
 }
 
 

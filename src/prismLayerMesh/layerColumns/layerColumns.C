@@ -113,6 +113,7 @@ static void setOffsets
 
         smoother.smooth(variances, columnControls::maxPasses, smoothed);
 
+        #pragma omp parallel for schedule(static, 256)
         for (label c = 0; c < nColumns; ++c)
         {
             columns.offsets[c*n + i] = columnOffset

@@ -146,10 +146,6 @@ void pipeline::divide()
         m_.pieces =
             divideWall(wall_.points, m_.envelope.radius, pieceControls());
     }
-    if (m_.pieces.size() == 1)
-    {
-        m_.pieces.clear();
-    }
 }
 
 
@@ -157,7 +153,8 @@ void pipeline::makeField()
 {
     if (!controls_.layers.alongField && !controls_.layers.onLevelSets)
     {
-        m_.fields.failure = "marchingDirections axes needs none";
+        m_.noField = "marchingDirections axes needs none";
+        m_.fields.failure = m_.noField;
         m_.spacing = m_.graded;
         return;
     }
@@ -176,6 +173,10 @@ void pipeline::makeField()
             wall_, m_.addressing, search_, m_.envelope, controls_.field,
             observer_
         );
+    }
+    if (m_.pieces.empty())
+    {
+        m_.noField = m_.fields.failure;
     }
 
     if (controls_.layers.onLevelSets)
@@ -215,7 +216,7 @@ columnLines pipeline::linesOfField(const columnStarts& starts)
     };
     return makeLinesOfPieces
     (
-        wall, starts, controls_.field, observer_, m_.fields.failure
+        wall, starts, controls_.field, observer_, m_.noField
     );
 }
 
@@ -236,7 +237,8 @@ void pipeline::makeColumns()
         )
     );
 
-    if (m_.fields.failure.empty() && controls_.layers.alongField)
+    const bool hasField = m_.pieces.size() || m_.noField.empty();
+    if (hasField && controls_.layers.alongField)
     {
         columnLines along(linesOfField(starts));
         if (!controls_.layers.onLevelSets)
@@ -247,11 +249,11 @@ void pipeline::makeColumns()
             );
             straighten(straight, shares, along.lines);
         }
-        m_.lines = along.lines;
+        m_.lines = std::move(along.lines);
     }
     else
     {
-        m_.lines = straight;
+        m_.lines = std::move(straight);
     }
 
     observer_.begin("layerColumns");
@@ -299,12 +301,10 @@ void pipeline::makeLayers()
 
 void pipeline::dropStages()
 {
-    const string failure(m_.fields.failure);
     m_.visibility = wallVisibility();
     m_.front.visibility = wallVisibility();
     m_.envelope = offsetEnvelope();
     m_.fields = wallFields();
-    m_.fields.failure = failure;
     m_.field.clear();
     m_.lines = gradientLines();
     m_.columns = layerColumns();

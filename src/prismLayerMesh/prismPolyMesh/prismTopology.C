@@ -5,6 +5,7 @@
 
 #include "prismPolyMesh.H"
 #include "EdgeMap.H"
+#include "facesBeyond.H"
 #include "ListOps.H"
 
 #include <algorithm>
@@ -13,47 +14,6 @@ namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- The front face beyond edge k of a front face, or -1; columnFaces has the
-//  front faces on each column
-static label faceBeyond
-(
-    const prismLayers& layers,
-    const labelListList& columnFaces,
-    const label facei,
-    const label k
-)
-{
-    const edge e(layers.faces[facei].faceEdge(k));
-    label beyond = -1;
-    label nFaces = 0;
-    bool flipped = false;
-
-    for (const label other : columnFaces[e.first()])
-    {
-        const int direction = layers.faces[other].edgeDirection(e);
-        nFaces += direction != 0;
-
-        if (direction && other != facei)
-        {
-            beyond = other;
-            flipped = flipped || direction > 0;
-        }
-    }
-
-    if (nFaces > 2 || flipped)
-    {
-        FatalErrorInFunction
-            << "The edge of front face " << facei << " from "
-            << layers(e.first(), 0) << " to " << layers(e.second(), 0)
-            << (nFaces > 2 ? " has more than two faces"
-              : " has two faces that are flipped")
-            << ". Check the surface" << exit(FatalError);
-    }
-
-    return beyond;
-}
-
 
 static label cellLabel(const prismLayers& layers, const label f, const label i)
 {
@@ -99,54 +59,86 @@ static face sideFace
 }
 
 
-//- Upper-triangular order: of the faces of a cell to cells of higher label, the
+//- Set the internal faces of the stack on a front face, from index 'at' on.
+//  Upper-triangular order: of the faces of a cell to cells of higher label, the
 //  first is the one to the next layer, and those to the stacks of higher front
-//  faces follow
-static void addInternalFaces
+//  faces follow.
+static void setInternalFaces
 (
     const prismLayers& layers,
-    const labelListList& columnFaces,
+    const labelUList& beyond,
+    const label facei,
+    label at,
     polyMeshTopology& mesh
 )
 {
     // Higher front faces beyond, and the edges to them
     DynamicList<labelPair> sides(16);
-
-    forAll(layers.faces, facei)
+    forAll(beyond, k)
     {
-        sides.clear();
-
-        forAll(layers.faces[facei], k)
+        if (beyond[k] > facei)
         {
-            const label beyond = faceBeyond(layers, columnFaces, facei, k);
+            sides.append(labelPair(beyond[k], k));
+        }
+    }
+    std::sort(sides.begin(), sides.end());
 
-            if (beyond > facei)
-            {
-                sides.append(labelPair(beyond, k));
-            }
+    const auto set = [&](face&& f, const label celli, const label other)
+    {
+        mesh.faces[at] = std::move(f);
+        mesh.owner[at] = celli;
+        mesh.neighbour[at] = other;
+        ++at;
+    };
+
+    for (label i = 1; i <= layers.nLayers; ++i)
+    {
+        const label celli = cellLabel(layers, facei, i);
+
+        if (i < layers.nLayers)
+        {
+            set(faceAt(layers, facei, i), celli, celli + 1);
         }
 
-        std::sort(sides.begin(), sides.end());
-
-        for (label i = 1; i <= layers.nLayers; ++i)
+        for (const labelPair& side : sides)
         {
-            const label celli = cellLabel(layers, facei, i);
-
-            if (i < layers.nLayers)
-            {
-                mesh.append(faceAt(layers, facei, i), celli, celli + 1);
-            }
-
-            for (const labelPair& side : sides)
-            {
-                mesh.append
-                (
-                    sideFace(layers, facei, side.second(), i),
-                    celli,
-                    cellLabel(layers, side.first(), i)
-                );
-            }
+            set
+            (
+                sideFace(layers, facei, side.second(), i),
+                celli,
+                cellLabel(layers, side.first(), i)
+            );
         }
+    }
+}
+
+
+static void addInternalFaces
+(
+    const prismLayers& layers,
+    const labelListList& beyond,
+    polyMeshTopology& mesh
+)
+{
+    const label n = layers.nLayers;
+    labelList starts(beyond.size() + 1, 0);
+    forAll(beyond, facei)
+    {
+        label nHigher = 0;
+        for (const label other : beyond[facei])
+        {
+            nHigher += other > facei;
+        }
+        starts[facei + 1] = starts[facei] + n - 1 + nHigher*n;
+    }
+    mesh.faces.setSize(starts.last());
+    mesh.owner.setSize(starts.last());
+    mesh.neighbour.setSize(starts.last());
+
+    #pragma omp parallel for schedule(static, 256)
+    forAll(beyond, facei)
+    {
+        setInternalFaces(layers, beyond[facei], facei, starts[facei], mesh);
     }
 }
 
@@ -192,7 +184,7 @@ static void addOuterFaces(const prismLayers& layers, polyMeshTopology& mesh)
 static List<DynamicList<labelPair>> openEdges
 (
     const prismLayers& layers,
-    const labelListList& columnFaces
+    const labelListList& beyond
 )
 {
     const wordList names(sidePatchNames(layers.border));
@@ -212,7 +204,7 @@ static List<DynamicList<labelPair>> openEdges
 
         forAll(f, k)
         {
-            if (faceBeyond(layers, columnFaces, facei, k) < 0)
+            if (beyond[facei][k] < 0)
             {
                 edges[patchOf.lookup(f.faceEdge(k), names.size())].append
                 (
@@ -306,11 +298,8 @@ wordList sidePatchNames(const wallBorder& border)
 
 polyMeshTopology makePrismTopology(const prismLayers& layers)
 {
-    const labelListList columnFaces
-    (
-        invertManyToMany<face, labelList>(layers.nColumns(), layers.faces)
-    );
-    const List<DynamicList<labelPair>> open(openEdges(layers, columnFaces));
+    const labelListList beyond(facesBeyond(layers));
+    const List<DynamicList<labelPair>> open(openEdges(layers, beyond));
     label nEdges = 0, nOpen = 0;
     for (const face& f : layers.faces)
     {
@@ -327,7 +316,7 @@ polyMeshTopology makePrismTopology(const prismLayers& layers)
 
     polyMeshTopology mesh;
     mesh.reserve(nInternal + nFront + layers.nWallFaces() + nOpen*n, nInternal);
-    addInternalFaces(layers, columnFaces, mesh);
+    addInternalFaces(layers, beyond, mesh);
     addWallFaces(layers, mesh);
     addOuterFaces(layers, mesh);
 

@@ -265,6 +265,10 @@ wallVisibility makeWallVisibility
     visibility.polygonNormals.setSize(nPoints);
     visibility.cones.setSize(nPoints);
 
+    // The first point on two side patches makes the lines of all
+    const bool isClosed = addressing.pointSides.empty();
+
+    #pragma omp parallel for schedule(static, 256) if (isClosed)
     for (label p = 0; p < nPoints; ++p)
     {
         setPoint(wall, addressing, faceNormals, p, visibility);
