@@ -218,6 +218,19 @@ static void setPatches(const List<farPatch>& wanted, farBoundary& boundary)
         types.append(patch.type);
     }
 
+    forAll(wanted, i)
+    {
+        if (!patchOf.found(i))
+        {
+            FatalErrorInFunction
+                << "The patch " << wanted[i].name << " of the far boundary has"
+                << " no sides: patches after it take all of "
+                << wanted[i].sides << nl
+                << "A side is of the last patch that names it."
+                << exit(FatalError);
+        }
+    }
+
     for (const label side : findIndices(patchOf, -1))
     {
         if (names.found(sides[side]))

@@ -11,18 +11,23 @@ using namespace Foam;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- A box with one patch
-static farBoundary boxWith(const farPatch& patch)
+static farBoundary boxWith(const List<farPatch>& patches)
 {
     farBoundaryControls controls;
     controls.type = "box";
     controls.box = boundBox(point(0, 0, 0), point(1, 2, 3));
-    controls.patches = List<farPatch>(1, patch);
+    controls.patches = patches;
 
     return makeFarBoundary
     (
         controls, [](const fileName& file) { return file; }
     );
+}
+
+
+static farBoundary boxWith(const farPatch& patch)
+{
+    return boxWith(List<farPatch>(1, patch));
 }
 
 
@@ -97,6 +102,24 @@ TEST(farBoundary, sidesThatAreNotThereAreRefused)
             []() { boxWith(patchOf("xMin", wordRe("xMax"))); }
         ),
         {"side xMin", "has the name of a patch"}
+    );
+}
+
+
+TEST(farBoundary, patchesWhoseSidesLaterOnesTakeAreRefused)
+{
+    const farPatch inlet(patchOf("inlet", wordRe("xMin")));
+    const farPatch sides(patchOf("sides", wordRe(".*", wordRe::REGEX)));
+
+    expectWords
+    (
+        thrownMessage<error>([&]() { boxWith({inlet, sides}); }),
+        {"patch inlet", "xMin", "patches after it"}
+    );
+    EXPECT_EQ
+    (
+        boxWith({sides, inlet}).surface.patchNames,
+        wordList({"sides", "inlet"})
     );
 }
 
