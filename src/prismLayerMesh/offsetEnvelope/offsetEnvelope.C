@@ -14,28 +14,6 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Mean length of the edges at each point
-static scalarField edgeLengths
-(
-    const wallSurface& wall,
-    const wallAddressing& addressing
-)
-{
-    scalarField lengths(wall.points.size(), 0);
-
-    forAll(lengths, p)
-    {
-        for (const label q : addressing.pointPoints[p])
-        {
-            lengths[p] += mag(wall.points[q] - wall.points[p]);
-        }
-        lengths[p] /= addressing.pointPoints[p].size();
-    }
-
-    return lengths;
-}
-
-
 //- Vector along the axis of a cone so long that all faces are one unit away
 static vector offsetVector(const visibilityCone& cone)
 {
@@ -269,7 +247,7 @@ offsetEnvelope makeOffsetEnvelope
     const backgroundMeshControls& mesh
 )
 {
-    const scalarField lengths(edgeLengths(wall, addressing));
+    const scalarField lengths(meanEdges(wall, addressing));
 
     offsetEnvelope envelope;
     envelope.radius = radius;

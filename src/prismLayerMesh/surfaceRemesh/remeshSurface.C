@@ -9,9 +9,9 @@
 #include "autoPtr.H"
 #include "boundBox.H"
 #include "cutSurface.H"
-#include "EdgeMap.H"
 #include "triFace.H"
 #include "unitConversion.H"
+#include "wallSides.H"
 
 namespace Foam
 {
@@ -95,22 +95,19 @@ static labelList foldedFaces(const wallSurface& surface)
 {
     static const scalar smallest = -Foam::cos(degToRad(foldAngle));
     const vectorField normals(surface.faceNormals());
-    EdgeMap<label> faceAt(2*surface.faces.size());
+    const wallSides all(makeWallSides(surface.faces, surface.points.size()));
     DynamicList<label> folded;
 
-    forAll(surface.faces, facei)
+    for (label e = 0; e < all.nEdges(); ++e)
     {
-        for (const edge& e : surface.faces[facei].edges())
+        const label first = all.sides[all.edgeStarts[e]].facei;
+        for (label k = all.edgeStarts[e] + 1; k < all.edgeStarts[e + 1]; ++k)
         {
-            const auto other = faceAt.cfind(e);
-            if (!other.found())
+            const label other = all.sides[k].facei;
+            if ((normals[first] & normals[other]) < smallest)
             {
-                faceAt.insert(e, facei);
-            }
-            else if ((normals[facei] & normals[other.val()]) < smallest)
-            {
-                folded.append(facei);
-                folded.append(other.val());
+                folded.append(first);
+                folded.append(other);
             }
         }
     }
