@@ -103,9 +103,9 @@ processTeam::processTeam(const Time& time)
     nProcesses_(parallel_ ? UPstream::nProcs() : 1),
     processor_(parallel_ ? UPstream::myProcNo() : 0)
 {
+    const label nThreads = parallel_ ? useThreadsOfHost() : 1;
     if (parallel_)
     {
-        nThreads_ = useThreadsOfHost();
         decomposeParDict_ = IOdictionary
         (
             IOobject
@@ -129,7 +129,7 @@ processTeam::processTeam(const Time& time)
                 << exit(FatalError);
         }
         decomposition_ = decompositionMethod::New(decomposeParDict_);
-        Info<< "The master makes the mesh on " << nThreads_ << " threads" << nl
+        Info<< "The master makes the mesh on " << nThreads << " threads" << nl
             << endl;
     }
 }

@@ -69,34 +69,34 @@ static void divide
 }
 
 
-//- Whether the box of a face overlaps another one
-static bool reaches
-(
-    const face& f,
-    const pointField& points,
-    const boundBox& box
-)
+//- The faces whose own boxes overlap a box
+static labelList facesIn(const wallSurface& wall, const boundBox& box)
 {
-    return boundBox(points, f, false).overlaps(box);
+    DynamicList<label> inside;
+    forAll(wall.faces, facei)
+    {
+        if (boundBox(wall.points, wall.faces[facei], false).overlaps(box))
+        {
+            inside.append(facei);
+        }
+    }
+
+    return labelList(std::move(inside));
 }
 
 
-//- The points that a piece is for, then those of other faces that reach into
-//  its box
+//- The points that a piece is for, then the others of its faces
 static labelList pointsOf
 (
     const wallSurface& wall,
     const labelList& own,
-    const boundBox& box
+    const labelUList& faces
 )
 {
     boolList taken(wall.points.size(), false);
-    for (const face& f : wall.faces)
+    for (const label facei : faces)
     {
-        if (reaches(f, wall.points, box))
-        {
-            UIndirectList<bool>(taken, f) = true;
-        }
+        UIndirectList<bool>(taken, wall.faces[facei]) = true;
     }
     UIndirectList<bool>(taken, own) = false;
 
@@ -170,27 +170,24 @@ wallPiece makeWallPiece
     box.min() -= reach;
     box.max() += reach;
 
+    const labelList inside(facesIn(wall, box));
     wallPiece piece;
-    piece.points = pointsOf(wall, own, box);
+    piece.points = pointsOf(wall, own, inside);
     piece.nOwn = own.size();
     piece.envelope = envelopeOf(envelope, piece.points, box);
     piece.wall.points = pointField(wall.points, piece.points);
 
     const labelList local(invert(wall.points.size(), piece.points));
     labelList nFaces(piece.points.size(), 0);
-    DynamicList<face> faces;
-    for (const face& f : wall.faces)
+    piece.wall.faces = faceList(wall.faces, inside);
+    for (face& f : piece.wall.faces)
     {
-        if (reaches(f, wall.points, box))
+        inplaceRenumber(local, f);
+        for (const label p : f)
         {
-            faces.append(face(labelList(UIndirectList<label>(local, f))));
-            for (const label p : faces.last())
-            {
-                ++nFaces[p];
-            }
+            ++nFaces[p];
         }
     }
-    piece.wall.faces.transfer(faces);
 
     piece.isWhole.setSize(nFaces.size());
     piece.pointPoints.setSize(nFaces.size());

@@ -40,6 +40,11 @@ static bool hasReflexOrFoldedCorner(const face& f, const pointField& points)
 
 label cutFaces(wallSurface& wall, const boolList& isCut)
 {
+    if (!isCut.found(true))
+    {
+        return 0;
+    }
+
     DynamicList<face> kept(wall.faces.size()), triangles;
     DynamicList<label> keptIDs(wall.faces.size()), triangleIDs;
 

@@ -50,12 +50,12 @@ label cutBlindFaces(wallSurface& wall)
         wall.faces.end(),
         [](const face& f) { return f.size() > 3; }
     );
-    if (!hasPolygons)
+    const labelList blind(hasPolygons ? emptyCones(wall) : labelList());
+    if (blind.empty())
     {
         return 0;
     }
 
-    const labelList blind(emptyCones(wall));
     wallSurface trial(wall);
     cutFaces(trial, polygonsAt(wall, blind));
     const labelList stillBlind(emptyCones(trial));
