@@ -222,11 +222,7 @@ static tetMesh fill
 static void improve(const prismLayers& layers, farFieldMesh& mesh)
 {
     splitCornerCells(mesh);
-    mesh.neighbours = tetNeighbours(mesh.tets, mesh.points.size());
-    movePoorPoints
-    (
-        layerCentres(layers, mesh), degToRad(farFieldTuned.poorAngle), mesh
-    );
+    improvePoorTets(layerCentres(layers, mesh), mesh);
 
     if (!allPositive(mesh.points, mesh.tets))
     {

@@ -37,6 +37,58 @@ static farFieldMesh filledCube(const label n)
 }
 
 
+//- Turns the tetrahedra that are not positive
+static void turnPositive(farFieldMesh& mesh)
+{
+    for (tetCell& tet : mesh.tets)
+    {
+        if (tet.tet(mesh.points).mag() < 0)
+        {
+            Swap(tet[0], tet[1]);
+        }
+    }
+}
+
+
+//- The largest non-orthogonality [deg] of the faces inside
+static scalar worstAngle(const farFieldMesh& mesh)
+{
+    scalar worst = 0;
+    const List<FixedList<label, 4>> neighbours
+    (
+        tetNeighbours(mesh.tets, mesh.points.size())
+    );
+
+    forAll(mesh.tets, t)
+    {
+        for (label i = 0; i < 4; ++i)
+        {
+            const label beyond = neighbours[t][i];
+
+            if (beyond >= 0)
+            {
+                const vector area
+                (
+                    triFace(mesh.tets[t].face(i)).areaNormal(mesh.points)
+                );
+                const vector between
+                (
+                    mesh.tets[beyond].tet(mesh.points).centre()
+                  - mesh.tets[t].tet(mesh.points).centre()
+                );
+                const scalar cosine
+                (
+                    (area & between)/(mag(area)*mag(between))
+                );
+                worst = max(worst, radToDeg(::acos(cosine)));
+            }
+        }
+    }
+
+    return worst;
+}
+
+
 static scalar volumeOf(const farFieldMesh& mesh)
 {
     scalar volume = 0;
@@ -88,14 +140,14 @@ TEST(splitCornerCells, leavesOneFaceOnTheBoundary)
 }
 
 
-TEST(movePoorPoints, makesFacesMoreOrthogonal)
+TEST(improvePoorTets, movesAPoint)
 {
-    // A point between the ends of a double pyramid, off its middle
+    // A point near to an end of a slender double pyramid
     farFieldMesh mesh;
     mesh.points = pointField
     ({
-        point(1, 0, 0), point(0, 1, 0), point(-1, 0, 0), point(0, -1, 0),
-        point(0, 0, 1), point(0, 0, -1), point(0.55, 0.4, 0)
+        point(0.3, 0, 0), point(0, 0.3, 0), point(-0.3, 0, 0),
+        point(0, -0.3, 0), point(0, 0, 1), point(0, 0, -1), point(0, 0, 0.9)
     });
     mesh.nBoundaryPoints = 6;
     for (label k = 0; k < 4; ++k)
@@ -103,25 +155,67 @@ TEST(movePoorPoints, makesFacesMoreOrthogonal)
         mesh.tets.append(tetCell(k, (k + 1) % 4, 4, 6));
         mesh.tets.append(tetCell((k + 1) % 4, k, 5, 6));
     }
-    for (tetCell& tet : mesh.tets)
-    {
-        if (tet.tet(mesh.points).mag() < 0)
-        {
-            Swap(tet[0], tet[1]);
-        }
-    }
-    mesh.neighbours = tetNeighbours(mesh.tets, mesh.points.size());
+    turnPositive(mesh);
+
+    EXPECT_GT(worstAngle(mesh), 75);
 
     const pointField before(mesh.points);
-    movePoorPoints(pointField(), degToRad(30), mesh);
+    improvePoorTets(pointField(), mesh);
 
-    EXPECT_LT(mag(mesh.points[6]), 0.2*mag(before[6]));
-    EXPECT_NEAR(volumeOf(mesh), 4.0/3, 1e-12);
+    EXPECT_LT(worstAngle(mesh), 67);
+    EXPECT_NEAR(volumeOf(mesh), 0.12, 1e-12);
 
     for (label p = 0; p < 6; ++p)
     {
         EXPECT_EQ(mesh.points[p], before[p]);
     }
+}
+
+
+TEST(improvePoorTets, removesAnEdge)
+{
+    // Three tetrahedra around an edge; their triangle is better without it
+    farFieldMesh mesh;
+    mesh.points = pointField
+    ({
+        point(0.3, 0.9, -0.5), point(-0.4, -0.2, 0.3),
+        point(0.9, -0.6, 0.6), point(1, -0.5, 0.9), point(-0.8, 0.6, -0.4)
+    });
+    mesh.nBoundaryPoints = 5;
+    mesh.tets = tetCellList
+    ({
+        tetCell(0, 1, 2, 3), tetCell(0, 1, 3, 4), tetCell(0, 1, 4, 2)
+    });
+    turnPositive(mesh);
+    EXPECT_GT(worstAngle(mesh), 80);
+
+    const scalar volume = volumeOf(mesh);
+    improvePoorTets(pointField(), mesh);
+
+    EXPECT_EQ(mesh.points.size(), 5);
+    EXPECT_EQ(mesh.tets.size(), 2);
+    EXPECT_LT(worstAngle(mesh), 20);
+    EXPECT_NEAR(volumeOf(mesh), volume, 1e-12);
+}
+
+
+TEST(improvePoorTets, addsPoints)
+{
+    farFieldMesh mesh(filledCube(4));
+    const label nPoints = mesh.points.size();
+    EXPECT_GT(worstAngle(mesh), 75);
+
+    improvePoorTets(pointField(), mesh);
+
+    EXPECT_GT(mesh.points.size(), nPoints);
+    EXPECT_LT(worstAngle(mesh), 67);
+    EXPECT_NEAR(volumeOf(mesh), 1, 1e-12);
+
+    // What is good is left alone
+    const farFieldMesh before(mesh);
+    improvePoorTets(pointField(), mesh);
+    EXPECT_EQ(mesh.points, before.points);
+    EXPECT_EQ(mesh.tets, before.tets);
 }
 
 

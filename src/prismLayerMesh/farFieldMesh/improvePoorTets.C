@@ -1,0 +1,33 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "improveTets.H"
+#include "farFieldMeshControls.H"
+#include "tetAddressing.H"
+#include "tetImprover.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void improvePoorTets(const pointField& layerCentres, farFieldMesh& mesh)
+{
+    tetImprover improver(layerCentres, mesh);
+    bool better = true;
+
+    for (label pass = 0; better && pass < farFieldTuned.maxPasses; ++pass)
+    {
+        better = improver.improve();
+    }
+
+    mesh.points = improver.points();
+    mesh.tets = improver.tets().remaining();
+    mesh.neighbours = tetNeighbours(mesh.tets, mesh.points.size());
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

@@ -1,0 +1,336 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "tetImprover.H"
+#include "faceQuality.H"
+#include "farFieldMeshControls.H"
+#include "orientation.H"
+#include "splitTets.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+scalar tetImprover::lackOfFace(const label t, const label i) const
+{
+    const triFace f(tets_[t].face(i));
+    const label neighbour = tets_.neighbour(t, i);
+    const label triangle = neighbour < 0 ? outer_.lookup(f, -1) : -1;
+
+    if (neighbour < 0 && triangle < 0)
+    {
+        return 0;
+    }
+
+    const point here(tets_[t].tet(points_).centre());
+    const point beyond
+    (
+        neighbour < 0
+      ? layerCentres_[triangle]
+      : tets_[neighbour].tet(points_).centre()
+    );
+    const FixedList<point, 3> x({points_[f[0]], points_[f[1]], points_[f[2]]});
+    const faceGeometry g(x);
+    const scalar toHere = mag((g.centre - here) & g.area);
+    const scalar toBeyond = mag((beyond - g.centre) & g.area);
+    const scalar weight = min(toHere, toBeyond)/(toHere + toBeyond + VSMALL);
+    const scalar aim = farFieldTuned.aimCosine;
+
+    return
+        pow3(cosineLack(g.area, beyond - here, aim)/aim)
+      + pow3(skewnessExcess(g, x, here, beyond, farFieldTuned.aimSkewness))
+      + pow3(max(1 - weight/farFieldTuned.aimWeight, scalar(0)));
+}
+
+
+scalar tetImprover::lackOf(const labelUList& tets, const scalar bound) const
+{
+    scalar sum = 0;
+
+    for (const label t : tets)
+    {
+        for (label i = 0; i < 4 && sum <= bound; ++i)
+        {
+            const label beyond = tets_.neighbour(t, i);
+            const bool within = beyond >= 0 && tets.found(beyond);
+
+            if (!within || beyond > t)
+            {
+                sum += lackOfFace(t, i);
+            }
+        }
+    }
+
+    return sum;
+}
+
+
+bool tetImprover::positive(const UList<tetCell>& tets) const
+{
+    for (const tetCell& tet : tets)
+    {
+        if
+        (
+            orientation
+            (
+                points_[tet[0]], points_[tet[1]],
+                points_[tet[2]], points_[tet[3]]
+            ) <= 0
+        )
+        {
+            return false;
+        }
+    }
+
+    return true;
+}
+
+
+bool tetImprover::replace
+(
+    const labelUList& old,
+    const UList<tetCell>& made,
+    const label newPoint
+)
+{
+    if (!positive(made))
+    {
+        return false;
+    }
+
+    const scalar before = (1 - farFieldTuned.leastGain)*lackOf(old);
+    const tetCellList kept(tets_.subset(old));
+    const labelList now(tets_.replace(old, made));
+
+    if (newPoint >= 0)
+    {
+        move(newPoint);
+    }
+
+    if (lackOf(now, before) < before)
+    {
+        for (const tetCell& tet : made)
+        {
+            markChanged(labelList(tet));
+        }
+        return true;
+    }
+    tets_.replace(now, kept);
+
+    return false;
+}
+
+
+DynamicList<std::pair<edge, label>> tetImprover::edgesAt
+(
+    const label t,
+    const label i
+) const
+{
+    DynamicList<std::pair<edge, label>> edges;
+    const label beyond = tets_.neighbour(t, i);
+
+    for (const label cell : {t, beyond})
+    {
+        for (label k = 0; cell >= 0 && k < 6; ++k)
+        {
+            const edge e(tets_[cell].tetEdge(k));
+            const bool isShared =
+                tets_[t].found(e.first()) && tets_[t].found(e.second());
+
+            if (cell == t || !isShared)
+            {
+                edges.append(std::make_pair(e, cell));
+            }
+        }
+    }
+
+    return edges;
+}
+
+
+bool tetImprover::flipFace(const label t, const label i)
+{
+    const label beyond = tets_.neighbour(t, i);
+
+    if (beyond < 0)
+    {
+        return false;
+    }
+
+    // The area vector of the face looks away from a
+    const triFace f(tets_[t].face(i));
+    const label a = tets_[t][i];
+    label b = -1;
+    for (const label p : tets_[beyond])
+    {
+        b = f.found(p) ? b : p;
+    }
+
+    cellList made;
+    for (label k = 0; k < 3; ++k)
+    {
+        made.append(tetCell(a, b, f[k], f[(k + 1) % 3]));
+    }
+
+    return replace(labelList({t, beyond}), made);
+}
+
+
+bool tetImprover::removeEdge(const label t, const edge& e)
+{
+    labels around;
+    labels old;
+    tets_.ring(t, e, around, old);
+    const label n = around.size();
+
+    if (n < 3 || n > farFieldTuned.maxRing)
+    {
+        return false;
+    }
+
+    // A fan of triangles from each of the points
+    for (label first = 0; first < (n == 3 ? 1 : n); ++first)
+    {
+        cellList made;
+        for (label k = 1; k < n - 1; ++k)
+        {
+            const label p = around[first];
+            const label q = around[(first + k) % n];
+            const label r = around[(first + k + 1) % n];
+            made.append(tetCell(e.first(), p, q, r));
+            made.append(tetCell(e.second(), p, r, q));
+        }
+
+        if (replace(old, made))
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+
+bool tetImprover::flip(const label t, const label i)
+{
+    if (flipFace(t, i))
+    {
+        return true;
+    }
+
+    for (const std::pair<edge, label>& e : edgesAt(t, i))
+    {
+        if (removeEdge(e.second, e.first))
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+
+List<tetImprover::cavity> tetImprover::cavities
+(
+    const label t,
+    const label i
+) const
+{
+    DynamicList<cavity> made;
+    const label beyond = tets_.neighbour(t, i);
+    made.append(cavity{labelList({t}), labelList(tets_[t])});
+
+    if (beyond >= 0)
+    {
+        made.append(cavity{labelList({beyond}), labelList(tets_[beyond])});
+        made.append
+        (
+            cavity{labelList({t, beyond}), labelList(triFace(tets_[t].face(i)))}
+        );
+    }
+
+    labels around;
+    labels tets;
+    for (const std::pair<edge, label>& e : edgesAt(t, i))
+    {
+        tets_.ring(e.second, e.first, around, tets);
+
+        if (tets.size())
+        {
+            made.append(cavity{tets, labelList(e.first)});
+        }
+    }
+
+    return List<cavity>(std::move(made));
+}
+
+
+tetCellList tetImprover::partsOf(const cavity& c, const label newPoint) const
+{
+    cellList parts;
+    for (const label t : c.tets)
+    {
+        appendParts(tets_[t], c.common, newPoint, parts);
+    }
+
+    return tetCellList(std::move(parts));
+}
+
+
+point tetImprover::meanOf(const labelUList& points) const
+{
+    point sum(Zero);
+    for (const label p : points)
+    {
+        sum += points_[p];
+    }
+
+    return sum/points.size();
+}
+
+
+bool tetImprover::split(const label t, const label i)
+{
+    const label newPoint = tets_.addPoint();
+    points_.append(Zero);
+    changed_.append(pass_);
+
+    // The best place is the one that gains most before the point is moved
+    cavity best;
+    scalar most = -GREAT;
+
+    for (const cavity& c : cavities(t, i))
+    {
+        points_[newPoint] = meanOf(c.common);
+        const scalar before = lackOf(c.tets);
+        const tetCellList kept(tets_.subset(c.tets));
+        const labelList now(tets_.replace(c.tets, partsOf(c, newPoint)));
+        const scalar gain = before - lackOf(now);
+        tets_.replace(now, kept);
+
+        if (gain > most)
+        {
+            most = gain;
+            best = c;
+        }
+    }
+
+    points_[newPoint] = meanOf(best.common);
+    if (replace(best.tets, partsOf(best, newPoint), newPoint))
+    {
+        return true;
+    }
+    tets_.removeLastPoint();
+    points_.remove();
+    changed_.remove();
+
+    return false;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

@@ -1,0 +1,201 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "tetImprover.H"
+#include "farFieldMeshControls.H"
+#include "HashSet.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool tetImprover::step(const label p, const scalar distance, scalar& least)
+{
+    const labelList around(tets_.pointTets(p));
+    const point from(points_[p]);
+    point to(from);
+    bool moved = false;
+
+    for (label k = 0; k < 6; ++k)
+    {
+        vector direction(Zero);
+        direction[k/2] = k % 2 ? 1 : -1;
+        points_[p] = from + distance*direction;
+        const scalar there = lackOf(around, least);
+
+        if (there < least && positive(tets_.subset(around)))
+        {
+            least = there;
+            to = points_[p];
+            moved = true;
+        }
+    }
+
+    points_[p] = to;
+
+    return moved;
+}
+
+
+scalar tetImprover::sizeAt(const label p) const
+{
+    scalar sum = 0;
+
+    for (const label t : tets_.pointTets(p))
+    {
+        for (const label q : tets_[t])
+        {
+            sum += mag(points_[q] - points_[p]);
+        }
+    }
+
+    return sum/max(3*tets_.pointTets(p).size(), 1);
+}
+
+
+bool tetImprover::move(const label p)
+{
+    const scalar size = sizeAt(p);
+    scalar least = lackOf(tets_.pointTets(p));
+    label nMoves = 0;
+
+    for (const scalar length : farFieldTuned.moves)
+    {
+        while
+        (
+            nMoves < farFieldTuned.maxMoves && step(p, length*size, least)
+        )
+        {
+            ++nMoves;
+        }
+    }
+
+    return nMoves;
+}
+
+
+bool tetImprover::isPoor(const label t, const label i) const
+{
+    return lackOfFace(t, i) > farFieldTuned.poor;
+}
+
+
+void tetImprover::markChanged(const labelUList& points)
+{
+    for (const label p : points)
+    {
+        changed_[p] = pass_;
+    }
+}
+
+
+bool tetImprover::hasChanged(const label t) const
+{
+    for (const label p : tets_[t])
+    {
+        if (changed_[p] + 1 >= pass_)
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+
+List<labelPair> tetImprover::poorFaces() const
+{
+    DynamicList<labelPair> faces;
+
+    for (label t = 0; t < tets_.size(); ++t)
+    {
+        for (label i = 0; i < 4 && !tets_.removed(t); ++i)
+        {
+            const label beyond = tets_.neighbour(t, i);
+
+            if
+            (
+                (beyond < 0 || beyond > t)
+             && (hasChanged(t) || (beyond >= 0 && hasChanged(beyond)))
+             && isPoor(t, i)
+            )
+            {
+                faces.append(labelPair(t, i));
+            }
+        }
+    }
+
+    return List<labelPair>(std::move(faces));
+}
+
+
+labelList tetImprover::pointsInside(const List<labelPair>& faces) const
+{
+    labelHashSet points;
+
+    for (const labelPair& f : faces)
+    {
+        for
+        (
+            const label t
+          : {f.first(), tets_.neighbour(f.first(), f.second())}
+        )
+        {
+            for (label k = 0; t >= 0 && k < 4; ++k)
+            {
+                if (tets_[t][k] >= nBoundaryPoints_)
+                {
+                    points.insert(tets_[t][k]);
+                }
+            }
+        }
+    }
+
+    return points.sortedToc();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool tetImprover::improve()
+{
+    ++pass_;
+    bool better = false;
+
+    const auto tryAll = [&](bool (tetImprover::*change)(label, label))
+    {
+        for (const labelPair& f : poorFaces())
+        {
+            // What was changed before may have removed the tetrahedron
+            if (!tets_.removed(f.first()) && isPoor(f.first(), f.second()))
+            {
+                better = (this->*change)(f.first(), f.second()) || better;
+            }
+        }
+    };
+
+    tryAll(&tetImprover::flip);
+
+    for (const label p : pointsInside(poorFaces()))
+    {
+        if (move(p))
+        {
+            better = true;
+            for (const label t : tets_.pointTets(p))
+            {
+                markChanged(labelList(tets_[t]));
+            }
+        }
+    }
+
+    tryAll(&tetImprover::split);
+
+    return better;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
