@@ -95,9 +95,11 @@ void splitCornerCells(farFieldMesh& mesh)
     simplices.sort();
 
     const label nPoints = mesh.points.size();
-    for (const simplex& s : simplices.simplices())
+    mesh.points.setSize(nPoints + simplices.simplices().size());
+    forAll(simplices.simplices(), i)
     {
-        mesh.points.append(centreOf(s, mesh.points));
+        mesh.points[nPoints + i] =
+            centreOf(simplices.simplices()[i], mesh.points);
     }
     splitTets(simplices, nPoints, mesh.tets);
 }

@@ -26,7 +26,9 @@ class planeCutter
     const scalarField& distances_;
     wallSurface& surface_;
 
+    //- Labels of the points of edges on the plane, after those of the surface
     EdgeMap<label> cuts_;
+    DynamicList<point> cutPoints_;
 
     //- The point of an edge that is on the plane
     label cut(const edge& e)
@@ -39,8 +41,8 @@ class planeCutter
             const pointField& points = surface_.points;
             const point x((1 - t)*points[a] + t*points[b]);
 
-            cuts_.insert(e, points.size());
-            surface_.points.append(x - plane_.distance(x)*plane_.normal);
+            cuts_.insert(e, points.size() + cutPoints_.size());
+            cutPoints_.append(x - plane_.distance(x)*plane_.normal);
         }
 
         return cuts_[e];
@@ -115,6 +117,7 @@ public:
             }
         }
 
+        surface_.points.append(cutPoints_);
         surface_.faces.transfer(faces);
         surface_.patchIDs.transfer(patchIDs);
         removeUnusedPoints(surface_.faces, surface_.points);

@@ -199,16 +199,20 @@ static void append(const wallSurface& part, wallSurface& wall)
 {
     const label nPoints = wall.points.size();
     const label nPatches = wall.patchNames.size();
+    const label nFaces = wall.faces.size();
+
     wall.points.append(part.points);
     wall.patchNames.append(part.patchNames);
+    wall.faces.append(part.faces);
+    wall.patchIDs.append(part.patchIDs);
 
-    for (const face& f : part.faces)
+    for (label facei = nFaces; facei < wall.faces.size(); ++facei)
     {
-        wall.faces.append(face(labelList(f + nPoints)));
-    }
-    for (const label patchi : part.patchIDs)
-    {
-        wall.patchIDs.append(patchi + nPatches);
+        for (label& p : wall.faces[facei])
+        {
+            p += nPoints;
+        }
+        wall.patchIDs[facei] += nPatches;
     }
 }
 
