@@ -19,34 +19,6 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Gap of a point that has none of its own: the largest of its neighbours
-static void fillGaps(const tetCellList& tets, scalarField& gaps)
-{
-    bool changed = true;
-
-    while (changed)
-    {
-        changed = false;
-
-        for (const tetCell& tet : tets)
-        {
-            const scalar largest =
-                max(max(gaps[tet[0]], gaps[tet[1]]),
-                    max(gaps[tet[2]], gaps[tet[3]]));
-
-            for (const label p : tet)
-            {
-                if (gaps[p] <= 0 && largest > 0)
-                {
-                    gaps[p] = largest;
-                    changed = true;
-                }
-            }
-        }
-    }
-}
-
-
 //- A mesh without tetrahedra: the points of the wall, of the sheets, of the
 //  rest of the domain, and those that TetGen has added
 static backgroundMesh withPointData
@@ -105,7 +77,7 @@ static void setTets
         });
     });
 
-    fillGaps(mesh.tets, mesh.gaps);
+    fillGaps(mesh);
     splitWallBridges(triangles, pointPoints, search, mesh);
     splitSlitEdges(search, mesh);
     setAddressing(mesh);
@@ -123,6 +95,39 @@ scalar backgroundMesh::gap(const simplex& s) const
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void fillGaps(backgroundMesh& mesh)
+{
+    scalarField& gaps = mesh.gaps;
+    bool changed = true;
+
+    while (changed)
+    {
+        changed = false;
+
+        for (const tetCell& tet : mesh.tets)
+        {
+            const scalar largest =
+                max(max(gaps[tet[0]], gaps[tet[1]]),
+                    max(gaps[tet[2]], gaps[tet[3]]));
+
+            for (const label p : tet)
+            {
+                if (gaps[p] <= 0 && largest > 0)
+                {
+                    gaps[p] = largest;
+                    changed = true;
+                }
+            }
+        }
+    }
+
+    mesh.tets = subsetList
+    (
+        mesh.tets, [&](const tetCell& tet) { return gaps[tet[0]] > 0; }
+    );
+}
+
 
 void splitAt
 (

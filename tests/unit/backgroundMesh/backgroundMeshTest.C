@@ -331,4 +331,25 @@ TEST(backgroundMesh, gapsArePositive)
 }
 
 
+TEST(fillGaps, removesWhatIsConnectedToNone)
+{
+    // Two tetrahedra with a common face and one apart
+    backgroundMesh mesh;
+    mesh.tets = tetCellList
+    ({
+        tetCell(0, 1, 2, 3), tetCell(4, 3, 2, 1), tetCell(5, 6, 7, 8)
+    });
+    mesh.gaps = scalarField({2, 0, 0, 3, 0, 0, 0, 0, 0});
+
+    fillGaps(mesh);
+
+    EXPECT_EQ(mesh.gaps, scalarField({2, 3, 3, 3, 3, 0, 0, 0, 0}));
+    EXPECT_EQ
+    (
+        mesh.tets,
+        tetCellList({tetCell(0, 1, 2, 3), tetCell(4, 3, 2, 1)})
+    );
+}
+
+
 // ************************************************************************* //
