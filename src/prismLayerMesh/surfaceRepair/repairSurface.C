@@ -145,7 +145,7 @@ void surfaceRepairer::stitch()
     }
     if (!isSound())
     {
-        uniteBodies(surface, steps);
+        uniteBodies(surface, fluidOutside_, steps);
     }
 }
 

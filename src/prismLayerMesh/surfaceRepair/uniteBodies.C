@@ -12,6 +12,8 @@
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
 
+#include <cmath>
+
 #include "stitchSurface.H"
 #include "cgalMeshes.H"
 
@@ -57,67 +59,139 @@ static bool isBody(const unionMesh& mesh)
 }
 
 
-//- Unites two bodies unless they are apart, or cannot be united
-static bool unite(unionMesh& a, unionMesh& b, unionMesh& both)
+//- Whether less of the surfaces of two bodies is left in what was made of them:
+//  they intersect, or have parts of their surfaces in common
+static bool touched
+(
+    const unionMesh& a,
+    const unionMesh& b,
+    const unionMesh& both
+)
 {
-    const double volumes = PMP::volume(a) + PMP::volume(b);
-
-    return
-        PMP::corefine_and_compute_union(a, b, both)
-     && PMP::volume(both) < (1 - 1e-12)*volumes;
+    return PMP::area(both) < (1 - 1e-12)*(PMP::area(a) + PMP::area(b));
 }
 
 
-//- Joins bodies to the first until nothing changes. Those that are not closed,
-//  or intersect themselves, are left.
-static label joinAll(std::vector<unionMesh>& bodies)
+//- Sets what is left of a body without another, if that is possible. Returns
+//  whether the other one is within it.
+static bool subtract(unionMesh a, unionMesh b, unionMesh& rest)
 {
-    std::vector<bool> sound(bodies.size());
-    std::vector<CGAL::Bbox_3> boxes(bodies.size());
-    for (std::size_t i = 0; i < bodies.size(); ++i)
-    {
-        sound[i] = isBody(bodies[i]);
-        boxes[i] = PMP::bbox(bodies[i]);
-    }
+    const double volume = PMP::volume(a);
 
-    label nUnited = 0;
+    return
+        PMP::corefine_and_compute_difference(a, b, rest)
+     && std::abs(PMP::volume(rest) - volume + PMP::volume(b)) <= 1e-9*volume;
+}
 
-    for (std::size_t i = 0; i < bodies.size(); ++i)
+
+//- Unites two bodies unless they are apart, or cannot be united
+static bool unite(unionMesh a, unionMesh b, unionMesh& both)
+{
+    return PMP::corefine_and_compute_union(a, b, both) && touched(a, b, both);
+}
+
+
+//- Bodies of which pairs are joined
+class bodyJoiner
+{
+    std::vector<unionMesh> bodies_;
+
+    //- Closed, and without intersections with themselves
+    std::vector<bool> sound_;
+
+    std::vector<CGAL::Bbox_3> boxes_;
+
+public:
+
+    explicit bodyJoiner(const std::vector<unionMesh>& bodies)
+    :
+        bodies_(bodies),
+        sound_(bodies.size()),
+        boxes_(bodies.size())
     {
-        for (std::size_t j = i + 1; sound[i] && j < bodies.size();)
+        for (std::size_t i = 0; i < bodies_.size(); ++i)
         {
-            if (!sound[j] || !CGAL::do_overlap(boxes[i], boxes[j]))
-            {
-                ++j;
-                continue;
-            }
-
-            unionMesh a(bodies[i]), b(bodies[j]), both;
-            if (!unite(a, b, both))
-            {
-                ++j;
-                continue;
-            }
-
-            bodies[i] = both;
-            boxes[i] += boxes[j];
-            bodies.erase(bodies.begin() + j);
-            boxes.erase(boxes.begin() + j);
-            sound.erase(sound.begin() + j);
-            ++nUnited;
-
-            // What it has become may reach others
-            j = i + 1;
+            sound_[i] = isBody(bodies_[i]);
+            boxes_[i] = PMP::bbox(bodies_[i]);
         }
     }
 
-    return nUnited;
+    const std::vector<unionMesh>& bodies() const { return bodies_; }
+
+    //- Replaces pairs by what join makes of them until nothing changes; it
+    //  returns whether it made something. Returns the number of joined bodies.
+    template<class Join>
+    label joinAll(const Join& join)
+    {
+        label nJoined = 0;
+
+        for (std::size_t i = 0; i < bodies_.size(); ++i)
+        {
+            for (std::size_t j = i + 1; sound_[i] && j < bodies_.size();)
+            {
+                unionMesh both;
+                const bool isJoined =
+                    sound_[j] && CGAL::do_overlap(boxes_[i], boxes_[j])
+                 && join(bodies_[i], bodies_[j], both);
+
+                if (!isJoined)
+                {
+                    ++j;
+                    continue;
+                }
+
+                bodies_[i] = both;
+                boxes_[i] = PMP::bbox(both);
+                bodies_.erase(bodies_.begin() + j);
+                boxes_.erase(boxes_.begin() + j);
+                sound_.erase(sound_.begin() + j);
+                ++nJoined;
+
+                // What it has become may reach others
+                j = i + 1;
+            }
+        }
+
+        return nJoined;
+    }
+};
+
+
+//- Unites bodies unless they are apart or one is within the other
+static bool uniteOverlapping
+(
+    const unionMesh& a,
+    const unionMesh& b,
+    unionMesh& both
+)
+{
+    unionMesh rest;
+
+    return !subtract(a, b, rest) && !subtract(b, a, rest) && unite(a, b, both);
+}
+
+
+//- Subtracts a body from one within which it is, if they touch
+static bool subtractWithin
+(
+    const unionMesh& a,
+    const unionMesh& b,
+    unionMesh& rest
+)
+{
+    return
+        (subtract(a, b, rest) || subtract(b, a, rest)) && touched(a, b, rest);
 }
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void uniteBodies(wallSurface& surface, repairSteps& steps)
+void uniteBodies
+(
+    wallSurface& surface,
+    const bool fluidOutside,
+    repairSteps& steps
+)
 {
     unionMesh mesh;
     addFaces(surface, mesh);
@@ -137,10 +211,28 @@ void uniteBodies(wallSurface& surface, repairSteps& steps)
     }
 
     addStep(steps, "bodies freed of intersections with themselves", nUntangled);
-    addStep(steps, "bodies united with others", joinAll(bodies));
+
+    bodyJoiner joiner(bodies);
+    if (fluidOutside)
+    {
+        addStep(steps, "bodies united with others", joiner.joinAll(unite));
+    }
+    else
+    {
+        addStep
+        (
+            steps, "bodies united with others",
+            joiner.joinAll(uniteOverlapping)
+        );
+        addStep
+        (
+            steps, "bodies cut out of the fluid",
+            joiner.joinAll(subtractWithin)
+        );
+    }
 
     mesh.clear();
-    for (const unionMesh& body : bodies)
+    for (const unionMesh& body : joiner.bodies())
     {
         mesh += body;
     }

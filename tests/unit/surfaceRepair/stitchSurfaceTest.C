@@ -177,7 +177,7 @@ TEST(uniteBodies, overlappingBodiesBecomeOne)
         merge(cube(3), translated(cube(2), vector(0.6, 0.3, 0.2)))
     );
     repairSteps steps;
-    uniteBodies(surface, steps);
+    uniteBodies(surface, true, steps);
 
     EXPECT_EQ(countOf(steps, "united"), 1);
     EXPECT_TRUE(findWallDefects(surface).empty());
@@ -196,7 +196,7 @@ TEST(uniteBodies, bodiesWithinOthersAreRemoved)
     {
         wallSurface surface(merge(cube(3), turned ? reversed(inner) : inner));
         repairSteps steps;
-        uniteBodies(surface, steps);
+        uniteBodies(surface, true, steps);
 
         EXPECT_EQ(countOf(steps, "united"), 1);
         EXPECT_EQ(surface.faces.size(), 108);
@@ -209,11 +209,59 @@ TEST(uniteBodies, bodiesApartStayApart)
 {
     wallSurface surface(merge(cube(2), translated(cube(2), vector(1.1, 0, 0))));
     repairSteps steps;
-    uniteBodies(surface, steps);
+    uniteBodies(surface, true, steps);
 
     EXPECT_TRUE(steps.empty());
     EXPECT_EQ(surface.faces.size(), 96);
     EXPECT_NEAR(testSurfaces::enclosedVolume(surface), 2, 1e-12);
+}
+
+
+TEST(uniteBodies, touchingBodiesBecomeOne)
+{
+    wallSurface surface
+    (
+        merge(cube(2), translated(cube(2, 0.5), vector(1, 0.25, 0.25)))
+    );
+    repairSteps steps;
+    uniteBodies(surface, true, steps);
+
+    EXPECT_EQ(countOf(steps, "united"), 1);
+    EXPECT_TRUE(findWallDefects(surface).empty());
+    EXPECT_NEAR(testSurfaces::enclosedVolume(surface), 1.125, 1e-12);
+}
+
+
+TEST(uniteBodies, bodiesInAFluidInsideAreCutOutOfIt)
+{
+    // A foot on the floor, a block that overlaps it and is at a wall, and a
+    // ball in the air
+    const wallSurface ball(sphere(4, 0.1));
+    wallSurface surface(cube(2));
+    for
+    (
+        const wallSurface& body
+      : {
+            translated(cube(1, 0.25), vector(0.4, 0.3, 0)),
+            translated(cube(1, 0.375), vector(0.35, 0, 0.2)),
+            translated(ball, vector(0.5, 0.5, 0.8))
+        }
+    )
+    {
+        surface = merge(surface, body);
+    }
+    repairSteps steps;
+    uniteBodies(surface, false, steps);
+    orientWallSurface(surface, false);
+
+    const scalar common = 0.25*0.075*0.05;
+    const scalar solid = pow3(0.25) + pow3(0.375) - common;
+
+    EXPECT_EQ(countOf(steps, "united"), 1);
+    EXPECT_EQ(countOf(steps, "cut out"), 1);
+    EXPECT_TRUE(findWallDefects(surface).empty());
+    const scalar fluid = 1 - solid - testSurfaces::enclosedVolume(ball);
+    EXPECT_NEAR(testSurfaces::enclosedVolume(surface), -fluid, 1e-12);
 }
 
 
