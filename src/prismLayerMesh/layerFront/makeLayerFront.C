@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layerFront.H"
+#include "adviceOnPoints.H"
 #include "normalSectors.H"
 #include "wallPointsError.H"
 
@@ -332,11 +333,10 @@ public:
         {
             throw wallPointsError
             (
-                wall,
-                lost,
-                "see no directions that are in front of all their faces, not"
-                " even with several columns",
-                "Round off these corners in the surface."
+                wall, lost,
+                "see no directions that are in front of all their faces, not "
+                "even with several columns",
+                adviceOnPoints(wall, addressing, lost)
             );
         }
 
