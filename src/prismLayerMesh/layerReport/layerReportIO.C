@@ -108,9 +108,14 @@ static dictionary stagesDictionary(const UList<stageCost>& stages)
     for (const stageCost& stage : stages)
     {
         dictionary cost;
-        cost.add("seconds", stage.seconds);
+        const dictionary* earlier = dict.findDict(stage.stage);
+        cost.add
+        (
+            "seconds",
+            stage.seconds + (earlier ? earlier->get<scalar>("seconds") : 0)
+        );
         cost.add("peakMemoryMB", stage.peakMemory);
-        dict.add(stage.stage, cost);
+        dict.set(stage.stage, cost);
     }
 
     return dict;

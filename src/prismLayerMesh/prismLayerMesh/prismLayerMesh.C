@@ -151,6 +151,9 @@ void pipeline::divide()
 
 void pipeline::makeField()
 {
+    m_.pieces.clear();
+    m_.noField.clear();
+
     if (!controls_.layers.alongField && !controls_.layers.onLevelSets)
     {
         m_.noField = "marchingDirections axes needs none";
@@ -341,14 +344,10 @@ prismLayerMesh pipeline::run(const localHeights& local)
 {
     makeHeights(local);
     makeCones();
-    withFewerNormals([&](const scalar angle) { makeFront(angle); });
-    makeField();
     withFewerNormals([&](const scalar angle)
     {
-        if (angle != controls_.layers.multipleNormalsAngle)
-        {
-            makeFront(angle);
-        }
+        makeFront(angle);
+        makeField();
         makeColumns();
         makeLayers();
     });

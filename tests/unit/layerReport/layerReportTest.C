@@ -36,7 +36,7 @@ public:
     cubeRun()
     :
         wall(testSurfaces::cube(4)),
-        stages(2)
+        stages(3)
     {
         wall.patchNames = {"a", "b", "c", "d", "e", "f"};
 
@@ -66,6 +66,8 @@ public:
         stages[0].seconds = 0.5;
         stages[1].stage = "field";
         stages[1].peakMemory = 123;
+        stages[2].stage = "read";
+        stages[2].seconds = 0.25;
     }
 
     layerReport report() const
@@ -293,7 +295,7 @@ TEST(toDictionary, certificateColumnsAndStages)
     EXPECT_EQ(columns.subDict("squeezed").get<label>("validity"), 1);
 
     const dictionary& stages = dict.subDict("stages");
-    EXPECT_EQ(stages.subDict("read").get<scalar>("seconds"), 0.5);
+    EXPECT_EQ(stages.subDict("read").get<scalar>("seconds"), 0.75);
     EXPECT_EQ(stages.subDict("field").get<scalar>("peakMemoryMB"), 123);
 }
 
