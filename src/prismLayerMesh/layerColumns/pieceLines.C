@@ -225,6 +225,31 @@ string piecewiseLines::makeIsolated(const labelList& own)
 } // End anonymous namespace
 
 
+//- The number of parts that failed, with their points, and the first reason;
+//  empty if none did
+static string summary(const labelListList& parts, const UList<string>& failures)
+{
+    string first;
+    label nFailed = 0;
+    label nPoints = 0;
+
+    forAll(parts, i)
+    {
+        if (failures[i].size())
+        {
+            first = first.empty() ? failures[i] : first;
+            nPoints += parts[i].size();
+            ++nFailed;
+        }
+    }
+
+    return nFailed
+      ? name(nFailed) + " of " + name(parts.size()) + " pieces of the wall, "
+      + name(nPoints) + " points: " + first
+      : string();
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 columnLines makeColumnLines
@@ -256,11 +281,7 @@ columnLines makeColumnLines
         failures[order[k]] = lines.makeIsolated(wall.parts[order[k]]);
     }
 
-    failure.clear();
-    for (const string& reason : failures)
-    {
-        failure = failure.empty() ? reason : failure;
-    }
+    failure = summary(wall.parts, failures);
 
     return lines.release();
 }

@@ -273,7 +273,7 @@ void write(Ostream& os, const layerReport& report)
 
     if (report.noField.size())
     {
-        text<< "Columns do not follow a field: " << report.noField << '\n';
+        text<< "Columns have no field to follow: " << report.noField << '\n';
     }
 
     text<< std::fixed;

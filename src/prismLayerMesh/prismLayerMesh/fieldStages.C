@@ -208,13 +208,11 @@ columnLines makeLinesOfPieces
 {
     observer.begin("columnLines");
     const columnLines made(makeColumnLines(wall, starts, controls, failure));
-    if (failure.size())
-    {
-        failure = "a piece of the wall has none: " + failure;
-    }
     observer.end
     (
-        failure.empty() ? text(wall.parts.size(), " pieces") : failure
+        failure.empty()
+      ? text(wall.parts.size(), " pieces")
+      : "no field in front of " + failure
     );
 
     return made;

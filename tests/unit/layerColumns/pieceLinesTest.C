@@ -222,6 +222,7 @@ TEST(pieceLines, areStraightWherePiecesFail)
     );
 
     EXPECT_NE(failure.find("TetGen"), std::string::npos) << failure;
+    EXPECT_NE(failure.find(" pieces of the wall, "), std::string::npos);
     const pointField straight
     (
         makeStraightLines
