@@ -145,7 +145,10 @@ void surfaceRepairer::stitch()
     }
     if (!isSound())
     {
-        uniteBodies(surface, fluidOutside_, steps);
+        uniteBodies
+        (
+            surface, fluidOutside_, orShare(controls_.gap, 1e-4), steps
+        );
     }
 }
 

@@ -8,6 +8,7 @@
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
+#include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/Polygon_mesh_processing/repair_self_intersections.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/Surface_mesh.h>
@@ -16,6 +17,7 @@
 
 #include "stitchSurface.H"
 #include "cgalMeshes.H"
+#include "unitConversion.H"
 
 namespace Foam
 {
@@ -59,6 +61,25 @@ static bool isBody(const unionMesh& mesh)
 }
 
 
+//- Removes needles with an edge shorter than a length from a body, such as
+//  those on the steps between surfaces that hardly overlap, if the body stays
+//  sound. A needle has an edge 4 times as long as another, or an angle above
+//  160 degrees.
+static void removeNeedles(const double length, unionMesh& body)
+{
+    unionMesh cleaned(body);
+    PMP::experimental::remove_almost_degenerate_faces
+    (
+        cleaned, std::cos(degToRad(160.0)), 4, length
+    );
+
+    if (isBody(cleaned))
+    {
+        body = cleaned;
+    }
+}
+
+
 //- Whether less of the surfaces of two bodies is left in what was made of them:
 //  they intersect, or have parts of their surfaces in common
 static bool touched
@@ -94,6 +115,9 @@ static bool unite(unionMesh a, unionMesh b, unionMesh& both)
 //- Bodies of which pairs are joined
 class bodyJoiner
 {
+    //- Lower steps between joined surfaces are removed
+    double step_;
+
     std::vector<unionMesh> bodies_;
 
     //- Closed, and without intersections with themselves
@@ -103,8 +127,9 @@ class bodyJoiner
 
 public:
 
-    explicit bodyJoiner(const std::vector<unionMesh>& bodies)
+    bodyJoiner(const std::vector<unionMesh>& bodies, const double step)
     :
+        step_(step),
         bodies_(bodies),
         sound_(bodies.size()),
         boxes_(bodies.size())
@@ -140,6 +165,7 @@ public:
                     continue;
                 }
 
+                removeNeedles(step_, both);
                 bodies_[i] = both;
                 boxes_[i] = PMP::bbox(both);
                 bodies_.erase(bodies_.begin() + j);
@@ -190,6 +216,7 @@ void uniteBodies
 (
     wallSurface& surface,
     const bool fluidOutside,
+    const scalar step,
     repairSteps& steps
 )
 {
@@ -212,7 +239,7 @@ void uniteBodies
 
     addStep(steps, "bodies freed of intersections with themselves", nUntangled);
 
-    bodyJoiner joiner(bodies);
+    bodyJoiner joiner(bodies, step);
     if (fluidOutside)
     {
         addStep(steps, "bodies united with others", joiner.joinAll(unite));

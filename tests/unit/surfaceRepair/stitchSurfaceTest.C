@@ -177,7 +177,7 @@ TEST(uniteBodies, overlappingBodiesBecomeOne)
         merge(cube(3), translated(cube(2), vector(0.6, 0.3, 0.2)))
     );
     repairSteps steps;
-    uniteBodies(surface, true, steps);
+    uniteBodies(surface, true, 1e-4, steps);
 
     EXPECT_EQ(countOf(steps, "united"), 1);
     EXPECT_TRUE(findWallDefects(surface).empty());
@@ -196,7 +196,7 @@ TEST(uniteBodies, bodiesWithinOthersAreRemoved)
     {
         wallSurface surface(merge(cube(3), turned ? reversed(inner) : inner));
         repairSteps steps;
-        uniteBodies(surface, true, steps);
+        uniteBodies(surface, true, 1e-4, steps);
 
         EXPECT_EQ(countOf(steps, "united"), 1);
         EXPECT_EQ(surface.faces.size(), 108);
@@ -209,7 +209,7 @@ TEST(uniteBodies, bodiesApartStayApart)
 {
     wallSurface surface(merge(cube(2), translated(cube(2), vector(1.1, 0, 0))));
     repairSteps steps;
-    uniteBodies(surface, true, steps);
+    uniteBodies(surface, true, 1e-4, steps);
 
     EXPECT_TRUE(steps.empty());
     EXPECT_EQ(surface.faces.size(), 96);
@@ -224,11 +224,35 @@ TEST(uniteBodies, touchingBodiesBecomeOne)
         merge(cube(2), translated(cube(2, 0.5), vector(1, 0.25, 0.25)))
     );
     repairSteps steps;
-    uniteBodies(surface, true, steps);
+    uniteBodies(surface, true, 1e-4, steps);
 
     EXPECT_EQ(countOf(steps, "united"), 1);
     EXPECT_TRUE(findWallDefects(surface).empty());
     EXPECT_NEAR(testSurfaces::enclosedVolume(surface), 1.125, 1e-12);
+}
+
+
+TEST(uniteBodies, lowStepsBetweenBodiesAreRemoved)
+{
+    // Bars one upon the other, that overlap by 1e-6 where they cross
+    wallSurface surface
+    (
+        merge(cube(1), translated(cube(1), vector(1e-6, 0.5, 1 - 1e-6)))
+    );
+    repairSteps steps;
+    uniteBodies(surface, true, 1e-4, steps);
+
+    EXPECT_EQ(countOf(steps, "united"), 1);
+    EXPECT_TRUE(findWallDefects(surface).empty());
+    EXPECT_NEAR(testSurfaces::enclosedVolume(surface), 2, 1e-4);
+
+    for (const face& f : surface.faces)
+    {
+        for (const edge& e : f.edges())
+        {
+            EXPECT_GT(e.mag(surface.points), 1e-4);
+        }
+    }
 }
 
 
@@ -251,7 +275,7 @@ TEST(uniteBodies, bodiesInAFluidInsideAreCutOutOfIt)
         surface = merge(surface, body);
     }
     repairSteps steps;
-    uniteBodies(surface, false, steps);
+    uniteBodies(surface, false, 1e-4, steps);
     orientWallSurface(surface, false);
 
     const scalar common = 0.25*0.075*0.05;
