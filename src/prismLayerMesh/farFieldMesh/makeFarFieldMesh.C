@@ -12,7 +12,6 @@
 #include "refineSurface.H"
 #include "sideRemainders.H"
 #include "tetrahedralize.H"
-#include "unitConversion.H"
 #include "wallSearch.H"
 
 #include <functional>

@@ -73,15 +73,12 @@ static void split
         return;
     }
 
-    // One part for each point of the simplex, which the new one replaces there
-    for (const label p : simplices.simplices()[first])
+    DynamicList<tetCell, 4> own;
+    appendParts(tet, simplices.simplices()[first], firstNewPoint + first, own);
+
+    for (const tetCell& part : own)
     {
-        if (p >= 0)
-        {
-            tetCell part(tet);
-            part[tet.find(p)] = firstNewPoint + first;
-            split(simplices, inSet, firstNewPoint, part, parts);
-        }
+        split(simplices, inSet, firstNewPoint, part, parts);
     }
 }
 
