@@ -62,17 +62,21 @@ static simplex cornerSplit
 
 void splitCornerCells(farFieldMesh& mesh)
 {
-    const triangleIndex triangles(makeTriangleIndex(mesh.boundaryTriangles));
+    // Cells whose points are all on the far boundary may be beside the layers,
+    // where these end on side patches
+    faceList all(mesh.boundaryTriangles);
+    all.append(mesh.outerTriangles);
+    const triangleIndex triangles(makeTriangleIndex(all));
     boolList onBoundary(mesh.points.size(), false);
-    edgeHashSet edges(4*mesh.boundaryTriangles.size());
+    edgeHashSet edges(4*all.size());
 
     for (const face& f : mesh.boundaryTriangles)
     {
-        for (const edge& e : f.edges())
-        {
-            onBoundary[e.first()] = true;
-            edges.insert(e);
-        }
+        UIndirectList<bool>(onBoundary, f) = true;
+    }
+    for (const face& f : all)
+    {
+        edges.insert(f.edges());
     }
 
     simplexSet simplices;

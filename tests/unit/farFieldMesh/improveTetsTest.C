@@ -140,6 +140,29 @@ TEST(splitCornerCells, leavesOneFaceOnTheBoundary)
 }
 
 
+TEST(splitCornerCells, keepsTheLayersWhereTheyEndOnTheBoundary)
+{
+    // Two tetrahedra with a common face. The layers are below both, whose other
+    // faces are on the boundary, and so are all points.
+    farFieldMesh mesh;
+    mesh.points = pointField
+    ({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}});
+    mesh.tets = tetCellList({tetCell(0, 1, 2, 3), tetCell(1, 2, 3, 4)});
+    mesh.nBoundaryPoints = 5;
+    mesh.outerTriangles = faceList({face({0, 1, 2}), face({2, 1, 4})});
+    mesh.boundaryTriangles = faceList
+    ({
+        face({0, 2, 3}), face({0, 3, 1}), face({1, 3, 4}), face({3, 2, 4})
+    });
+    turnPositive(mesh);
+
+    splitCornerCells(mesh);
+    EXPECT_GT(mesh.tets.size(), 2);
+    EXPECT_EQ(boundaryFaces(mesh), labelPair(1, 6));
+    EXPECT_NEAR(volumeOf(mesh), 0.5, 1e-12);
+}
+
+
 TEST(improvePoorTets, movesAPoint)
 {
     // A point near to an end of a slender double pyramid
