@@ -186,7 +186,7 @@ backgroundMesh makeBackgroundMesh
         (
             isOnFront
             (
-                filled.points, filled.tets, triangles,
+                filled.points, filled.tets, domain.facets, triangles.size(),
                 [](const label) { return true; }
             )
         );
@@ -222,7 +222,10 @@ backgroundMesh makeBackgroundMesh
     };
     boolList isFront
     (
-        isOnFront(filled.points, filled.tets, triangles, isWhole)
+        isOnFront
+        (
+            filled.points, filled.tets, triangles, triangles.size(), isWhole
+        )
     );
 
     // Beyond whole points front and back are not told apart

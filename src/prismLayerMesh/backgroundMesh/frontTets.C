@@ -52,10 +52,11 @@ boolList isOnFront
     const pointField& points,
     const tetCellList& tets,
     const faceList& triangles,
+    const label nFirst,
     const std::function<bool(label)>& isPassed
 )
 {
-    const frontTriangles wall(triangles, points.size());
+    const frontTriangles barrier(triangles, points.size());
     const List<FixedList<label, 4>> neighbours
     (
         tetNeighbours(tets, points.size())
@@ -76,9 +77,9 @@ boolList isOnFront
     {
         for (label i = 0; i < 4; ++i)
         {
-            const label triangle = wall.find(tets[t].face(i));
+            const label triangle = barrier.find(tets[t].face(i));
 
-            if (triangle >= 0)
+            if (triangle >= 0 && triangle < nFirst)
             {
                 const face& f = triangles[triangle];
                 const vector up(points[tets[t][i]] - points[f[0]]);
@@ -95,7 +96,7 @@ boolList isOnFront
 
             if
             (
-                wall.find(f) < 0
+                barrier.find(f) < 0
              && (isPassed(f[0]) || isPassed(f[1]) || isPassed(f[2]))
             )
             {

@@ -55,6 +55,9 @@ static const std::vector<std::unique_ptr<endedStages>>& all()
         add(endedOn(halfSphere(6), halfPlanes()), 1, 1);
         add(endedOn(quarterCube(4), quarterPlanes()), 1, 1);
         add(endedOn(duct(4), wordList({"inlet", "outlet"})), 1, 0);
+
+        // A disc again: the fluid is on one side of inlet and outlet only
+        add(halfOf(duct(4)), 1, 1);
     }
 
     return list;
@@ -89,7 +92,7 @@ TEST(endedBackground, envelopeEndsOnTheSidePatches)
             }
         }
 
-        EXPECT_GE(min(nOn), 8);
+        EXPECT_GE(min(nOn), 5);
     }
 }
 

@@ -116,6 +116,7 @@ static const std::vector<endedFarField>& cases()
         (
             "duct", endedOn(duct(4), wordList({"inlet", "outlet"})), boundBox()
         );
+        list.emplace_back("half duct", halfOf(duct(4)), boundBox());
     }
 
     return list;
@@ -127,7 +128,7 @@ static scalar volumeOf(const endedFarField& c)
 {
     if (c.box.empty())
     {
-        return 1;
+        return c.name == "duct" ? 1 : 0.5;
     }
     const bool isQuarter = c.wall.border.sides.size() == 2;
     const vector size
@@ -279,10 +280,10 @@ TEST(endedFarField, groundOfABox)
             sheet(6, 0),
             List<sidePatch>
             ({
-                sidePlane("west", Zero, vector(-1, 0, 0)),
-                sidePlane("east", point(1, 0, 0), vector(1, 0, 0)),
-                sidePlane("south", Zero, vector(0, -1, 0)),
-                sidePlane("north", point(0, 1, 0), vector(0, 1, 0))
+                symmetryPlane("west", Zero, vector(-1, 0, 0)),
+                symmetryPlane("east", point(1, 0, 0), vector(1, 0, 0)),
+                symmetryPlane("south", Zero, vector(0, -1, 0)),
+                symmetryPlane("north", point(0, 1, 0), vector(0, 1, 0))
             })
         ),
         boundBox(point(0, 0, -1), point(1, 1, 2))
@@ -318,8 +319,8 @@ TEST(endedFarField, bodyFromOnePlaneToAnother)
             tube,
             List<sidePatch>
             ({
-                sidePlane("west", Zero, vector(-1, 0, 0)),
-                sidePlane("east", point(1, 0, 0), vector(1, 0, 0))
+                symmetryPlane("west", Zero, vector(-1, 0, 0)),
+                symmetryPlane("east", point(1, 0, 0), vector(1, 0, 0))
             })
         ),
         boundBox(point(-1, -1, -1), point(2, 2, 2))

@@ -233,10 +233,10 @@ TEST(sideRemainders, groundBelowABoxIsNoRemainder)
     // The wall is the bottom, which ends on the four sides
     const List<sidePatch> planes
     ({
-        sidePlane("west", Zero, vector(-1, 0, 0)),
-        sidePlane("east", point(1, 0, 0), vector(1, 0, 0)),
-        sidePlane("south", Zero, vector(0, -1, 0)),
-        sidePlane("north", point(0, 1, 0), vector(0, 1, 0))
+        symmetryPlane("west", Zero, vector(-1, 0, 0)),
+        symmetryPlane("east", point(1, 0, 0), vector(1, 0, 0)),
+        symmetryPlane("south", Zero, vector(0, -1, 0)),
+        symmetryPlane("north", point(0, 1, 0), vector(0, 1, 0))
     });
     const prismLayers layers(oneLayer(endedOn(sheet(4, 0), planes)));
     const endedBoundary boundary

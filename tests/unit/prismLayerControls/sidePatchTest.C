@@ -11,7 +11,7 @@
 #include <gtest/gtest.h>
 
 using namespace Foam;
-using testSurfaces::sidePlane;
+using testSurfaces::symmetryPlane;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -22,9 +22,9 @@ static List<sidePatch> obliquePlanes()
 
     return List<sidePatch>
     ({
-        sidePlane("a", x, normalised(vector(1, 0.4, -0.2))),
-        sidePlane("b", x, normalised(vector(0.3, 1, 0.5))),
-        sidePlane("c", x, normalised(vector(-0.1, 0.6, 1)))
+        symmetryPlane("a", x, normalised(vector(1, 0.4, -0.2))),
+        symmetryPlane("b", x, normalised(vector(0.3, 1, 0.5))),
+        symmetryPlane("c", x, normalised(vector(-0.1, 0.6, 1)))
     });
 }
 
@@ -33,7 +33,7 @@ static List<sidePatch> obliquePlanes()
 
 TEST(sidePatch, distanceIsNegativeInTheFluid)
 {
-    const sidePatch side(sidePlane("a", point(1, 2, 3), vector(0, 0, -1)));
+    const sidePatch side(symmetryPlane("a", point(1, 2, 3), vector(0, 0, -1)));
 
     EXPECT_EQ(side.distance(point(7, 8, 5)), -2);
     EXPECT_EQ(side.distance(point(7, 8, 2)), 1);
@@ -42,7 +42,7 @@ TEST(sidePatch, distanceIsNegativeInTheFluid)
 
 TEST(sidePatch, reflectionsAreOfPointsAndVectors)
 {
-    const sidePatch side(sidePlane("a", point(1, 2, 3), vector(0, 0, -1)));
+    const sidePatch side(symmetryPlane("a", point(1, 2, 3), vector(0, 0, -1)));
 
     EXPECT_EQ(side.reflected(vector(1, 2, 3)), vector(1, 2, -3));
     EXPECT_EQ(side.reflectedPoint(point(1, 2, 5)), point(1, 2, 1));
@@ -128,7 +128,7 @@ TEST(sidePatch, pointSidesAreOfTheEdgesFromAndToAPoint)
 
 TEST(sidePatch, namesAreNotThoseOfTheWall)
 {
-    List<sidePatch> sides(1, sidePlane("a", point::zero, vector(0, 0, -1)));
+    List<sidePatch> sides(1, symmetryPlane("a", point::zero, vector(0, 0, -1)));
 
     EXPECT_NO_THROW(checkSides(sides, wordList({"wall"})));
     expectWords
@@ -143,8 +143,8 @@ TEST(sidePatch, symmetryPlanesAreInOnePlane)
 {
     List<sidePatch> sides
     ({
-        sidePlane("a", point::zero, vector(0, 0, -1)),
-        sidePlane("a", point(1, 0, 0), vector(0, 0, -1))
+        symmetryPlane("a", point::zero, vector(0, 0, -1)),
+        symmetryPlane("a", point(1, 0, 0), vector(0, 0, -1))
     });
     sides[0].type = sides[1].type = "symmetryPlane";
     EXPECT_NO_THROW(checkSides(sides, wordList()));

@@ -18,7 +18,7 @@ using namespace Foam::testSurfaces;
 //- Of the wall below a height
 static sidePatch lid(const scalar height)
 {
-    return sidePlane("lid", point(0, 0, height), vector(0, 0, 1));
+    return symmetryPlane("lid", point(0, 0, height), vector(0, 0, 1));
 }
 
 

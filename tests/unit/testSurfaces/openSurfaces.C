@@ -72,6 +72,48 @@ wallSurface testSurfaces::duct(const label n)
 }
 
 
+wallSurface testSurfaces::halfOf(const wallSurface& duct)
+{
+    wallSurfaceControls controls;
+    controls.fluidOutside = false;
+    controls.sidePlanes = List<sidePatch>
+    (
+        1, symmetryPlane("middle", point(0, 0.5, 0), vector(0, -1, 0))
+    );
+    wallReading reading;
+
+    return endWall
+    (
+        beyond(duct, vector::Y, 0.5), controls,
+        withoutLayers({"inlet", "outlet"}), reading
+    );
+}
+
+
+wallSurface testSurfaces::bulgedDuct(const label n)
+{
+    wallSurface surface(duct(n));
+
+    for (point& x : surface.points)
+    {
+        x.x() += (1 - x.x())*bulgeAt(x);
+    }
+
+    labelList triangleFace;
+    surface.faces = faceList(wallTriangles(surface, triangleFace));
+    surface.patchIDs =
+        labelList(UIndirectList<label>(surface.patchIDs, triangleFace)());
+
+    return surface;
+}
+
+
+scalar testSurfaces::bulgeAt(const point& x)
+{
+    return 0.4*(sqr(x.y() - 0.5) + sqr(x.z() - 0.5)) - 0.2;
+}
+
+
 wallSurface testSurfaces::sheet(const label n, const scalar height)
 {
     wallSurface top(beyond(quadCube(n), vector::Z, 1 - 0.1/n));
@@ -98,7 +140,7 @@ wallSurface testSurfaces::unequalTriangles()
 }
 
 
-sidePatch testSurfaces::sidePlane
+sidePatch testSurfaces::symmetryPlane
 (
     const word& name,
     const point& origin,
@@ -117,14 +159,14 @@ sidePatch testSurfaces::sidePlane
 
 List<sidePatch> testSurfaces::halfPlanes()
 {
-    return List<sidePatch>(1, sidePlane("bottom", Zero, vector(0, 0, -1)));
+    return List<sidePatch>(1, symmetryPlane("bottom", Zero, vector(0, 0, -1)));
 }
 
 
 List<sidePatch> testSurfaces::quarterPlanes()
 {
     List<sidePatch> planes(halfPlanes());
-    planes.append(sidePlane("side", Zero, vector(0, -1, 0)));
+    planes.append(symmetryPlane("side", Zero, vector(0, -1, 0)));
 
     return planes;
 }

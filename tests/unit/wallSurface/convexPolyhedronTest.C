@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 
 using namespace Foam;
-using testSurfaces::sidePlane;
+using testSurfaces::symmetryPlane;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -55,7 +55,7 @@ static sidePatch oblique(const scalar distance, const scalar sign)
 {
     const vector n(normalised(vector(1, 1, 1)));
 
-    return sidePlane("oblique", distance*n, sign*n);
+    return symmetryPlane("oblique", distance*n, sign*n);
 }
 
 
@@ -84,7 +84,7 @@ TEST(convexPolyhedron, halfOfABox)
     (
         cutOf
         (
-            unitBox, {sidePlane("x", point(0.25, 7, 7), vector(-1, 0, 0))}
+            unitBox, {symmetryPlane("x", point(0.25, 7, 7), vector(-1, 0, 0))}
         )
     );
 
@@ -134,8 +134,8 @@ TEST(convexPolyhedron, quarterByTwoPlanes)
         (
             unitBox,
             {
-                sidePlane("y", point::uniform(0.5), vector(0, -1, 0)),
-                sidePlane("z", point::uniform(0.5), vector(0, 0, -1))
+                symmetryPlane("y", point::uniform(0.5), vector(0, -1, 0)),
+                symmetryPlane("z", point::uniform(0.5), vector(0, 0, -1))
             }
         )
     );
@@ -157,7 +157,7 @@ TEST(convexPolyhedron, sideInAPlaneIsThePlanes)
             cutOf
             (
                 unitBox,
-                {sidePlane("low", point(0, 0, off), vector(0, 0, -1))}
+                {symmetryPlane("low", point(0, 0, off), vector(0, 0, -1))}
             )
         );
 
@@ -178,7 +178,7 @@ TEST(convexPolyhedron, planeThatMissesTheBoxCutsNothing)
         const vector n(normalised(vector(-1, -1, 0)));
         const convexPolyhedron cut
         (
-            cutOf(unitBox, {sidePlane("away", distance*-n, n)})
+            cutOf(unitBox, {symmetryPlane("away", distance*-n, n)})
         );
 
         EXPECT_EQ(cut.faces.size(), 6);
@@ -190,7 +190,7 @@ TEST(convexPolyhedron, planeThatMissesTheBoxCutsNothing)
 
 TEST(convexPolyhedron, partsOfPlanesDoNotCut)
 {
-    sidePatch part(sidePlane("x", point(0.5, 0, 0), vector(-1, 0, 0)));
+    sidePatch part(symmetryPlane("x", point(0.5, 0, 0), vector(-1, 0, 0)));
     part.points = pointField({{0.5, 0, 0}, {0.5, 1, 0}, {0.5, 0, 1}});
     part.faces = faceList(1, face({0, 1, 2}));
 
@@ -206,7 +206,7 @@ TEST(convexPolyhedron, flatAndFarBoxesAreCut)
     (
         cutOf
         (
-            box, {sidePlane("x", low + point(0.25, 0, 0), vector(-1, 0, 0))}
+            box, {symmetryPlane("x", low + point(0.25, 0, 0), vector(-1, 0, 0))}
         )
     );
 

@@ -78,7 +78,7 @@ TEST(endWallErrors, borderOnNoPlaneIsRefused)
         errorOf
         (
             halfCube(4),
-            {sidePlane("low", point(0, 0, -0.1), vector(0, 0, -1))}
+            {symmetryPlane("low", point(0, 0, -0.1), vector(0, 0, -1))}
         ),
         {"surface is open", "16 places", "(0.125 0 0)"}
     );
@@ -88,7 +88,7 @@ TEST(endWallErrors, borderOnNoPlaneIsRefused)
 TEST(endWallErrors, planeWithoutBorderIsRefused)
 {
     List<sidePatch> planes(halfPlanes());
-    planes.append(sidePlane("away", point(0, -3, 0), vector(0, -1, 0)));
+    planes.append(symmetryPlane("away", point(0, -3, 0), vector(0, -1, 0)));
 
     expectWords
     (
@@ -137,7 +137,7 @@ TEST(endWallErrors, normalIntoTheFluidIsRefused)
 {
     expectWords
     (
-        errorOf(halfCube(4), {sidePlane("bottom", Zero, vector(0, 0, 1))}),
+        errorOf(halfCube(4), {symmetryPlane("bottom", Zero, vector(0, 0, 1))}),
         {
             "beyond the side plane bottom", "must point out of the fluid",
             // All points but those of the border
@@ -147,16 +147,19 @@ TEST(endWallErrors, normalIntoTheFluidIsRefused)
 }
 
 
-TEST(endWallErrors, sidePatchThatIsNotPlaneIsRefused)
+TEST(endWallErrors, curvedSymmetryPlaneIsRefused)
 {
-    wallSurface surface(duct(4));
-    surface.points[pointAt(surface, point(0, 0.5, 0.5))].x() = 0.01;
+    for (const word type : {"symmetryPlane", "empty"})
+    {
+        layerControls layers(withoutLayers({"inlet", "outlet"}));
+        layers.patches[0].type = type;
 
-    expectWords
-    (
-        errorOf(surface, {}, withoutLayers({"inlet", "outlet"})),
-        {"side patch inlet is not plane at (", "m away from a plane"}
-    );
+        expectWords
+        (
+            errorOf(bulgedDuct(4), {}, layers),
+            {"side patch inlet of type", type.c_str(), "is curved near ("}
+        );
+    }
 }
 
 

@@ -18,10 +18,10 @@ static List<sidePatch> columnPlanes()
 {
     return List<sidePatch>
     ({
-        sidePlane("west", Zero, vector(-1, 0, 0)),
-        sidePlane("east", point(1, 0, 0), vector(1, 0, 0)),
-        sidePlane("south", Zero, vector(0, -1, 0)),
-        sidePlane("north", point(0, 1, 0), vector(0, 1, 0))
+        symmetryPlane("west", Zero, vector(-1, 0, 0)),
+        symmetryPlane("east", point(1, 0, 0), vector(1, 0, 0)),
+        symmetryPlane("south", Zero, vector(0, -1, 0)),
+        symmetryPlane("north", point(0, 1, 0), vector(0, 1, 0))
     });
 }
 

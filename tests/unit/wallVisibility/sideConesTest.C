@@ -65,7 +65,7 @@ static List<sidePatch> sectorPlanes()
     List<sidePatch> planes(halfPlanes());
     planes.append
     (
-        sidePlane
+        symmetryPlane
         (
             "side", Zero, normalised(vector(0, -1, 1/::sqrt(3.0)))
         )
@@ -174,23 +174,23 @@ TEST(sideCones, rampIsAWedgeWithItsImage)
         }
         ramp.patchNames[0] = "ramp";
         ramp.border.sides = halfPlanes();
-        const edgeList open(outline(ramp.faces));
-        for (const edge& e : open)
+        ramp.border.sides.append
+        (
+            symmetryPlane("around", point(1, 0.5, 0), vector(1, 0, 0))
+        );
+        ramp.border.edges = outline(ramp.faces);
+        for (const edge& e : ramp.border.edges)
         {
-            if
+            ramp.border.edgeSides.append
             (
-                ramp.points[e.start()].x() == 0
-             && ramp.points[e.end()].x() == 0
-            )
-            {
-                ramp.border.edges.append(e);
-                ramp.border.edgeSides.append(0);
-            }
+                e.centre(ramp.points).x() == 0 ? 0 : 1
+            );
         }
         ramp.border.sides[0].normal.z() = below ? 1 : -1;
 
         const wallVisibility visibility(visibilityOf(ramp));
-        const label p = ramp.border.edges[0].start();
+        const label p = ramp.points.find(point(0, 0.5, below ? -0. : 0.));
+        ASSERT_GE(p, 0);
         EXPECT_NEAR(visibility.cones[p].axis.z(), 0, 1e-15);
         EXPECT_NEAR
         (
