@@ -30,12 +30,13 @@ static wordList flushSides
         for (const label s : addressing.sidesOf(p))
         {
             const sidePatch& side = wall.border.sides[s];
+            const vector inward(-side.planeAt(wall.points[p]).normal);
 
             for (const label facei : addressing.pointFaces[p])
             {
                 const vector normal(wall.faces[facei].unitNormal(wall.points));
 
-                if ((-side.normal & normal) > flushCosine)
+                if ((inward & normal) > flushCosine)
                 {
                     names.insert(side.name);
                 }

@@ -30,9 +30,26 @@ columnConstraint columnConstraint::onLine
 }
 
 
-columnConstraint columnConstraint::onSurface(const nearestPoint& nearest)
+columnConstraint columnConstraint::onSurface
+(
+    const vector& normal,
+    const nearestPoint& nearest
+)
 {
-    columnConstraint constraint(kind::onSurface, Zero, Zero);
+    columnConstraint constraint(kind::inPlane, Zero, normal);
+    constraint.nearest_ = nearest;
+
+    return constraint;
+}
+
+
+columnConstraint columnConstraint::onCurve
+(
+    const vector& tangent,
+    const nearestPoint& nearest
+)
+{
+    columnConstraint constraint(kind::onLine, Zero, tangent);
     constraint.nearest_ = nearest;
 
     return constraint;
@@ -57,11 +74,15 @@ vector columnConstraint::allowed(const vector& direction) const
 
 point columnConstraint::allowedPoint(const point& x) const
 {
+    if (nearest_)
+    {
+        return nearest_(x);
+    }
+
     const vector along = ((x - origin_) & direction_)*direction_;
 
     return kind_ == kind::inPlane ? x - along
       : kind_ == kind::onLine ? origin_ + along
-      : kind_ == kind::onSurface ? nearest_(x)
       : x;
 }
 

@@ -4,9 +4,54 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layerFront.H"
+#include "sideCurve.H"
+#include "sideShape.H"
 
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Of a column on a side patch
+static columnConstraint onSide(const sidePatch& side, const point& x)
+{
+    if (!side.isCurved())
+    {
+        return columnConstraint::inPlane(side.origin, side.normal);
+    }
+
+    const std::shared_ptr<const sideShape> shape(side.shape);
+
+    return columnConstraint::onSurface
+    (
+        side.planeAt(x).normal,
+        [shape](const point& y) { return shape->nearest(y).rawPoint(); }
+    );
+}
+
+
+//- Of a column on two side patches, whose common line has a unit tangent
+static columnConstraint onBothSides
+(
+    const sidePatch& first,
+    const sidePatch& second,
+    const point& x,
+    const vector& tangent
+)
+{
+    if (!first.isCurved() && !second.isCurved())
+    {
+        return columnConstraint::onLine(x, tangent);
+    }
+
+    const sideCurve curve(first, second, x);
+
+    return columnConstraint::onCurve
+    (
+        tangent, [curve](const point& y) { return curve.nearest(y); }
+    );
+}
+
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -45,22 +90,25 @@ void layerFront::setConstraints()
         return;
     }
 
+    const List<sidePatch>& sides = surface.border.sides;
+
     constraints.setSize(wallPoints.size());
     forAll(constraints, c)
     {
         const point& x = surface.points[c];
-        const labelList sides(addressing.sidesOf(c));
+        const labelList own(addressing.sidesOf(c));
         const vectorField& lines = visibility.sideLines;
 
         if (lines.size() && mag(lines[c]) > 0)
         {
-            constraints[c] = columnConstraint::onLine(x, lines[c]);
+            constraints[c] = onBothSides
+            (
+                sides[own[0]], sides[own[1]], x, lines[c]
+            );
         }
-        else if (sides.size())
+        else if (own.size())
         {
-            const sidePatch& side = surface.border.sides[sides[0]];
-            constraints[c] =
-                columnConstraint::inPlane(side.origin, side.normal);
+            constraints[c] = onSide(sides[own[0]], x);
         }
     }
 }

@@ -15,8 +15,8 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- The side patch of a point of a border, null if it is on none
-static const sidePatch* sideOf
+//- The plane of the side patch of a point of a border, none for other points
+static std::unique_ptr<const sidePlane> sideOf
 (
     const wallSurface& wall,
     const wallAddressing& addressing,
@@ -25,7 +25,12 @@ static const sidePatch* sideOf
 {
     const labelList sides(addressing.sidesOf(p));
 
-    return sides.size() ? &wall.border.sides[sides[0]] : nullptr;
+    return std::unique_ptr<const sidePlane>
+    (
+        sides.size()
+      ? new sidePlane(wall.border.sides[sides[0]].planeAt(wall.points[p]))
+      : nullptr
+    );
 }
 
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sidePatch.H"
+#include "sideShape.H"
 #include "DynamicList.H"
 #include "EdgeMap.H"
 #include "error.H"
@@ -13,11 +14,15 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
+//- Bound on the projections, in turn, on side patches some of which are curved
+static constexpr label maxPasses = 20;
+
+
 //- The move of x onto a plane that leaves it on those before, whose directions
 //  are orthonormal; the direction of the move is added to them
 static point movedOnto
 (
-    const sidePatch& side,
+    const sidePlane& side,
     const point& x,
     DynamicList<vector>& directions
 )
@@ -42,6 +47,12 @@ static point movedOnto
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+sidePlane sidePatch::planeAt(const point& x) const
+{
+    return shape ? shape->planeAt(x) : sidePlane(*this);
+}
+
 
 Map<labelPair> wallBorder::pointSides() const
 {
@@ -72,6 +83,17 @@ void checkSides
             FatalErrorInFunction
                 << "The side patch " << side.name << " has the name of a patch"
                 << " of the wall" << exit(FatalError);
+        }
+
+        if
+        (
+            side.isCurved()
+         && (side.type == "symmetryPlane" || side.type == "empty")
+        )
+        {
+            FatalErrorInFunction
+                << "The side patch " << side.name << " of type " << side.type
+                << " is curved near " << side.origin << exit(FatalError);
         }
 
         for (const sidePatch& other : sides)
@@ -137,14 +159,28 @@ point onAll
     point x
 )
 {
-    // The second time takes away the rounding of the first
-    for (label pass = 0; pass < 2; ++pass)
+    // In planes the second pass takes away the rounding of the first
+    const bool isCurved = std::any_of
+    (
+        some.begin(), some.end(),
+        [&](const label s) { return sides[s].isCurved(); }
+    );
+
+    for (label pass = 0; pass < (isCurved ? maxPasses : 2); ++pass)
     {
+        const point before(x);
         DynamicList<vector> directions;
 
         for (const label s : some)
         {
-            x = movedOnto(sides[s], x, directions);
+            x = sides[s].isCurved()
+              ? sides[s].shape->nearest(x).rawPoint()
+              : movedOnto(sides[s], x, directions);
+        }
+
+        if (x == before)
+        {
+            break;
         }
     }
 

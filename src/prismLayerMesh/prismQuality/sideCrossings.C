@@ -50,6 +50,9 @@ struct sideColumns
     const sidePatch& side;
     labelHashSet columns;
 
+    //- Edges of the border of the wall that are on the side patch
+    DynamicList<edge> edges;
+
     sideColumns(const prismLayers& l, const label s)
     :
         layers(l),
@@ -60,6 +63,7 @@ struct sideColumns
             if (layers.border.edgeSides[i] == s)
             {
                 columns.insert(layers.border.edges[i]);
+                edges.append(layers.border.edges[i]);
             }
         }
     }
@@ -75,8 +79,8 @@ struct sideColumns
     }
 
 
-    //- Whether a stack has points that are not in front of the plane, but for
-    //  the columns in it
+    //- Whether a stack has points that are not in front of the side patch, but
+    //  for the columns on it
     bool isBeyond(const face& f) const
     {
         for (const label c : f)
@@ -99,8 +103,8 @@ struct sideColumns
     }
 
 
-    //- The outer triangles of the faces of a list that are near to the part of
-    //  the plane and do not touch it
+    //- The outer triangles of the faces of a list that are near to the part and
+    //  do not touch it
     void takeOuter
     (
         const labelUList& faces,
@@ -133,10 +137,31 @@ struct sideColumns
     }
 
 
-    //- Add the faces of a list whose outer faces intersect the part of the
-    //  plane, but for those that touch it
+    //- Append the sides of the layers, which are not quite on a curved part
+    void appendSides(pointField& points, faceList& triangles) const;
+
+    //- Add the faces of a list whose outer faces intersect the part, but for
+    //  those that touch it
     void addIntersecting(const labelUList& faces, labelHashSet& crossing) const;
 };
+
+
+void sideColumns::appendSides(pointField& points, faceList& triangles) const
+{
+    for (const edge& e : edges)
+    {
+        for (label i = 0; i < layers.nLayers; ++i)
+        {
+            const label p = points.size();
+            points.append(layers(e.start(), i));
+            points.append(layers(e.end(), i));
+            points.append(layers(e.end(), i + 1));
+            points.append(layers(e.start(), i + 1));
+            triangles.append(face({p, p + 1, p + 2}));
+            triangles.append(face({p, p + 2, p + 3}));
+        }
+    }
+}
 
 
 void sideColumns::addIntersecting
@@ -168,6 +193,11 @@ void sideColumns::addIntersecting
                 face({f[0] + nOuter, f[k] + nOuter, f[k + 1] + nOuter})
             );
         }
+    }
+
+    if (side.isCurved())
+    {
+        appendSides(points, triangles);
     }
 
     DynamicList<labelPair> pairs;

@@ -40,8 +40,9 @@ struct ball
 {
     scalar radius = 0;
 
-    //- Triangle of the wall, or -1
+    //- Triangle of the wall, or -1, and the centre of a ball that it bounds
     label bound = -1;
+    point boundCentre = Zero;
 };
 
 
@@ -58,16 +59,17 @@ struct pointBalls
     //  face that is opposite by oppositeCosine
     ball shrunken(const scalar largest, const scalar oppositeCosine) const
     {
-        ball b{largest, -1};
+        ball b{largest, -1, Zero};
 
         // Each round takes the deepest point inside the ball
         for (label round = 0; round < clearanceControls::maxRounds; ++round)
         {
+            const point centre = p + b.radius/cosine*axis;
             const pointIndexHit hit
             (
                 search.nearestOpposite
                 (
-                    p + b.radius/cosine*axis,
+                    centre,
                     (1 - clearanceControls::tolerance)*b.radius,
                     axis,
                     oppositeCosine
@@ -87,8 +89,7 @@ struct pointBalls
                 break;
             }
 
-
-            b = {lower, hit.index()};
+            b = {lower, hit.index(), centre};
         }
 
         return b;
@@ -124,7 +125,8 @@ struct pointBalls
     {
         const ball b(first(reach, clearanceControls::oppositeFrom));
         const scalar share =
-            b.bound < 0 ? 1 : search.opposition(b.bound, axis);
+            b.bound < 0
+          ? 1 : search.opposition(b.bound, b.boundCentre, axis);
 
         if (share == 1)
         {

@@ -92,26 +92,13 @@ wallSearch::wallSearch(const wallSurface& wall)
         3
     ),
     sides_(wall.border.sides),
-    parts_(sides_.size()),
-    partTrees_(sides_.size())
+    parts_(sides_.size())
 {
     forAll(sides_, s)
     {
         if (sides_[s].isPart())
         {
-            wallSurface part;
-            part.points = sides_[s].points;
-            part.faces = sides_[s].faces;
-            parts_.set(s, new triSurface(toTriSurface(part)));
-            partTrees_.set
-            (
-                s,
-                new indexedOctree<treeDataTriSurface>
-                (
-                    treeDataTriSurface(true, parts_[s], 0),
-                    inflated(part.points), 12, 10, 3
-                )
-            );
+            parts_.set(s, new sideShape(sides_[s].points, sides_[s].faces));
         }
     }
 }
@@ -127,10 +114,7 @@ bool wallSearch::isNear
 ) const
 {
     return mag(sides_[side].distance(x)) < distance
-     && (
-            !partTrees_.set(side)
-         || partTrees_[side].findNearest(x, sqr(distance)).hit()
-        );
+     && (!parts_.set(side) || parts_[side].nearest(x, distance).hit());
 }
 
 
@@ -184,12 +168,12 @@ pointIndexHit wallSearch::nearestOpposite
     // Labels of the triangles of images follow
     forAll(sides_, s)
     {
-        const sidePatch& side = sides_[s];
         const scalar least =
             nearest.hit() ? mag(x - nearest.rawPoint()) : distance;
 
         if (isNear(s, x, least))
         {
+            const sidePlane side(sides_[s].planeAt(x));
             const vector reflected(side.reflected(direction));
             const pointIndexHit hit
             (
@@ -238,7 +222,7 @@ bool wallSearch::putOnSides
         else if
         (
             side.distance(x) > 0
-         && (!partTrees_.set(s) || partTrees_[s].findLine(from, x).hit())
+         && (!parts_.set(s) || parts_[s].hit(from, x).hit())
         )
         {
             return false;
@@ -254,13 +238,14 @@ bool wallSearch::putOnSides
 scalar wallSearch::opposition
 (
     const label triangle,
+    const point& x,
     const vector& direction
 ) const
 {
     const label image = triangle/surface_.size();
     const vector seen
     (
-        image ? sides_[image - 1].reflected(direction) : direction
+        image ? sides_[image - 1].planeAt(x).reflected(direction) : direction
     );
     const scalar from = clearanceControls::oppositeFrom;
     const scalar share =

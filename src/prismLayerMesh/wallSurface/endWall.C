@@ -7,6 +7,7 @@
 #include "boundBox.H"
 #include "checkInFront.H"
 #include "sideParts.H"
+#include "sideShape.H"
 
 namespace Foam
 {
@@ -271,6 +272,14 @@ void wallEnder::takeWall()
         sides_[s].faces.transfer(facesOfSides[s]);
         sides_[s].points = surface_.points;
         removeUnusedPoints(sides_[s].faces, sides_[s].points);
+
+        if (sides_[s].isCurved())
+        {
+            sides_[s].shape = std::make_shared<const sideShape>
+            (
+                sides_[s].points, sides_[s].faces
+            );
+        }
     }
 
     wall_.faces.transfer(faces);

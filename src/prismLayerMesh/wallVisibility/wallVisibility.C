@@ -7,6 +7,7 @@
 #include "DynamicField.H"
 #include "ListOps.H"
 #include "mathematicalConstants.H"
+#include "sideCurve.H"
 
 namespace Foam
 {
@@ -19,6 +20,7 @@ static void addReflections
 (
     const wallSurface& wall,
     const labelUList& sides,
+    const label p,
     DynamicField<vector>& normals,
     DynamicField<scalar>& angles,
     DynamicField<vector>& others
@@ -26,7 +28,10 @@ static void addReflections
 {
     for (label k = sides.size() - 1; k >= 0; --k)
     {
-        const sidePatch& side = wall.border.sides[sides[k]];
+        const sidePlane side
+        (
+            wall.border.sides[sides[k]].planeAt(wall.points[p])
+        );
 
         for (label i = normals.size() - 1; i >= 0; --i)
         {
@@ -38,6 +43,26 @@ static void addReflections
             others.append(side.reflected(others[i]));
         }
     }
+}
+
+
+//- Along the line or curve of two side patches; zero if they are in one plane
+static vector commonLine
+(
+    const sidePatch& first,
+    const sidePatch& second,
+    const point& x,
+    const UList<vector>& normals
+)
+{
+    if (first.isCurved() || second.isCurved())
+    {
+        return sideCurve(first, second, x).tangent();
+    }
+
+    const vector line = first.normal ^ second.normal;
+
+    return (line & sum(normals)) < 0 ? -line : line;
 }
 
 
@@ -56,14 +81,16 @@ static void setSideLine
         return;
     }
 
-    const vector line =
-        wall.border.sides[sides[0]].normal ^ wall.border.sides[sides[1]].normal;
+    const List<sidePatch>& all = wall.border.sides;
+    const vector line
+    (
+        commonLine(all[sides[0]], all[sides[1]], wall.points[p], normals)
+    );
 
     if (magSqr(line) > visibilityControls::rounding)
     {
         visibility.sideLines.setSize(wall.points.size(), vector::zero);
-        visibility.sideLines[p] =
-            normalised((line & sum(normals)) < 0 ? -line : line);
+        visibility.sideLines[p] = normalised(line);
     }
 }
 
@@ -107,7 +134,7 @@ static void setPoint
     }
 
     const labelList sides(addressing.sidesOf(p));
-    addReflections(wall, sides, normals, angles, others);
+    addReflections(wall, sides, p, normals, angles, others);
     setSideLine(wall, sides, p, normals, visibility);
     visibility.polygonNormals[p] = others;
     visibility.cornerNormals[p] = normals;

@@ -153,6 +153,21 @@ TEST(columnConstraint, planesTakeTheNormalAway)
 }
 
 
+TEST(columnConstraint, surfacesAndCurvesTakeDirectionsOutOfTheTangents)
+{
+    const vector n(normalised(vector(1, 2, 2)));
+    const auto origin = [](const point&) { return point(0, 0, 1); };
+    const columnConstraint surface(columnConstraint::onSurface(n, origin));
+    const columnConstraint curve(columnConstraint::onCurve(n, origin));
+    const point x(1, -2, 3);
+
+    EXPECT_NEAR(surface.allowed(x) & n, 0, 1e-15);
+    EXPECT_NEAR(mag(curve.allowed(x) ^ n), 0, 1e-15);
+    EXPECT_EQ(surface.allowedPoint(x), point(0, 0, 1));
+    EXPECT_EQ(curve.allowedPoint(x), point(0, 0, 1));
+}
+
+
 TEST(columnConstraint, columnsInAPlaneStayThereInAllMoves)
 {
     const layerFront front(roughBall());
@@ -240,7 +255,11 @@ TEST(columnConstraint, columnsOnASurfaceStayThereInAllMoves)
     };
     editedColumns m
     (
-        front, constraints(front, columnConstraint::onSurface(onCylinder))
+        front,
+        constraints
+        (
+            front, columnConstraint::onSurface(vector(0, 0, 1), onCylinder)
+        )
     );
 
     const auto distance = [&](const point& x)

@@ -68,8 +68,8 @@ TEST(mirrorImages, plateSeesItsOwnImage)
     ASSERT_TRUE(hit.hit());
     EXPECT_LT(mag(hit.rawPoint() - point(0.3, 0.4, -0.25)), 1e-15);
     EXPECT_GE(hit.index(), 2*plate.faces.size());
-    EXPECT_EQ(search.opposition(hit.index(), vector(0, 0, -1)), 1);
-    EXPECT_EQ(search.opposition(hit.index(), vector(0, 0, 1)), 0);
+    EXPECT_EQ(search.opposition(hit.index(), Zero, vector(0, 0, -1)), 1);
+    EXPECT_EQ(search.opposition(hit.index(), Zero, vector(0, 0, 1)), 0);
 
     EXPECT_FALSE(opposite(search, 0.499).hit());
 }

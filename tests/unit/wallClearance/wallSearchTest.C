@@ -157,7 +157,7 @@ TEST(wallSearch, oppositionGrowsFrom110To130Degrees)
     {
         const scalar angle = degrees*constant::mathematical::pi/180;
         const vector d(std::sin(angle), 0, std::cos(angle));
-        const scalar opposition = search.opposition(top, d);
+        const scalar opposition = search.opposition(top, Zero, d);
 
         EXPECT_EQ(opposition > 0, degrees > 110);
         EXPECT_EQ(opposition < 1, degrees < 130);
