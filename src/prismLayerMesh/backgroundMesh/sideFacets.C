@@ -100,6 +100,12 @@ class sideFacets
         forAll(regions_, s)
         {
             const sidePatch& side = wall_.border.sides[s];
+            regions_[s].isCurved = side.isCurved();
+
+            for (label p = 0; side.isCurved() && p < side.points.size(); ++p)
+            {
+                regions_[s].points.append(labelOf(side.points[p]));
+            }
 
             for (const edge& e : outline(side.faces))
             {

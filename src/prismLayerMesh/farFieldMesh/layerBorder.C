@@ -10,8 +10,30 @@ namespace Foam
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+std::shared_ptr<const sideCurve> layerBorder::curveOf
+(
+    const prismLayers& layers,
+    const labelPair& sides,
+    const point& root
+) const
+{
+    const sidePatch& first = layers.border.sides[sides.first()];
+    const sidePatch& second = layers.border.sides[sides.second()];
+
+    return first.isCurved() || second.isCurved()
+      ? std::make_shared<const sideCurve>(first, second, root)
+      : nullptr;
+}
+
+
 scalar layerBorder::shareAt(const corner& c, const point& x) const
 {
+    if (c.curve)
+    {
+        return mag(x - c.curve->nearest(x)) < tolerance_
+          ? c.curve->lengthTo(x)/c.curve->lengthTo(tops_[c.top]) : -1;
+    }
+
     const vector up(tops_[c.top] - c.root);
     const scalar share = ((x - c.root) & up)/magSqr(up);
     const bool onLine = mag(x - c.root - share*up) < tolerance_;
@@ -44,7 +66,7 @@ layerBorder::layerBorder(const prismLayers& layers, const scalar tolerance)
 
         if (sides.first() != sides.second())
         {
-            corners_.append({sides, root, i});
+            corners_.append({sides, root, i, curveOf(layers, sides, root)});
         }
     }
 

@@ -4,6 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "planePoints.H"
+#include "boundBox.H"
+#include "sideShape.H"
 #include "farFieldMeshControls.H"
 #include "sparsePoints.H"
 #include "DynamicField.H"
@@ -45,24 +47,93 @@ class planeSquares
     vector e1_;
     vector e2_;
 
+    //- Longer than a side patch is high above its plane
+    const scalar reach_;
+
     DynamicField<point> centres_;
     DynamicField<scalar> sizes_;
 
+    //- The point of the side patch above one of its plane. False if there is
+    //  none.
+    bool lift(point& x) const
+    {
+        const sidePlane& plane = side_;
+        x -= plane.distance(x)*plane.normal;
+
+        if (!side_.isCurved())
+        {
+            return true;
+        }
+
+        const vector up(reach_*plane.normal);
+        const pointIndexHit hit(side_.shape->hit(x - up, x + up));
+        x = hit.hit() ? hit.rawPoint() : x;
+
+        return hit.hit();
+    }
+
     point at(const scalar a, const scalar b) const
     {
-        const point x(side_.origin + a*e1_ + b*e2_);
-        return x - side_.distance(x)*side_.normal;
+        return side_.origin + a*e1_ + b*e2_;
+    }
+
+    //- Whether the side patch bends away from its tangent plane at x by more
+    //  than a share of the width of a square
+    bool isBent
+    (
+        const point& x,
+        const scalar a,
+        const scalar b,
+        const scalar width
+    ) const
+    {
+        const sidePlane tangent(side_.planeAt(x));
+
+        for (const scalar da : {-0.25, 0.25})
+        {
+            for (const scalar db : {-0.25, 0.25})
+            {
+                point y(at(a + da*width, b + db*width));
+
+                if
+                (
+                    lift(y)
+                 && mag(tangent.distance(y)) > farFieldTuned.bentShare*width
+                )
+                {
+                    return true;
+                }
+            }
+        }
+
+        return false;
     }
 
     void divide(const scalar a, const scalar b, const scalar width)
     {
-        const point x(at(a, b));
+        point x(at(a, b));
+        const bool isOn = lift(x);
         const scalar size = size_(x);
 
-        if (width <= farFieldTuned.squareShare*size)
+        if
+        (
+            width <= farFieldTuned.squareShare*size
+         && (
+                !isOn || !side_.isCurved()
+             || width < farFieldTuned.leastBentShare*size
+             || !isBent(x, a, b, width)
+            )
+        )
         {
-            centres_.append(x);
-            sizes_.append(size);
+            if (isOn)
+            {
+                centres_.append(x);
+                sizes_.append
+                (
+                    side_.isCurved()
+                  ? min(size, width/farFieldTuned.squareShare) : size
+                );
+            }
             return;
         }
 
@@ -83,7 +154,8 @@ public:
     )
     :
         side_(side),
-        size_(size)
+        size_(size),
+        reach_(side.isCurved() ? boundBox(side.points, false).mag() : 0)
     {
         // Some direction that is not along the normal
         vector other(Zero);

@@ -233,6 +233,7 @@ void endedBoundaryMaker::triangulate()
     {
         planeRegion& region = regions_[s];
         region.normal = -sides_[s].normal;
+        region.isCurved = sides_[s].isCurved();
         const pointField inside
         (
             planePoints(points(), region, sides_[s], size_)

@@ -57,9 +57,10 @@ class planeTriangulator
 {
     const pointField& points_;
 
-    //- Coordinates that are kept, in the order of rotation about the normal
-    direction first_;
-    direction second_;
+    //- Directions of the coordinates, in the order of rotation about the
+    //  normal; in a plane two of the axes, so that nothing is rounded
+    vector first_;
+    vector second_;
 
     planeTriangles triangles_;
     Map<planeTriangles::Vertex_handle> vertices_;
@@ -71,7 +72,7 @@ class planeTriangulator
         {
             const auto handle = triangles_.insert
             (
-                planeKernel::Point_2(points_[p][first_], points_[p][second_])
+                planeKernel::Point_2(points_[p] & first_, points_[p] & second_)
             );
             handle->info() = p;
             vertices_.insert(p, handle);
@@ -112,8 +113,16 @@ public:
         }
 
         const bool along = region.normal[largest] > 0;
-        first_ = (largest + (along ? 1 : 2)) % 3;
-        second_ = (largest + (along ? 2 : 1)) % 3;
+        first_ = Zero;
+        second_ = Zero;
+        first_[(largest + (along ? 1 : 2)) % 3] = 1;
+        second_[(largest + (along ? 2 : 1)) % 3] = 1;
+
+        if (region.isCurved)
+        {
+            first_ = normalised(second_ ^ region.normal);
+            second_ = region.normal ^ first_;
+        }
 
         for (const label p : region.points)
         {

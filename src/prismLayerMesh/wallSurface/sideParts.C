@@ -6,6 +6,8 @@
 #include "sideParts.H"
 #include "bitSet.H"
 #include "disjointSets.H"
+#include "readWallSurface.H"
+#include "sideShape.H"
 
 namespace Foam
 {
@@ -15,6 +17,14 @@ namespace Foam
 //- Faces with a larger angle than that between them are not of one plane
 //  part: cos(5 degrees)
 static constexpr scalar samePlaneCosine = 0.996;
+
+//- Faces with a larger angle than that between them are not of one curved part:
+//  cos(30 degrees)
+static constexpr scalar curvedCosine = 0.866;
+
+//- The largest angle of a face of a curved part with the mean plane: cos(75
+//  degrees)
+static constexpr scalar leastSeen = 0.2588;
 
 
 namespace
@@ -26,12 +36,17 @@ class partFinder
     const wallSides& edges_;
     const layerControls& layers_;
     const scalar tolerance_;
+    const vectorField normals_;
+
+    //- Faces of patches that are to have no layers, and of these the ones
+    //  beside the wall
+    bitSet sideFaces_;
+    bitSet atWall_;
 
     sideParts parts_;
 
 
-    //- Faces of patches that are to have no layers
-    bitSet sideFaces() const
+    void setSideFaces()
     {
         boolList isSide(surface_.patchNames.size(), false);
         forAll(isSide, patchi)
@@ -41,51 +56,71 @@ class partFinder
             isSide[patchi] = entry && entry->isSide;
         }
 
-        bitSet faces(surface_.faces.size());
+        sideFaces_.setSize(surface_.faces.size());
         forAll(surface_.patchIDs, facei)
         {
-            faces.set(facei, isSide[surface_.patchIDs[facei]]);
+            sideFaces_.set(facei, isSide[surface_.patchIDs[facei]]);
         }
 
-        return faces;
+        atWall_.setSize(surface_.faces.size());
+        forAllPairs([&](const label f, const label g)
+        {
+            atWall_.set(f, atWall_.test(f) || !sideFaces_.test(g));
+            atWall_.set(g, atWall_.test(g) || !sideFaces_.test(f));
+        });
     }
 
 
-    //- Label of the part of each of the faces: those of a patch that are joined
-    //  by edges, with angles for which a test of the normals holds
-    template<class Test>
-    labelList partsOf(const bitSet& faces, const Test& areJoined) const
+    //- Calls a function with the two faces of each edge that has two
+    template<class Function>
+    void forAllPairs(const Function& call) const
     {
-        disjointSets sets(surface_.faces.size());
-
         for (label e = 0; e < edges_.nEdges(); ++e)
         {
             const label start = edges_.edgeStarts[e];
 
             if (edges_.edgeStarts[e + 1] - start == 2)
             {
-                const label f = edges_.sides[start].facei;
-                const label g = edges_.sides[start + 1].facei;
+                call(edges_.sides[start].facei, edges_.sides[start + 1].facei);
+            }
+        }
+    }
 
-                if
-                (
-                    faces.test(f) && faces.test(g)
-                 && surface_.patchIDs[f] == surface_.patchIDs[g]
-                 && areJoined(f, g)
-                )
+
+    //- The faces of side patches that are in no part yet, in lists of those of
+    //  a patch that are joined by edges, with at least a cosine of the angle
+    //  between them. In the order of the first faces.
+    List<DynamicList<label>> joined(const scalar cosine) const
+    {
+        disjointSets sets(surface_.faces.size());
+        forAllPairs([&](const label f, const label g)
+        {
+            if
+            (
+                sideFaces_.test(f) && sideFaces_.test(g)
+             && surface_.patchIDs[f] == surface_.patchIDs[g]
+             && (normals_[f] & normals_[g]) > cosine
+            )
+            {
+                sets.join(f, g);
+            }
+        });
+
+        Map<label> listOf;
+        DynamicList<DynamicList<label>> lists;
+        for (const label f : sideFaces_)
+        {
+            if (parts_.sideOfFace[f] < 0)
+            {
+                if (listOf.insert(sets.find(f), lists.size()))
                 {
-                    sets.join(f, g);
+                    lists.append(DynamicList<label>());
                 }
+                lists[listOf[sets.find(f)]].append(f);
             }
         }
 
-        labelList parts(surface_.faces.size(), -1);
-        for (const label f : faces)
-        {
-            parts[f] = sets.find(f);
-        }
-
-        return parts;
+        return List<DynamicList<label>>(std::move(lists));
     }
 
 
@@ -112,21 +147,60 @@ class partFinder
     }
 
 
-    //- The largest distance of the points of faces from a plane
-    scalar deviation(const labelUList& faces, const sidePatch& side) const
+    //- Whether the points of faces are in a plane
+    bool isPlane(const labelUList& faces) const
     {
-        scalar largest = 0;
+        const sidePatch side(planeThrough(faces));
+
+        return std::all_of(faces.begin(), faces.end(), [&](const label f)
+        {
+            const face& points = surface_.faces[f];
+
+            return std::all_of(points.begin(), points.end(), [&](const label p)
+            {
+                return mag(side.distance(surface_.points[p])) <= tolerance_;
+            });
+        });
+    }
+
+
+    bool touchesWall(const labelUList& faces) const
+    {
+        return std::any_of
+        (
+            faces.begin(), faces.end(),
+            [&](const label f) { return atWall_.test(f); }
+        );
+    }
+
+
+    //- Errors: FatalError if some of the faces are not seen along their mean
+    //  normal
+    sidePatch curvedThrough(const labelUList& faces) const
+    {
+        sidePatch side(planeThrough(faces));
 
         for (const label f : faces)
         {
-            for (const label p : surface_.faces[f])
+            if ((-side.normal & normals_[f]) < leastSeen)
             {
-                largest =
-                    max(largest, mag(side.distance(surface_.points[p])));
+                FatalErrorInFunction
+                    << "The side patch "
+                    << surface_.patchNames[surface_.patchIDs[f]]
+                    << " is curved so far that at "
+                    << surface_.faces[f].centre(surface_.points)
+                    << " it is not seen along its mean normal, "
+                    << -side.normal << nl
+                    << "Divide it into several patches" << exit(FatalError);
             }
         }
 
-        return largest;
+        pointField points(surface_.points);
+        faceList own(UIndirectList<face>(surface_.faces, faces)());
+        removeUnusedPoints(own, points);
+        side.shape = std::make_shared<const sideShape>(points, own);
+
+        return side;
     }
 
 
@@ -157,9 +231,11 @@ public:
         surface_(surface),
         edges_(edges),
         layers_(layers),
-        tolerance_(tolerance)
+        tolerance_(tolerance),
+        normals_(surface.faceNormals())
     {
         parts_.sideOfFace.setSize(surface.faces.size(), -1);
+        setSideFaces();
     }
 
     sideParts find();
@@ -168,62 +244,45 @@ public:
 
 sideParts partFinder::find()
 {
-    const bitSet faces(sideFaces());
-    const vectorField normals(surface_.faceNormals());
-
-    const auto byPart = [&](const labelList& parts)
-    {
-        Map<DynamicList<label>> lists;
-        for (const label f : faces)
-        {
-            if (parts_.sideOfFace[f] < 0)
-            {
-                lists(parts[f]).append(f);
-            }
-        }
-
-        return lists;
-    };
-
     // All of a part that is joined at any angle, where it is plane
-    const Map<DynamicList<label>> whole
-    (
-        byPart(partsOf(faces, [](label, label) { return true; }))
-    );
-    for (const label first : whole.sortedToc())
+    for (const labelList& part : joined(-2))
     {
-        const sidePatch side(planeThrough(whole[first]));
-
-        if (deviation(whole[first], side) <= tolerance_)
+        if (isPlane(part))
         {
-            addPart(whole[first], side);
+            addPart(part, planeThrough(part));
         }
     }
 
-    const Map<DynamicList<label>> smooth
-    (
-        byPart(partsOf(faces, [&](const label f, const label g)
-        {
-            return (normals[f] & normals[g]) > samePlaneCosine;
-        }))
-    );
-    for (const label first : smooth.sortedToc())
+    const List<DynamicList<label>> smooth(joined(samePlaneCosine));
+    const List<DynamicList<label>> curved(joined(curvedCosine));
+    labelList curvedOf(surface_.faces.size(), -1);
+    forAll(curved, i)
     {
-        const sidePatch side(planeThrough(smooth[first]));
-        const scalar distance = deviation(smooth[first], side);
+        UIndirectList<label>(curvedOf, curved[i]) = i;
+    }
 
-        if (distance > tolerance_)
+    boolList isCurved(curved.size(), false);
+    for (const labelList& part : smooth)
+    {
+        if (!isPlane(part) || !touchesWall(part))
         {
-            const label patchi = surface_.patchIDs[first];
-
-            FatalErrorInFunction
-                << "The side patch " << surface_.patchNames[patchi]
-                << " is not plane at "
-                << surface_.faces[first].centre(surface_.points)
-                << ": points are up to " << distance << " m away from a plane"
-                << exit(FatalError);
+            isCurved[curvedOf[part[0]]] = !isPlane(curved[curvedOf[part[0]]]);
         }
-        addPart(smooth[first], side);
+    }
+
+    for (const labelList& part : smooth)
+    {
+        if (!isCurved[curvedOf[part[0]]])
+        {
+            addPart(part, planeThrough(part));
+        }
+    }
+    forAll(curved, i)
+    {
+        if (isCurved[i])
+        {
+            addPart(curved[i], curvedThrough(curved[i]));
+        }
     }
 
     return parts_;

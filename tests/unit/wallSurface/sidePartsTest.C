@@ -7,6 +7,7 @@
 #include "sideParts.H"
 #include "thrownMessage.H"
 #include "wallSides.H"
+#include "mathematicalConstants.H"
 
 using namespace Foam;
 using namespace Foam::testSurfaces;
@@ -130,19 +131,73 @@ TEST(sideParts, wrinklesWithinTheToleranceAreOfOnePart)
 }
 
 
-TEST(sideParts, curvedPatchesAreRefused)
+TEST(sideParts, smallAnglesThatSumUpMakeACurvedPart)
 {
-    // Angles between faces are small, their sum is not
-    wallSurface surface(duct(24));
-    for (point& x : surface.points)
+    const wallSurface surface(bulgedDuct(24));
+    const sideParts parts(partsOf(surface, {"inlet", "outlet"}));
+
+    ASSERT_EQ(parts.sides.size(), 2);
+    EXPECT_FALSE(parts.sides[0].isCurved());
+    EXPECT_EQ(parts.sides[0].name, "outlet");
+    ASSERT_TRUE(parts.sides[1].isCurved());
+    EXPECT_EQ(parts.sides[1].name, "inlet");
+    EXPECT_LT(mag(parts.sides[1].normal - vector(-1, 0, 0)), 1e-12);
+
+    // It is at its faces, not at the mean plane
+    forAll(surface.faces, facei)
     {
-        x.x() -= x.x() < 1e-9 ? 0.1*x.y()*(1 - x.y()) : 0;
+        if (parts.sideOfFace[facei] == 1)
+        {
+            const point centre(surface.faces[facei].centre(surface.points));
+            EXPECT_NEAR(parts.sides[1].distance(centre), 0, 1e-14);
+        }
+    }
+}
+
+
+TEST(sideParts, facetsThatAllTouchTheWallArePlanes)
+{
+    // The wall is the two caps of a prism of 48 sides, at 7.5 degrees
+    List<vector2D> polygon(48);
+    forAll(polygon, i)
+    {
+        const scalar angle = constant::mathematical::twoPi*i/polygon.size();
+        polygon[i] = vector2D(::cos(angle), ::sin(angle));
+    }
+    wallSurface surface(extruded(polygon, 1, 0.2));
+    surface.patchNames = wordList({"wall", "around"});
+    forAll(surface.faces, facei)
+    {
+        const vector n(surface.faces[facei].unitNormal(surface.points));
+        surface.patchIDs[facei] = mag(n.z()) < 0.5;
+    }
+    const sideParts parts(partsOf(surface, {"around"}));
+
+    EXPECT_EQ(parts.sides.size(), 48);
+    for (const sidePatch& side : parts.sides)
+    {
+        EXPECT_FALSE(side.isCurved());
+    }
+}
+
+
+TEST(sideParts, curvedPartsThatAreNotSeenFromOneSideAreRefused)
+{
+    wallSurface surface(sphere(12));
+    surface.patchNames = wordList({"wall", "dome"});
+    forAll(surface.faces, facei)
+    {
+        surface.patchIDs[facei] =
+            surface.faces[facei].centre(surface.points).z() > 0;
     }
 
     expectWords
     (
-        thrownMessage<error>([&]() { partsOf(surface, {"inlet"}); }),
-        {"side patch inlet is not plane at (", "points are up to 0.0"}
+        thrownMessage<error>([&]() { partsOf(surface, {"dome"}); }),
+        {
+            "side patch dome is curved so far that at (",
+            "not seen along its mean normal", "Divide it"
+        }
     );
 }
 

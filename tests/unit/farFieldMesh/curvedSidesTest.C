@@ -1,0 +1,159 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "makeFarFieldMesh.H"
+#include "makeSizeBounds.H"
+#include "memoryMesh.H"
+#include "openSurfaces.H"
+#include "sideShape.H"
+#include "testStages.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+using namespace Foam::testSurfaces;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+static const label nLayers = 4;
+static const scalar thickness = 0.1;
+
+
+//- Layers that end on a curved side patch, and the rest of the fluid
+struct curvedCase
+{
+    wallSurface wall;
+    prismLayerMesh run;
+    farFieldMesh far;
+    std::unique_ptr<memoryMesh> memory;
+
+    explicit curvedCase(const wallSurface& w)
+    :
+        wall(w),
+        run(layeredMesh(wall, nLayers, thickness))
+    {
+        const autoPtr<Time> time(Time::New());
+        farFieldControls controls;
+        controls.type = "tet";
+        far = makeFarFieldMesh
+        (
+            run.made.layers, run.front.addressing, farBoundary(), controls,
+            makeSizeBounds(controls, time())
+        );
+        memory.reset(new memoryMesh(run.made.layers, far));
+    }
+
+    const polyMesh& mesh() const { return (*memory)(); }
+};
+
+
+//- Bulges out of the duct and into it, and half of one
+static const std::vector<std::unique_ptr<curvedCase>>& cases()
+{
+    static std::vector<std::unique_ptr<curvedCase>> list;
+
+    if (list.empty())
+    {
+        const auto add = [&](const wallSurface& wall)
+        {
+            list.emplace_back(new curvedCase(wall));
+        };
+        const wordList sides({"inlet", "outlet"});
+        wallSurface inward(bulgedDuct(12));
+        for (point& x : inward.points)
+        {
+            x.x() -= 2*(1 - x.x())/(1 - bulgeAt(x))*bulgeAt(x);
+        }
+
+        add(endedOn(bulgedDuct(12), sides));
+        add(endedOn(inward, sides));
+        add(halfOf(bulgedDuct(12)));
+    }
+
+    return list;
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(curvedSides, layersAreThickAndFollowAField)
+{
+    for (const auto& c : cases())
+    {
+        EXPECT_EQ(c->run.noField, "");
+        EXPECT_TRUE(c->run.certificate.valid());
+        EXPECT_GT(min(c->run.made.thickness), 0.99*thickness);
+    }
+}
+
+
+//- The height above the wall, in the duct's corners above both of its sides
+static scalar heightOf(const point& x)
+{
+    return min
+    (
+        min(x.y(), 1 - x.y()) < SMALL ? GREAT : min(x.y(), 1 - x.y()),
+        min(x.z(), 1 - x.z())
+    );
+}
+
+
+TEST(curvedSides, columnsOnThemHaveTheFirstHeightThatWasAsked)
+{
+    for (const auto& c : cases())
+    {
+        const prismLayers& layers = c->run.made.layers;
+        scalarField asked(nLayers + 1);
+        c->run.request.setHeights(0, thickness, asked);
+
+        for (const label p : c->wall.border.pointSides().sortedToc())
+        {
+            EXPECT_NEAR(heightOf(layers(p, 1)), asked[1], 0.02*asked[1]);
+        }
+    }
+}
+
+
+TEST(curvedSides, patchesAreOnTheFacesOfTheSurface)
+{
+    for (const auto& c : cases())
+    {
+        for (const sidePatch& side : c->wall.border.sides)
+        {
+            const polyPatch& patch = c->mesh().boundaryMesh()[side.name];
+            EXPECT_GT(patch.size(), 20);
+
+            for (const point& x : patch.localPoints())
+            {
+                const scalar distance = side.isCurved()
+                  ? mag(x - side.shape->nearest(x).rawPoint())
+                  : mag(side.distance(x));
+                EXPECT_LT(distance, 1e-12) << side.name;
+            }
+        }
+    }
+}
+
+
+TEST(curvedSides, meshIsConformalAndFillsTheFluid)
+{
+    for (const auto& c : cases())
+    {
+        EXPECT_FALSE(c->mesh().checkTopology(false));
+        EXPECT_FALSE(c->mesh().checkFacePyramids(false));
+        EXPECT_FALSE(c->mesh().checkClosedBoundary(false));
+        EXPECT_FALSE(c->mesh().checkClosedCells(false));
+
+        // A paraboloid by faces, and by other faces
+        const scalar bulge = 0.2 - 0.4/6;
+        const label n = c.get() == cases()[2].get() ? 2 : 1;
+        const scalar expected =
+            (1 + (c.get() == cases()[1].get() ? -bulge : bulge))/n;
+        EXPECT_NEAR(sum(c->mesh().cellVolumes()), expected, 0.003);
+    }
+}
+
+
+// ************************************************************************* //
