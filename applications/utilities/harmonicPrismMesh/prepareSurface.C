@@ -124,6 +124,7 @@ string sizesOf(const wallSurface& surface)
 void repair
 (
     const wallSurfaceControls& controls,
+    const layerControls& layers,
     preparedSurface& prepared,
     stageLog& log
 )
@@ -134,7 +135,10 @@ void repair
     }
 
     log.begin("surfaceRepair");
-    const repairedSurface repaired(repairSurface(prepared.surface, controls));
+    const repairedSurface repaired
+    (
+        repairSurface(prepared.surface, controls, layers)
+    );
     if (repaired.steps.empty())
     {
         log.end("nothing to repair");

@@ -154,7 +154,7 @@ preparedWall readWall
     );
     preparedWall result;
     result.prepared.surface = given;
-    repair(controls.surface, result.prepared, log);
+    repair(controls.surface, controls.layers, result.prepared, log);
     const wallSurface& surface = result.prepared.surface;
     const bool mayBeOpen = controls.surface.sidePlanes.size();
     const string defects(checkWall(surface, mayBeOpen, reading, log));

@@ -110,7 +110,10 @@ string adviceOnDefects
     }
 
     stitching.repair.repair = method::stitch;
-    const repairedSurface stitched(repairSurface(surface, stitching));
+    const repairedSurface stitched
+    (
+        repairSurface(surface, stitching, controls.layers)
+    );
     if (isMended(stitched.surface, stitching.sidePlanes, controls))
     {
         OStringStream os;

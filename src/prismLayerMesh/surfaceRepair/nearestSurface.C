@@ -5,11 +5,17 @@
 
 #include "nearestSurface.H"
 #include "readWallSurface.H"
+#include "readWallSurface.H"
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- A face is along another if the product of their unit normals is larger:
+//  cos(10 degrees)
+static constexpr scalar alongCosine = 0.985;
+
 
 static pointField centresOf(const wallSurface& surface)
 {
@@ -66,13 +72,64 @@ void nearestSurface::find
 }
 
 
-void nearestSurface::setPatches(wallSurface& other) const
+void nearestSurface::setPatches
+(
+    wallSurface& other,
+    const wordHashSet& onlyAlong
+) const
 {
+    const pointField centres(centresOf(other));
     pointField nearest;
     labelList faces;
-    find(centresOf(other), nearest, faces);
+    find(centres, nearest, faces);
     other.patchNames = surface_.patchNames;
     other.patchIDs = UIndirectList<label>(surface_.patchIDs, faces)();
+
+    const auto isOnlyAlong = [&](const label patchi)
+    {
+        return onlyAlong.found(surface_.patchNames[patchi]);
+    };
+    const vectorField normals(other.faceNormals());
+    DynamicList<label> chamfers;
+    forAll(faces, facei)
+    {
+        const face& below = surface_.faces[faces[facei]];
+        const vector n(below.unitNormal(surface_.points));
+
+        if
+        (
+            isOnlyAlong(other.patchIDs[facei])
+         && mag(n & normals[facei]) < alongCosine
+        )
+        {
+            chamfers.append(facei);
+        }
+    }
+
+    // The surface without those patches
+    wallSurface rest(surface_);
+    const labelList kept
+    (
+        subsetList(identity(rest.faces.size()), [&](const label facei)
+        {
+            return !isOnlyAlong(surface_.patchIDs[facei]);
+        })
+    );
+    rest.faces = UIndirectList<face>(surface_.faces, kept)();
+    removeUnusedPoints(rest.faces, rest.points);
+
+    if (chamfers.size() && kept.size())
+    {
+        nearestSurface(rest).find
+        (
+            pointField(centres, chamfers), nearest, faces
+        );
+        forAll(chamfers, i)
+        {
+            other.patchIDs[chamfers[i]] = surface_.patchIDs[kept[faces[i]]];
+        }
+    }
+
     mergePatches(other);
 }
 

@@ -36,6 +36,9 @@ class surfaceRepairer
     const List<sidePatch>& planes_;
     const bool fluidOutside_;
 
+    //- Patches that are to have no layers
+    wordHashSet sidePatches_;
+
     //- Diagonal of the bounding box [m], and the tolerance of side planes
     const scalar diagonal_;
     const scalar tolerance_;
@@ -63,7 +66,8 @@ public:
     surfaceRepairer
     (
         const wallSurface& surface,
-        const wallSurfaceControls& controls
+        const wallSurfaceControls& controls,
+        const layerControls& layers
     )
     :
         given_(surface),
@@ -74,6 +78,14 @@ public:
         tolerance_(sideTolerance*diagonal_)
     {
         repaired_.surface = surface;
+
+        for (const word& name : surface.patchNames)
+        {
+            if (layers.isSide(name))
+            {
+                sidePatches_.insert(name);
+            }
+        }
     }
 
     repairedSurface repair();
@@ -215,7 +227,7 @@ repairedSurface surfaceRepairer::repair()
         );
     }
 
-    given.setPatches(surface);
+    given.setPatches(surface, sidePatches_);
     cutReflexFaces(surface);
     orientWallSurface(surface, fluidOutside_);
 
@@ -238,10 +250,11 @@ repairedSurface surfaceRepairer::repair()
 repairedSurface repairSurface
 (
     const wallSurface& surface,
-    const wallSurfaceControls& controls
+    const wallSurfaceControls& controls,
+    const layerControls& layers
 )
 {
-    return surfaceRepairer(surface, controls).repair();
+    return surfaceRepairer(surface, controls, layers).repair();
 }
 
 } // End namespace Foam

@@ -51,9 +51,7 @@ class partFinder
         boolList isSide(surface_.patchNames.size(), false);
         forAll(isSide, patchi)
         {
-            const patchLayers* entry =
-                layers_.entryOf(surface_.patchNames[patchi]);
-            isSide[patchi] = entry && entry->isSide;
+            isSide[patchi] = layers_.isSide(surface_.patchNames[patchi]);
         }
 
         sideFaces_.setSize(surface_.faces.size());

@@ -121,6 +121,40 @@ TEST(wrapLeaks, namesTheOpeningsThatTheWrapWentThrough)
 }
 
 
+TEST(nearestSurface, chamfersGetNoPatchThatOnlyFacesAlongItHave)
+{
+    // A duct whose edges are cut off: four chamfers around each opening
+    wallSurface around(duct(8));
+    for (point& x : around.points)
+    {
+        const label nOut =
+            (mag(x.x() - 0.5) > 0.49) + (mag(x.y() - 0.5) > 0.49)
+          + (mag(x.z() - 0.5) > 0.49);
+        x -= nOut > 1 ? 0.1*(x - point(0.5, 0.5, 0.5)) : vector(Zero);
+    }
+    const wallSurface given(duct(8));
+    const nearestSurface nearest(given);
+    wallSurface all(around), along(around);
+    nearest.setPatches(all, wordHashSet());
+    nearest.setPatches(along, wordHashSet({"inlet", "outlet"}));
+
+    const vectorField normals(around.faceNormals());
+    label nOpen = 0, nTaken = 0;
+    forAll(normals, facei)
+    {
+        const word& name = all.patchNames[all.patchIDs[facei]];
+        const word& other = along.patchNames[along.patchIDs[facei]];
+        const bool isAlong = mag(normals[facei].x()) > 0.985;
+
+        EXPECT_EQ(other, name == "walls" || isAlong ? name : "walls");
+        nOpen += other != "walls";
+        nTaken += other != name;
+    }
+    EXPECT_GT(nOpen, 50);
+    EXPECT_GT(nTaken, 20);
+}
+
+
 TEST(bringBack, putsPointsOnFacesAndSharpEdges)
 {
     const wallSurface body(cube(4));
