@@ -22,10 +22,13 @@ static columnConstraint onSide(const sidePatch& side, const point& x)
 
     const std::shared_ptr<const sideShape> shape(side.shape);
 
+    const vector normal(side.planeAt(x).normal);
+
+    // What is beside each other in the tangent plane remains so
     return columnConstraint::onSurface
     (
-        side.planeAt(x).normal,
-        [shape](const point& y) { return shape->nearest(y).rawPoint(); }
+        normal,
+        [=](const point& y) { return shape->along(y, normal, mag(y - x)); }
     );
 }
 

@@ -133,6 +133,33 @@ sidePlane sideShape::planeAt(const point& x) const
     return sidePlane{hit.rawPoint(), normalAt(hit.index(), x)};
 }
 
+
+point sideShape::along
+(
+    const point& x,
+    const vector& direction,
+    const scalar distance
+) const
+{
+    const vector reach(distance*direction);
+    const pointIndexHit ahead(tree_.findLine(x, x + reach));
+    const pointIndexHit behind(tree_.findLine(x, x - reach));
+
+    if (!ahead.hit() && !behind.hit())
+    {
+        return nearest(x).rawPoint();
+    }
+
+    const bool isAhead =
+        ahead.hit()
+     && (
+            !behind.hit()
+         || magSqr(ahead.rawPoint() - x) < magSqr(behind.rawPoint() - x)
+        );
+
+    return isAhead ? ahead.rawPoint() : behind.rawPoint();
+}
+
 } // End namespace Foam
 
 // ************************************************************************* //

@@ -80,12 +80,13 @@ struct sideColumns
 
 
     //- Whether a stack has points that are not in front of the side patch, but
-    //  for the columns on it
+    //  for the columns on it, and those that begin beyond its plane: on a side
+    //  patch with a reflex angle to it
     bool isBeyond(const face& f) const
     {
         for (const label c : f)
         {
-            if (columns.found(c))
+            if (columns.found(c) || side.distance(layers(c, 0)) >= 0)
             {
                 continue;
             }

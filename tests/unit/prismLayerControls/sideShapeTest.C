@@ -83,6 +83,28 @@ TEST(sideShape, tangentPlanesAreThoseOfTheSurface)
 }
 
 
+TEST(sideShape, pointsAlongALineStayBesideEachOther)
+{
+    const wallSurface wall(endedDuct(8));
+    const sideShape& shape = *inletOf(wall).shape;
+    const vector along(1, 0, 0);
+
+    for (const scalar d : {-0.1, 0.1})
+    {
+        const point x(d, 0.3, 0.6);
+        const point on(shape.along(x, along, 0.5));
+        EXPECT_NEAR(on.y(), x.y(), 1e-15);
+        EXPECT_NEAR(on.z(), x.z(), 1e-15);
+        EXPECT_NEAR(on.x(), bulgeAt(x), 0.4*2*sqr(0.125)/4);
+
+        // Too near, or beside the faces
+        EXPECT_EQ(shape.along(x, along, 0.01), shape.nearest(x).rawPoint());
+        const point beside(d, 1.2, 0.6);
+        EXPECT_NEAR(shape.along(beside, along, 0.5).y(), 1, 1e-15);
+    }
+}
+
+
 TEST(sideShape, normalsOfEdgesAreTheMeanOfTheirFaces)
 {
     // A roof of two faces with the ridge along y; the fluid is below

@@ -97,6 +97,22 @@ TEST(sideCrossings, columnsInThePlaneDoNotCrossIt)
 }
 
 
+TEST(sideCrossings, columnsBesideAFoldOfAnInletAreBeyondOneOfItsPlanes)
+{
+    // The inlet is a ridge in the fluid: each half is beyond the other's plane
+    wallSurface surface(duct(4));
+    for (point& x : surface.points)
+    {
+        x.x() += (1 - x.x())*(0.2 - 0.4*mag(x.y() - 0.5));
+    }
+    const wallSurface walls(endedOn(surface, wordList({"inlet", "outlet"})));
+    ASSERT_EQ(walls.border.sides.size(), 3);
+    const prismLayers layers(endedLayers(walls));
+
+    EXPECT_EQ(crossings(layers), labelList());
+}
+
+
 TEST(sideCrossings, layersInOrBeyondAPlaneCrossIt)
 {
     for (const scalar z : {0.0, -0.01})
