@@ -61,7 +61,10 @@ static sidePatch randomPlane(const wallSurface& surface, Random& random)
 
 Foam::wallSurface Foam::randomSurfaces::cutBody(Random& random)
 {
-    const kind whole = kind(random.position<label>(0, nKinds - 2));
+    const kind whole = kind
+    (
+        random.position<label>(0, label(kind::cutBody) - 1)
+    );
     wallSurface surface(makeRandomSurface(whole, random));
     const bool fluidInside = chance(random, 0.5);
     const label nPlanes = chance(random, 0.3) ? 2 : 1;

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "fuzzCase.H"
+#include "equalPoints.H"
 #include "isolatedProcess.H"
 #include "meshFuzzCase.H"
 
@@ -158,6 +159,34 @@ Foam::fuzzResult Foam::run(const fuzzCase& one, const unsigned cpuSeconds)
 }
 
 
+//- A face, after those of its points that are not written yet
+static void writeFace
+(
+    std::FILE* out,
+    const Foam::word& patch,
+    const Foam::pointField& points,
+    Foam::equalPoints& labels,
+    Foam::label& nPoints
+)
+{
+    for (const Foam::point& x : points)
+    {
+        if (labels.insert(x, nPoints))
+        {
+            std::fprintf(out, "v %.17g %.17g %.17g\n", x.x(), x.y(), x.z());
+            ++nPoints;
+        }
+    }
+
+    std::fprintf(out, "g %s\nf", patch.c_str());
+    for (const Foam::point& x : points)
+    {
+        std::fprintf(out, " %d", labels.find(x) + 1);
+    }
+    std::fprintf(out, "\n");
+}
+
+
 bool Foam::writeSurface(const fuzzCase& one, const fileName& file)
 {
     return isolatedProcess
@@ -193,21 +222,25 @@ bool Foam::writeSurface(const fuzzCase& one, const fileName& file)
                 );
             }
 
-            for (const point& p : wall.points)
-            {
-                std::fprintf(out, "v %.17g %.17g %.17g\n", p.x(), p.y(), p.z());
-            }
-
+            equalPoints labels;
+            label nPoints = 0;
             forAll(wall.faces, i)
             {
-                const word& patch = wall.patchNames[wall.patchIDs[i]];
-                std::fprintf(out, "g %s\nf", patch.c_str());
-
-                for (const label p : wall.faces[i])
+                writeFace
+                (
+                    out, wall.patchNames[wall.patchIDs[i]],
+                    pointField(wall.points, wall.faces[i]), labels, nPoints
+                );
+            }
+            for (const sidePatch& side : wall.border.sides)
+            {
+                for (const face& f : side.faces)
                 {
-                    std::fprintf(out, " %d", p + 1);
+                    writeFace
+                    (
+                        out, side.name, f.points(side.points), labels, nPoints
+                    );
                 }
-                std::fprintf(out, "\n");
             }
 
             std::fclose(out);

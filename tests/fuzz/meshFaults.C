@@ -291,22 +291,23 @@ std::string cellMesh::stackFault() const
 
 std::string cellMesh::volumeFault() const
 {
-    const List<sidePatch>& sides = wall_.border.sides;
+    const point& origin = wall_.points[0];
 
-    // Sides that it is on enclose no volume with it
-    const point origin
+    // The outer surface, and sides after it
+    long double between = -coneVolume(wall_.faces, wall_.points, origin);
+    for
     (
-        onAll(sides, identity(sides.size()), wall_.points[0])
-    );
-    const label outer = wall_.patchNames.size();
-    const SubList<face> outerFaces
-    (
-        mesh_.faces, mesh_.patchSizes[outer], mesh_.patchStarts[outer]
-    );
-
-    const long double between =
-        coneVolume(outerFaces, points_, origin)
-      - coneVolume(wall_.faces, wall_.points, origin);
+        label patchi = wall_.patchNames.size();
+        patchi < mesh_.patchSizes.size();
+        ++patchi
+    )
+    {
+        const SubList<face> faces
+        (
+            mesh_.faces, mesh_.patchSizes[patchi], mesh_.patchStarts[patchi]
+        );
+        between += coneVolume(faces, points_, origin);
+    }
 
     long double filled = 0;
     forAll(cells_, celli)

@@ -19,7 +19,7 @@ namespace randomSurfaces
 static const char* const names[nKinds] =
 {
     "perturbedSphere", "boxUnion", "spikyPolyhedron", "starPrism",
-    "severalBodies", "cutBody"
+    "severalBodies", "cutBody", "curvedEnds"
 };
 
 
@@ -33,6 +33,7 @@ static wallSurface makeKind(const kind k, Random& random)
         case kind::starPrism: return starPrism(random);
         case kind::severalBodies: return severalBodies(random);
         case kind::cutBody: return cutBody(random);
+        case kind::curvedEnds: return curvedEnds(random);
     }
 
     return wallSurface();
