@@ -92,9 +92,17 @@ static wallSurface takeWall
         log.end(sizesOf(wall) + " of the wall");
 
         Info<< "    ends on";
+        wordHashSet curved;
+        for (const sidePatch& side : wall.border.sides)
+        {
+            if (side.isCurved())
+            {
+                curved.insert(side.name);
+            }
+        }
         for (const word& name : sidePatchNames(wall.border))
         {
-            Info<< ' ' << name;
+            Info<< ' ' << name << (curved.found(name) ? " (curved)" : "");
         }
         Info<< ", " << wall.border.edges.size() << " edges" << nl
             << "    points put on their planes " << reading.pointsPutOnSides
