@@ -8,14 +8,15 @@
 namespace Foam
 {
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-std::shared_ptr<const sideCurve> layerBorder::curveOf
+//- The curve from a point on two side patches; null if both are plane
+static std::shared_ptr<const sideCurve> curveOf
 (
     const prismLayers& layers,
     const labelPair& sides,
     const point& root
-) const
+)
 {
     const sidePatch& first = layers.border.sides[sides.first()];
     const sidePatch& second = layers.border.sides[sides.second()];
@@ -25,6 +26,8 @@ std::shared_ptr<const sideCurve> layerBorder::curveOf
       : nullptr;
 }
 
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 scalar layerBorder::shareAt(const corner& c, const point& x) const
 {

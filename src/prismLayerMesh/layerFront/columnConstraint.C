@@ -36,10 +36,7 @@ columnConstraint columnConstraint::onSurface
     const nearestPoint& nearest
 )
 {
-    columnConstraint constraint(kind::inPlane, Zero, normal);
-    constraint.nearest_ = nearest;
-
-    return constraint;
+    return columnConstraint(kind::inPlane, Zero, normal, nearest);
 }
 
 
@@ -49,10 +46,7 @@ columnConstraint columnConstraint::onCurve
     const nearestPoint& nearest
 )
 {
-    columnConstraint constraint(kind::onLine, Zero, tangent);
-    constraint.nearest_ = nearest;
-
-    return constraint;
+    return columnConstraint(kind::onLine, Zero, tangent, nearest);
 }
 
 

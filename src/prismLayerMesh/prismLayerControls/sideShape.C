@@ -25,15 +25,6 @@ static triSurface trianglesOf(const pointField& points, const faceList& faces)
 }
 
 
-static treeBoundBox inflated(const pointField& points)
-{
-    treeBoundBox bounds(points);
-    bounds.inflate(1e-3);
-
-    return bounds;
-}
-
-
 static vectorField outwardNormals(const triSurface& surface)
 {
     vectorField normals(surface.size());
@@ -72,6 +63,17 @@ static vectorField atPoints
     }
 
     return atPoints;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+treeBoundBox searchBox(const pointField& points)
+{
+    treeBoundBox bounds(points);
+    bounds.inflate(1e-3);
+
+    return bounds;
 }
 
 
@@ -115,7 +117,7 @@ sideShape::sideShape(const pointField& points, const faceList& faces)
     pointNormals_(atPoints(surface_, faceNormals_)),
     tree_
     (
-        treeDataTriSurface(true, surface_, 0), inflated(points), 12, 10, 3
+        treeDataTriSurface(true, surface_, 0), searchBox(points), 12, 10, 3
     )
 {
     // Made on demand otherwise, which threads must not do

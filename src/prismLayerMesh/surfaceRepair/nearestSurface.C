@@ -5,7 +5,6 @@
 
 #include "nearestSurface.H"
 #include "readWallSurface.H"
-#include "readWallSurface.H"
 
 namespace Foam
 {
@@ -94,32 +93,32 @@ void nearestSurface::setPatches
     forAll(faces, facei)
     {
         const face& below = surface_.faces[faces[facei]];
-        const vector n(below.unitNormal(surface_.points));
 
         if
         (
             isOnlyAlong(other.patchIDs[facei])
-         && mag(n & normals[facei]) < alongCosine
+         && mag(below.unitNormal(surface_.points) & normals[facei])
+          < alongCosine
         )
         {
             chamfers.append(facei);
         }
     }
 
-    // The surface without those patches
-    wallSurface rest(surface_);
     const labelList kept
     (
-        subsetList(identity(rest.faces.size()), [&](const label facei)
+        subsetList(identity(surface_.faces.size()), [&](const label facei)
         {
             return !isOnlyAlong(surface_.patchIDs[facei]);
         })
     );
-    rest.faces = UIndirectList<face>(surface_.faces, kept)();
-    removeUnusedPoints(rest.faces, rest.points);
 
     if (chamfers.size() && kept.size())
     {
+        // The surface without those patches
+        wallSurface rest(surface_);
+        rest.faces = UIndirectList<face>(surface_.faces, kept)();
+        removeUnusedPoints(rest.faces, rest.points);
         nearestSurface(rest).find
         (
             pointField(centres, chamfers), nearest, faces

@@ -23,15 +23,6 @@ static vectorField unitNormals(const triSurface& surface)
 }
 
 
-static treeBoundBox inflated(const pointField& points)
-{
-    treeBoundBox bounds(points);
-    bounds.inflate(1e-3);
-
-    return bounds;
-}
-
-
 namespace
 {
 
@@ -86,7 +77,7 @@ wallSearch::wallSearch(const wallSurface& wall)
     tree_
     (
         treeDataTriSurface(true, surface_, 0),
-        inflated(wall.points),
+        searchBox(wall.points),
         12,
         10,
         3
@@ -96,9 +87,13 @@ wallSearch::wallSearch(const wallSurface& wall)
 {
     forAll(sides_, s)
     {
-        if (sides_[s].isPart())
+        const sidePatch& side = sides_[s];
+
+        if (side.isPart())
         {
-            parts_.set(s, new sideShape(sides_[s].points, sides_[s].faces));
+            parts_[s] = side.isCurved()
+              ? side.shape
+              : std::make_shared<const sideShape>(side.points, side.faces);
         }
     }
 }
@@ -114,7 +109,7 @@ bool wallSearch::isNear
 ) const
 {
     return mag(sides_[side].distance(x)) < distance
-     && (!parts_.set(side) || parts_[side].nearest(x, distance).hit());
+     && (!parts_[side] || parts_[side]->nearest(x, distance).hit());
 }
 
 
@@ -222,7 +217,7 @@ bool wallSearch::putOnSides
         else if
         (
             side.distance(x) > 0
-         && (!parts_.set(s) || parts_[s].hit(from, x).hit())
+         && (!parts_[s] || parts_[s]->hit(from, x).hit())
         )
         {
             return false;
