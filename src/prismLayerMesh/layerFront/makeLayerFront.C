@@ -5,7 +5,7 @@
 
 #include "layerFront.H"
 #include "adviceOnPoints.H"
-#include "normalSectors.H"
+#include "faceSectors.H"
 #include "wallPointsError.H"
 
 namespace Foam
@@ -103,15 +103,21 @@ class frontBuilder
             normals[i] = edgeNormal(p, i);
         }
 
-        const auto dividedBy = [&](const vectorField& m)
+        normalSectors sectors;
+        const auto divide = [&](auto divided, const vectorField& m)
         {
-            return makeNormalSectors(wall_, addressing_, visibility_, m, p);
-        };
-        const normalSectors sectors(dividedBy(middles));
+            sectors = divided(wall_, addressing_, visibility_, m, p);
 
-        // If there is no other choice, cells may be positive all the same
-        return sectors.starts.empty() && visibility_.cones[p].empty()
-          ? dividedBy(normals) : sectors;
+            return sectors.starts.size() || !visibility_.cones[p].empty();
+        };
+
+        // With other middles cells may be positive all the same
+        divide(makeNormalSectors, middles)
+     || divide(makeNormalSectors, normals)
+     || divide(makeFaceSectors, middles)
+     || divide(makeFaceSectors, normals);
+
+        return sectors;
     }
 
 
@@ -141,15 +147,9 @@ class frontBuilder
         searched_ = true;
         bool changed = true;
 
-        for
-        (
-            label round = 0;
-            changed && round < frontControls::maxRounds;
-            ++round
-        )
+        for (label i = 0; changed && i < frontControls::maxRounds; ++i)
         {
             changed = false;
-
             forAll(points_, k)
             {
                 const labelList& beside = addressing_.pointPoints[points_[k]];

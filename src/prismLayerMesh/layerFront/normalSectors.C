@@ -57,21 +57,11 @@ sectorSearch::sectorSearch
             frontControls::choiceShare*visibility.cones[p].cosine,
             frontControls::smallestChoice
         )
-    ),
-    edges_(addressing.pointPoints[p].size()),
-    normals_(addressing.pointFaces[p].size())
+    )
 {
-    forAll(edges_, i)
-    {
-        const label q = addressing.pointPoints[p][i];
-        edges_[i] = normalised(wall.points[q] - wall.points[p]);
-    }
-    forAll(normals_, i)
-    {
-        normals_[i] =
-            polygonNormals(wall, addressing.pointFaces[p][i], p);
-        normals_[i].append(visibility_.cornerNormals[p][i]);
-    }
+    facesAround around(wall, addressing, visibility, p);
+    edges_.transfer(around.edges);
+    normals_.transfer(around.normals);
 
     vectorField all(middles);
     if (side_)

@@ -115,4 +115,27 @@ Foam::List<Foam::testSurfaces::saddle> Foam::testSurfaces::saddles()
 }
 
 
+Foam::testSurfaces::saddle Foam::testSurfaces::woundFan()
+{
+    // The only point without a division in 24,000 random bodies that random
+    // planes cut
+    const vectorField directions
+    ({
+        vector(-0.52875, -0.50132, 0.68491),
+        vector(-0.55352, 0.41622, -0.72137),
+        vector(-0.34977, 0.86071, 0.36991),
+        vector(-0.10416, 0.83397, 0.54189),
+        vector(0.18360, 0.98031, 0.07263),
+        vector(0.44906, 0.52661, -0.72183),
+        vector(0.49475, 0.49873, -0.71168),
+        vector(-0.89412, -0.12454, -0.43016),
+        vector(0.99727, -0.02120, 0.07079),
+        vector(0.97739, 0.18432, -0.10356),
+        vector(-0.15083, -0.55025, 0.82126)
+    });
+
+    return saddle{"wound fan", fan(directions), 0};
+}
+
+
 // ************************************************************************* //
