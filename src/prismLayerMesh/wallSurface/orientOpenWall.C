@@ -4,6 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "endWall.H"
+#include "mathematicalConstants.H"
+#include "triPoints.H"
 #include "wallSides.H"
 
 namespace Foam
@@ -103,47 +105,115 @@ struct openComponent
 } // End anonymous namespace
 
 
-//- Volume that a component bounds with caps on its borders, negative if its
-//  normals point inwards; 0 if there are no such caps
-static scalar cappedVolume
+//- The triangles of a component and of caps on its borders; none if there are
+//  no such caps
+static List<triPoints> cappedTriangles
 (
     const wallSurface& surface,
     const UList<sidePatch>& planes,
     const openComponent& component
 )
 {
-    const scalar size = boundBox(surface.points, false).mag();
+    const pointField& points = surface.points;
+    const scalar size = boundBox(points, false).mag();
     const labelList some(labelHashSet(component.planes).sortedToc());
     const bool turns = component.turnsCorner();
-    point apex(surface.points[surface.faces[component.faces[0]][0]]);
+    point apex(points[surface.faces[component.faces[0]][0]]);
 
     // Caps are triangles from an apex in their plane: from one in all planes
     // where borders go from one to another
     if (turns && !moveToAll(planes, some, 1e-6*size, apex))
     {
-        return 0;
+        return List<triPoints>();
     }
 
-    const point& origin = apex;
-    scalar volume = 0;
-
+    DynamicList<triPoints> triangles;
     for (const label facei : component.faces)
     {
         const face& f = surface.faces[facei];
-        volume += (f.centre(surface.points) - origin)
-            & f.areaNormal(surface.points);
+        for (label k = 1; k + 1 < f.size(); ++k)
+        {
+            triangles.append
+            (
+                triPoints(points[f[0]], points[f[k]], points[f[k + 1]])
+            );
+        }
     }
 
     forAll(component.borders, i)
     {
         const edge& e = component.borders[i];
-        const point& a = surface.points[e.end()];
-        const point& b = surface.points[e.start()];
-        const point top(turns ? apex : planes[component.planes[i]].origin);
-        volume += 0.5*(((a - top) ^ (b - top)) & (top - origin));
+        const point& top = turns ? apex : planes[component.planes[i]].origin;
+        triangles.append(triPoints(points[e.end()], points[e.start()], top));
     }
 
-    return volume/3;
+    return List<triPoints>(std::move(triangles));
+}
+
+
+//- Volume that triangles bound, negative if their normals point inwards
+static scalar volumeOf(const UList<triPoints>& triangles)
+{
+    scalar volume = 0;
+
+    for (const triPoints& t : triangles)
+    {
+        const point& origin = triangles[0][0];
+        volume +=
+            ((t[0] - origin) ^ (t[1] - origin)) & (t[2] - origin);
+    }
+
+    return volume/6;
+}
+
+
+//- Whether a point is within triangles: the sum of their solid angles is that
+//  of the sphere (van Oosterom, Strackee, IEEE TBME 30(2), 1983)
+static bool isWithin(const UList<triPoints>& triangles, const point& x)
+{
+    scalar halves = 0;
+
+    for (const triPoints& t : triangles)
+    {
+        const vector a(t[0] - x);
+        const vector b(t[1] - x);
+        const vector c(t[2] - x);
+
+        halves += ::atan2
+        (
+            (a ^ b) & c,
+            mag(a)*mag(b)*mag(c)
+          + (a & b)*mag(c) + (b & c)*mag(a) + (c & a)*mag(b)
+        );
+    }
+
+    return mag(halves) > constant::mathematical::pi;
+}
+
+
+//- The centre of the largest of some faces
+static point centreOfLargest
+(
+    const wallSurface& surface,
+    const labelList& faces
+)
+{
+    scalar largest = 0;
+    point centre(Zero);
+
+    for (const label facei : faces)
+    {
+        const face& f = surface.faces[facei];
+        const scalar area = f.mag(surface.points);
+
+        if (area >= largest)
+        {
+            largest = area;
+            centre = f.centre(surface.points);
+        }
+    }
+
+    return centre;
 }
 
 
@@ -203,15 +273,33 @@ label orientOpenWall
 
     // All closed: they are oriented already
     label nFlipped = 0;
-    for (label i = 0; open && i < components.size(); ++i)
+    if (!open)
     {
-        const openComponent& component = components[i];
-        const bool outward = cappedVolume(surface, planes, component) >= 0;
+        return nFlipped;
+    }
 
-        if (outward != (component.borders.empty() || fluidOutside))
+    List<List<triPoints>> capped(components.size());
+    forAll(components, i)
+    {
+        capped[i] = cappedTriangles(surface, planes, components[i]);
+    }
+
+    forAll(components, i)
+    {
+        const point x(centreOfLargest(surface, components[i].faces));
+        label nAround = 0;
+        forAll(components, j)
         {
-            nFlipped += component.faces.size();
-            for (const label facei : component.faces)
+            nAround += i != j && isWithin(capped[j], x);
+        }
+
+        const bool isBody = components[i].borders.empty() && nAround == 0;
+        const bool outward = isBody || fluidOutside == (nAround % 2 == 0);
+
+        if (outward != (volumeOf(capped[i]) >= 0))
+        {
+            nFlipped += components[i].faces.size();
+            for (const label facei : components[i].faces)
             {
                 surface.faces[facei].flip();
             }
@@ -229,7 +317,7 @@ label removeCavities(wallSurface& surface, const UList<sidePatch>& planes)
 
     for (const openComponent& component : componentsOf(surface, planes))
     {
-        if (cappedVolume(surface, planes, component) < 0)
+        if (volumeOf(cappedTriangles(surface, planes, component)) < 0)
         {
             kept.unset(component.faces);
             ++nCavities;

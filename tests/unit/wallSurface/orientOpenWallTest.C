@@ -151,6 +151,39 @@ TEST(orientOpenWall, closedBodiesBesideAnOpenOneAreBodies)
 }
 
 
+TEST(orientOpenWall, componentsWithinOthersAreTheOtherWayRound)
+{
+    // Half of a hollow cube, with a ball in its cavity
+    const wallSurface outer(halfCube(4));
+    wallSurface inner(outer);
+    const point centre(boundBox(outer.points).centre());
+    for (point& x : inner.points)
+    {
+        // On the plane as before
+        const scalar z = x.z();
+        x = centre + 0.7*(x - centre);
+        x.z() = mag(z - halfPlanes()[0].origin.z()) < 1e-12 ? z : x.z();
+    }
+    const wallSurface ball(translated(sphere(4, 0.05), centre));
+
+    // The fluid is around the shell and in its cavity, or in the shell
+    wallSurface outside(merge(merge(outer, inner), ball));
+    orientOpenWall(outside, halfPlanes(), true);
+    EXPECT_EQ
+    (
+        outside.faces, merge(merge(outer, reversed(inner)), ball).faces
+    );
+
+    wallSurface inside(merge(merge(outer, inner), reversed(ball)));
+    orientOpenWall(inside, halfPlanes(), false);
+    EXPECT_EQ
+    (
+        inside.faces,
+        merge(merge(reversed(outer), inner), reversed(ball)).faces
+    );
+}
+
+
 TEST(orientOpenWall, closedSurfacesStay)
 {
     wallSurface inwards(reversed(sphere(4)));
