@@ -26,8 +26,9 @@ struct frontBody
     //- Of its layers
     boundBox bounds;
 
-    //- One of its points on the wall
-    point root;
+    //- The middle of one of its cells: points of the wall may be on a side
+    //  patch, and so on the boundary of other layers
+    point inside;
 };
 
 
@@ -94,7 +95,13 @@ static List<frontBody> findBodies(const prismLayers& layers)
     {
         frontBody& body = bodies[bodyi++];
         body.faces = faces[column];
-        body.root = layers(column, 0);
+
+        const face& f = layers.faces[body.faces[0]];
+        body.inside = Zero;
+        for (const label c : f)
+        {
+            body.inside += (layers(c, 0) + layers(c, 1))/(2*f.size());
+        }
     }
 
     for (frontBody& body : bodies)
@@ -204,14 +211,14 @@ List<labelPair> findNestedBodies(const prismLayers& layers)
     {
         forAll(bodies, j)
         {
-            if (i == j || !bodies[j].bounds.contains(bodies[i].root))
+            if (i == j || !bodies[j].bounds.contains(bodies[i].inside))
             {
                 continue;
             }
 
             for (const label facei : bodies[j].faces)
             {
-                if (isInStack(layers, facei, bodies[i].root))
+                if (isInStack(layers, facei, bodies[i].inside))
                 {
                     pairs.append
                     (
