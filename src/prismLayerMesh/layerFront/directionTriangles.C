@@ -7,7 +7,6 @@
 #include "normalSectors.H"
 #include "DynamicList.H"
 #include "ListOps.H"
-#include "mathematicalConstants.H"
 
 namespace Foam
 {
@@ -82,50 +81,6 @@ bool cutIntoTriangles(const vectorField& d, faceList& triangles)
     triangles = faceList(std::move(cut));
 
     return true;
-}
-
-
-bool closeAround
-(
-    const labelList& starts,
-    const vectorField& edges,
-    const vectorField& d,
-    const faceList& triangles
-)
-{
-    scalarField angles(d.size(), 0);
-
-    forAll(starts, s)
-    {
-        const label before = starts.rcIndex(s);
-        const label after = starts.fcIndex(s);
-        const label last = starts[after];
-
-        label i = starts[s];
-        angles[s] += angleAt(d[s], d[before], edges[i]);
-
-        do
-        {
-            const label next = edges.fcIndex(i);
-            angles[s] += angleAt(d[s], edges[i], edges[next]);
-            i = next;
-        }
-        while (i != last);
-
-        angles[s] += angleAt(d[s], edges[i], d[after]);
-    }
-
-    for (const face& t : triangles)
-    {
-        forAll(t, k)
-        {
-            angles[t[k]] +=
-                angleAt(d[t[k]], d[t.nextLabel(k)], d[t.prevLabel(k)]);
-        }
-    }
-
-    return max(mag(angles - constant::mathematical::twoPi))
-      < frontControls::angleTolerance;
 }
 
 } // End namespace Foam

@@ -20,7 +20,7 @@ namespace
 //- Directions for all faces around a point
 class faceDirections
 {
-    const facesAround around_;
+    const facesAround& around_;
 
     //- Directions of the columns at the other ends of the edges
     const vectorField& middles_;
@@ -36,28 +36,78 @@ class faceDirections
     }
 
 
+    bool isFirst(const label i) const { return around_.side && i == 0; }
+
+    bool isLast(const label i) const
+    {
+        return around_.side && i == d_.size() - 1;
+    }
+
+
+    label next(const label edgei) const
+    {
+        return around_.edges.fcIndex(edgei);
+    }
+
+    label prev(const label edgei) const
+    {
+        return around_.edges.rcIndex(edgei);
+    }
+
+
     //- From 0 to 2 pi: about edge i from face i to x
     scalar angleAbout(const label i, const vector& x) const
     {
         const vector& e = around_.edges[i];
-        const vector ahead = across(e, around_.edges.fcValue(i));
+        const vector ahead = across(e, around_.edges[next(i)]);
         const scalar angle = ::atan2((e ^ ahead) & x, ahead & x);
 
         return angle < 0 ? angle + constant::mathematical::twoPi : angle;
     }
 
 
-    //- At a distance from edge i; seen from there neither the middle nor the
-    //  direction of the face before is at more than 180 degrees
-    vector nearEdge(const label i, const scalar distance) const
+    //- In the plane of the side patch, at a distance from its edge of face i or
+    //  further away: from the other one at less than 180 degrees
+    vector nearBorder(const label i, const scalar distance) const
     {
-        const scalar pi = constant::mathematical::pi;
-        const scalar least = angleAbout(i, around_.edges.rcValue(i)) - pi;
-        const scalar most = min(angleAbout(i, middles_[i]), pi);
+        const vectorField& edges = around_.edges;
+        const vector& e = isFirst(i) ? edges.first() : edges.last();
+        const vector& other = isFirst(i) ? edges.last() : edges.first();
 
-        const scalar angle = 0.5*(max(least, scalar(0)) + most);
-        const vector& e = around_.edges[i];
-        const vector ahead = across(e, around_.edges.fcValue(i));
+        vector inPlane(normalised(around_.side->normal ^ e));
+        inPlane *= (inPlane & around_.normals[i].last()) < 0 ? -1 : 1;
+
+        const scalar pi = constant::mathematical::pi;
+        const scalar toOther = ::atan2(other & inPlane, other & e);
+        const scalar all = toOther < 0 ? toOther + 2*pi : toOther;
+        const scalar angle =
+            max(distance, 0.5*(all - frontControls::largestAngle*pi));
+
+        return ::cos(angle)*e + ::sin(angle)*inPlane;
+    }
+
+
+    //- At a distance from the first or second edge of face i. The direction of
+    //  the face on the other side is near to another edge: about this one it
+    //  is at less than 180 degrees, and the middle is between both.
+    vector nearEdge
+    (
+        const label i,
+        const bool isFirstEdge,
+        const scalar distance
+    ) const
+    {
+        const label j = isFirstEdge ? i : next(i);
+        const scalar pi = constant::mathematical::pi;
+        const scalar all = angleAbout(j, around_.edges[prev(j)]);
+        const scalar middle = angleAbout(j, middles_[j]);
+
+        const scalar low = max(all - pi, isFirstEdge ? 0 : middle);
+        const scalar high = min(pi, isFirstEdge ? middle : all);
+        const scalar angle = 0.5*(low + high);
+
+        const vector& e = around_.edges[j];
+        const vector ahead = across(e, around_.edges[next(j)]);
 
         return normalised
         (
@@ -66,19 +116,45 @@ class faceDirections
     }
 
 
+    //- Around a point of a border the edge at which no direction is, that with
+    //  the smallest angle; else none
+    label edgeWithout() const
+    {
+        label without = around_.edges.size();
+        scalar smallest = GREAT;
+
+        for (label j = 1; around_.side && j < d_.size(); ++j)
+        {
+            const scalar angle = angleAbout(j, around_.edges[prev(j)]);
+            if (angle < smallest)
+            {
+                smallest = angle;
+                without = j;
+            }
+        }
+
+        return without;
+    }
+
+
     //- What direction i must be in front of so that the middles at its edges
     //  are on the other sides, and all triangles positive
     vectorField limits(const label i) const
     {
-        const label next = d_.fcIndex(i);
-        const vector& e = around_.edges[i];
-        const vector& f = around_.edges[next];
-
         DynamicField<vector> all(around_.normals[i]);
-        all.append(normalised(middles_[i] ^ e));
-        all.append(normalised(d_.rcValue(i) ^ e));
-        all.append(normalised(f ^ middles_[next]));
-        all.append(normalised(f ^ d_[next]));
+
+        if (!isFirst(i))
+        {
+            const vector& e = around_.edges[i];
+            all.append(normalised(middles_[i] ^ e));
+            all.append(normalised(d_.rcValue(i) ^ e));
+        }
+        if (!isLast(i))
+        {
+            const vector& e = around_.edges[next(i)];
+            all.append(normalised(e ^ middles_[next(i)]));
+            all.append(normalised(e ^ d_.fcValue(i)));
+        }
 
         for (const face& t : triangles_)
         {
@@ -86,6 +162,14 @@ class faceDirections
             if (k >= 0)
             {
                 all.append(normalised(d_[t.nextLabel(k)] ^ d_[t.prevLabel(k)]));
+            }
+        }
+
+        if (isFirst(i) || isLast(i))
+        {
+            for (label k = all.size() - 1; k >= 0; --k)
+            {
+                all.append(around_.side->reflected(all[k]));
             }
         }
 
@@ -105,17 +189,48 @@ class faceDirections
     }
 
 
-    //- Put all directions near their edges
-    bool begin(const scalar distance)
+    //- Whether triangles surround each direction once; in the plane of a side
+    //  patch, half of it
+    bool closes() const
     {
+        scalarField angles(d_.size(), 0);
         forAll(d_, i)
         {
-            d_[i] = nearEdge(i, distance);
+            const vector& e = around_.edges[i];
+            const vector& f = around_.edges[next(i)];
+
+            angles[i] =
+                (isFirst(i) ? 0 : angleAt(d_[i], d_.rcValue(i), e))
+              + angleAt(d_[i], e, f)
+              + (isLast(i) ? 0 : angleAt(d_[i], f, d_.fcValue(i)))
+              - (isFirst(i) || isLast(i) ? 1 : 2)*constant::mathematical::pi;
         }
 
-        return cutIntoTriangles(d_, triangles_)
-            && isPositive()
-            && closeAround(identity(d_.size()), around_.edges, d_, triangles_);
+        for (const face& t : triangles_)
+        {
+            forAll(t, k)
+            {
+                angles[t[k]] +=
+                    angleAt(d_[t[k]], d_[t.nextLabel(k)], d_[t.prevLabel(k)]);
+            }
+        }
+
+        return max(mag(angles)) < frontControls::angleTolerance;
+    }
+
+
+    //- Put all directions near edges
+    bool begin(const scalar distance)
+    {
+        const label without = edgeWithout();
+
+        forAll(d_, i)
+        {
+            d_[i] = isFirst(i) || isLast(i)
+              ? nearBorder(i, distance) : nearEdge(i, i < without, distance);
+        }
+
+        return cutIntoTriangles(d_, triangles_) && isPositive() && closes();
     }
 
 
@@ -144,7 +259,7 @@ public:
     :
         around_(around),
         middles_(middles),
-        d_(middles.size())
+        d_(around_.normals.size())
     {}
 
 
@@ -195,12 +310,11 @@ normalSectors makeFaceSectors
     const label p
 )
 {
-    return addressing.isOnBorder(p)
-      ? normalSectors()
-      : faceDirections
-        (
-            facesAround(wall, addressing, visibility, p), middles
-        ).sectors();
+    const facesAround around(wall, addressing, visibility, p);
+
+    // On two side patches a column can only stand on the line of both
+    return addressing.sidesOf(p).size() > 1 || around.normals.size() < 2
+      ? normalSectors() : faceDirections(around, middles).sectors();
 }
 
 } // End namespace Foam

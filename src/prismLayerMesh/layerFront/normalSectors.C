@@ -13,27 +13,6 @@
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- The plane of the side patch of a point of a border, none for other points
-static std::unique_ptr<const sidePlane> sideOf
-(
-    const wallSurface& wall,
-    const wallAddressing& addressing,
-    const label p
-)
-{
-    const labelList sides(addressing.sidesOf(p));
-
-    return std::unique_ptr<const sidePlane>
-    (
-        sides.size()
-      ? new sidePlane(wall.border.sides[sides[0]].planeAt(wall.points[p]))
-      : nullptr
-    );
-}
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 sectorSearch::sectorSearch
@@ -47,7 +26,6 @@ sectorSearch::sectorSearch
 :
     visibility_(visibility),
     p_(p),
-    side_(sideOf(wall, addressing, p)),
     least_
     (
         visibility.cones[p].empty()
@@ -60,6 +38,7 @@ sectorSearch::sectorSearch
     )
 {
     facesAround around(wall, addressing, visibility, p);
+    side_ = std::move(around.side);
     edges_.transfer(around.edges);
     normals_.transfer(around.normals);
 

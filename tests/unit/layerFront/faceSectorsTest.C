@@ -5,6 +5,7 @@
 
 #include "dividedSaddle.H"
 #include "faceSectors.H"
+#include "mathematicalConstants.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -17,6 +18,44 @@ static List<testSurfaces::saddle> allSaddles()
     all.append(testSurfaces::woundFan());
 
     return all;
+}
+
+
+//- Half of a fan beside the plane x = 0, on which its first and last direction
+//  are; those between go up and down
+static testSurfaces::saddle halfFan(const label n, Random& random)
+{
+    vectorField directions(n + 1);
+    forAll(directions, i)
+    {
+        const scalar turn = constant::mathematical::pi*i/n;
+        const scalar up = random.position<scalar>(0.5, 2);
+        directions[i] = normalised
+        (
+            vector(::sin(turn), -::cos(turn), i % 2 ? -up : up)
+        );
+    }
+    directions[0].x() = 0;
+    directions[n].x() = 0;
+
+    wallSurface wall(testSurfaces::fan(directions));
+    const label bottom = n + 2;
+
+    // Not those behind the plane
+    for (label i = 0; i < n; ++i)
+    {
+        wall.faces[n + i] = wall.faces[n + 1 + i];
+    }
+    wall.faces.setSize(2*n);
+    wall.patchIDs.setSize(2*n);
+    sidePatch side;
+    side.normal = vector(-1, 0, 0);
+    wall.border.sides.append(side);
+    wall.border.edges =
+        List<edge>({{0, 1}, {1, bottom}, {bottom, n + 1}, {n + 1, 0}});
+    wall.border.edgeSides = labelList(4, Zero);
+
+    return testSurfaces::saddle{"half fan of " + std::to_string(n), wall, 0};
 }
 
 
@@ -68,6 +107,34 @@ TEST(faceSectors, haveRoomAroundTheirDirections)
             EXPECT_NEAR(mag(s.sectors.axes[k]), 1, 1e-14) << s.name;
             EXPECT_GT(min(s.sectors.planes[k] & s.sectors.axes[k]), 1e-3)
                 << s.name;
+        }
+    }
+}
+
+
+TEST(faceSectors, areInThePlaneAtABorder)
+{
+    Random random(23);
+
+    for (const label n : {3, 4, 5, 6, 9})
+    {
+        const dividedSaddle s(halfFan(n, random), makeFaceSectors);
+        const vectorField& d = s.sectors.axes;
+
+        ASSERT_EQ(s.sectors.starts, identity(n)) << s.name;
+        EXPECT_EQ(s.sectors.triangles.size(), n - 2) << s.name;
+        EXPECT_NEAR(d[0].x(), 0, 1e-12) << s.name;
+        EXPECT_NEAR(d[n - 1].x(), 0, 1e-12) << s.name;
+
+        for (label i = 0; i < n; ++i)
+        {
+            EXPECT_GT(min(s.sectors.planes[i] & d[i]), 1e-3) << s.name;
+            EXPECT_GT((s.edge(i) ^ s.edge(i + 1)) & d[i], 0) << s.name;
+            EXPECT_GT(i ? (s.edge(i) ^ d[i]) & d[i - 1] : 1, 0) << s.name;
+        }
+        for (const face& f : s.sectors.triangles)
+        {
+            EXPECT_GT((d[f[0]] ^ d[f[1]]) & d[f[2]], 0) << s.name;
         }
     }
 }
