@@ -4,6 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "prepareSurface.H"
+#include "boundBox.H"
+#include "cutSurface.H"
+#include "endWall.H"
 #include "remeshSurface.H"
 #include "repairSurface.H"
 #include "surfaceMeasures.H"
@@ -156,21 +159,24 @@ void repair
 
 void remesh
 (
-    const surfaceRemeshControls& controls,
+    const wallSurfaceControls& controls,
     preparedSurface& prepared,
     stageLog& log
 )
 {
-    if (!controls.active)
+    if (!controls.remesh.active)
     {
         return;
     }
 
     log.begin("surfaceRemesh");
-    const remeshedSurface remeshed
-    (
-        remeshSurface(prepared.surface, controls)
-    );
+    remeshedSurface remeshed(remeshSurface(prepared.surface, controls.remesh));
+    for (const sidePatch& plane : controls.sidePlanes)
+    {
+        // Two edges of the border may have become those of one triangle
+        const scalar size = boundBox(remeshed.surface.points, false).mag();
+        removeFacesOn(remeshed.surface, plane, touchShare*sideTolerance*size);
+    }
     log.end(sizesOf(remeshed.surface));
 
     prepared.changes.add("remesh", compare(prepared.surface, remeshed));

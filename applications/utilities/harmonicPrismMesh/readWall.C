@@ -179,7 +179,7 @@ preparedWall readWall
             << exit(FatalError);
     }
 
-    remesh(controls.surface.remesh, result.prepared, log);
+    remesh(controls.surface, result.prepared, log);
     result.wall = takeWall(surface, controls, reading, log);
 
     return result;

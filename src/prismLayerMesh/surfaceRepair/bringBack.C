@@ -5,10 +5,7 @@
 
 #include "bringBack.H"
 #include "cutSurface.H"
-#include "indexedOctree.H"
-#include "treeDataEdge.H"
 #include "unitConversion.H"
-#include "wallSides.H"
 #include "wallVisibility.H"
 
 namespace Foam
@@ -20,6 +17,9 @@ namespace Foam
 //  three times at most
 static constexpr label maxPasses = 50;
 
+//- Rounds in which points that were held back are tried again
+static constexpr label maxTries = 20;
+
 //- Least angle [deg] between the axis of a point's visibility cone and a face:
 //  layers can begin there
 static constexpr scalar smallestAngle = 10;
@@ -27,44 +27,9 @@ static constexpr scalar smallestAngle = 10;
 //- Least height of a triangle over its longest edge
 static constexpr scalar leastHeight = 0.1;
 
-//- The search tree of sharp edges: levels at most, edges in a leaf, and share
-//  of edges in several leaves
-static constexpr label treeLevels = 10;
-static constexpr scalar treeLeafSize = 10;
-static constexpr scalar treeDuplicity = 3;
-
-
-//- Edges with one face or more than two, or between faces whose normals differ
-//  by more than an angle
-static edgeList sharpEdges(const wallSurface& surface, const scalar minCos)
-{
-    const vectorField normals(surface.faceNormals());
-    const wallSides sides
-    (
-        makeWallSides(surface.faces, surface.points.size())
-    );
-    DynamicList<edge> sharp;
-
-    for (label e = 0; e < sides.nEdges(); ++e)
-    {
-        const label start = sides.edgeStarts[e];
-        const wallSide& first = sides.sides[start];
-        bool isFlat = sides.edgeStarts[e + 1] - start == 2;
-
-        if (isFlat)
-        {
-            // Normals of neighbours may be opposite to each other
-            const vector& other = normals[sides.sides[start + 1].facei];
-            isFlat = mag(normals[first.facei] & other) >= minCos;
-        }
-        if (!isFlat)
-        {
-            sharp.append(edge(first.low, first.high));
-        }
-    }
-
-    return edgeList(std::move(sharp));
-}
+//- The share of angles and heights in the wrap that is enough, where it has
+//  smaller ones
+static constexpr scalar keptShare = 0.5;
 
 
 namespace
@@ -72,51 +37,55 @@ namespace
 
 class returner
 {
-    const wallSurface& surface_;
-    const scalar distance_;
-    const scalar minCos_;
+    const wrapTargets targets_;
     wallSurface& wrap_;
+    const wallAddressing addressing_;
 
-    const pointField from_;
-
-    //- The nearest points of the surface, and the normals there
-    pointField onFaces_;
-    vectorField normals_;
-
-    //- Points of sharp edges to which points go instead
-    Map<point> onEdges_;
-
-    //- How far points are held back: not at all, to the nearest face, half way,
-    //  where they were
+    //- How far each point is held back
     labelList held_;
 
+    //- The least for each triangle and point
+    scalarField leastHeights_;
+    scalarField leastSines_;
 
-    point target(const label p) const
+
+    void hold(const label p, const label held)
     {
-        const auto edgePoint = onEdges_.cfind(p);
-
-        return
-            held_[p] == 0 && edgePoint.found() ? edgePoint.val()
-          : held_[p] <= 1 ? onFaces_[p]
-          : held_[p] == 2 ? 0.5*(onFaces_[p] + from_[p])
-          : from_[p];
+        held_[p] = held;
+        wrap_.points[p] = targets_.at(p, held);
     }
 
-    //- Whether the ends of an edge are on two sides of a sharp edge
-    bool isAcross(const edge& e) const
+    bool isOnEdge(const label p) const
     {
-        return
-            held_[e.start()] == 0 && held_[e.end()] == 0
-         && (normals_[e.start()] & normals_[e.end()]) < minCos_;
+        return held_[p] == wrapTargets::none && targets_.hasEdge(p);
     }
 
-    void setNearest(const nearestSurface& nearest);
+    //- Of triangles over their longest edges
+    scalarField heights() const;
 
-    void takeToEdges();
+    //- Of the angles between the axes of points' visibility cones and faces
+    scalarField sines() const;
 
-    //- Faces that intersect others or are flat, and those around points with
-    //  narrow visibility cones
-    labelList facesAtFault() const;
+    //- Faces that are flatter than they may be, or around points with narrower
+    //  visibility cones
+    labelList poorFaces() const;
+
+    //- Points of faces at fault: those of side patches only where faces
+    //  intersect, and of a face only those that go to sharp edges, if it has
+    //  any and they are first
+    bitSet pointsAtFault(const bool edgesFirst) const;
+
+    //- Hold points back until no faces are at fault
+    void holdBack();
+
+    //- Points held back that were not tried again, never two of one face
+    labelList someHeldBack(bitSet& tried) const;
+
+    //- Let points go to where they belong, if they can; whether any can
+    bool release(const labelList& some);
+
+    //- Try points again that were held back because of others
+    void tryAgain();
 
 public:
 
@@ -124,132 +93,78 @@ public:
     (
         const wallSurface& surface,
         const nearestSurface& nearest,
-        const scalar distance,
-        const scalar featureAngle,
+        const returnControls& controls,
         wallSurface& wrap
     )
     :
-        surface_(surface),
-        distance_(distance),
-        minCos_(Foam::cos(degToRad(featureAngle))),
+        targets_(surface, nearest, controls, wrap),
         wrap_(wrap),
-        from_(wrap.points),
-        held_(wrap.points.size(), Zero)
+        addressing_(makeWallAddressing(wrap)),
+        held_(wrap.points.size(), label(wrapTargets::none)),
+        leastHeights_(min(keptShare*heights(), leastHeight)),
+        leastSines_(sines())
     {
-        setNearest(nearest);
-        takeToEdges();
+        // Faces around points with very narrow cones stay as they are
+        const scalar least = Foam::sin(degToRad(smallestAngle));
+        for (scalar& sine : leastSines_)
+        {
+            sine = min(max(keptShare*sine, sqr(keptShare)*least), least);
+        }
     }
 
     broughtBack move();
 };
 
 
-void returner::setNearest(const nearestSurface& nearest)
+scalarField returner::heights() const
 {
-    labelList faces;
-    nearest.find(from_, onFaces_, faces);
-    const vectorField faceNormals(surface_.faceNormals());
-    normals_ = UIndirectList<vector>(faceNormals, faces)();
+    scalarField heights(wrap_.faces.size());
 
-    forAll(held_, p)
-    {
-        const vector out(from_[p] - onFaces_[p]);
-
-        if (mag(out) > distance_)
-        {
-            held_[p] = 3;
-        }
-
-        // Faces of the surface need not be oriented alike
-        if ((normals_[p] & out) < 0)
-        {
-            normals_[p] *= -1;
-        }
-    }
-}
-
-
-void returner::takeToEdges()
-{
-    const edgeList sharp(sharpEdges(surface_, minCos_));
-    if (sharp.empty())
-    {
-        return;
-    }
-
-    treeBoundBox box(surface_.points);
-    box.inflate(0.01);
-    const indexedOctree<treeDataEdge> tree
-    (
-        treeDataEdge
-        (
-            false, sharp, surface_.points, identity(sharp.size())
-        ),
-        box, treeLevels, treeLeafSize, treeDuplicity
-    );
-    const auto nearestTo = [&](const label p)
-    {
-        return tree.findNearest(onFaces_[p], sqr(2*distance_));
-    };
-
-    for (const face& f : wrap_.faces)
-    {
-        for (const edge& e : f.edges())
-        {
-            // Each edge is of two faces
-            if (e.start() > e.end() || !isAcross(e))
-            {
-                continue;
-            }
-
-            const pointIndexHit a(nearestTo(e.start()));
-            const pointIndexHit b(nearestTo(e.end()));
-            const scalar da =
-                a.hit() ? mag(a.rawPoint() - onFaces_[e.start()]) : GREAT;
-            const scalar db =
-                b.hit() ? mag(b.rawPoint() - onFaces_[e.end()]) : GREAT;
-
-            if (min(da, db) < GREAT)
-            {
-                const bool first = da <= db;
-                onEdges_.set
-                (
-                    first ? e.start() : e.end(),
-                    first ? a.rawPoint() : b.rawPoint()
-                );
-            }
-        }
-    }
-}
-
-
-labelList returner::facesAtFault() const
-{
-    bitSet fault(wrap_.faces.size(), facesInConflict(wrap_));
-    forAll(wrap_.faces, facei)
+    forAll(heights, facei)
     {
         const face& f = wrap_.faces[facei];
         const scalar longest =
             f.faceEdge(f.longestEdge(wrap_.points)).mag(wrap_.points);
-        if (2*f.mag(wrap_.points) < leastHeight*sqr(longest))
+        heights[facei] = 2*f.mag(wrap_.points)/max(sqr(longest), VSMALL);
+    }
+
+    return heights;
+}
+
+
+scalarField returner::sines() const
+{
+    const wallVisibility visibility(makeWallVisibility(wrap_, addressing_));
+    scalarField sines(visibility.cones.size());
+
+    forAll(sines, p)
+    {
+        sines[p] = visibility.cones[p].cosine;
+    }
+
+    return sines;
+}
+
+
+labelList returner::poorFaces() const
+{
+    bitSet fault(wrap_.faces.size());
+
+    const scalarField now(heights());
+    forAll(now, facei)
+    {
+        if (now[facei] < leastHeights_[facei])
         {
             fault.set(facei);
         }
     }
 
-    const wallAddressing addressing(makeWallAddressing(wrap_));
-    const boolList narrow
-    (
-        makeWallVisibility(wrap_, addressing).narrowCones
-        (
-            degToRad(smallestAngle)
-        )
-    );
-    forAll(narrow, p)
+    const scalarField sinesNow(sines());
+    forAll(sinesNow, p)
     {
-        if (narrow[p])
+        if (sinesNow[p] < leastSines_[p])
         {
-            fault.set(addressing.pointFaces[p]);
+            fault.set(addressing_.pointFaces[p]);
         }
     }
 
@@ -257,45 +172,149 @@ labelList returner::facesAtFault() const
 }
 
 
-broughtBack returner::move()
+bitSet returner::pointsAtFault(const bool edgesFirst) const
 {
-    const auto place = [&](const label p) { wrap_.points[p] = target(p); };
-    forAll(held_, p)
+    bitSet all(held_.size());
+    const auto add = [&](const labelList& faces, const bitSet& but)
     {
-        place(p);
-    }
-
-    for (label pass = 0; pass < maxPasses; ++pass)
-    {
-        bitSet back(held_.size());
-        for (const label facei : facesAtFault())
+        for (const label facei : faces)
         {
-            for (const label p : wrap_.faces[facei])
+            const face& f = wrap_.faces[facei];
+            const bool onlyOnEdges = edgesFirst && std::any_of
+            (
+                f.begin(), f.end(), [&](const label p) { return isOnEdge(p); }
+            );
+
+            for (const label p : f)
             {
-                back.set(p, held_[p] < 3);
+                if (!but.test(p) && (isOnEdge(p) || !onlyOnEdges))
+                {
+                    all.set(p);
+                }
             }
         }
-        if (back.none())
+    };
+
+    add(facesInConflict(wrap_), bitSet());
+    add(poorFaces(), targets_.onSides());
+
+    return all;
+}
+
+
+void returner::holdBack()
+{
+    bool changed = true;
+
+    for (label pass = 0; changed && pass < maxPasses; ++pass)
+    {
+        changed = false;
+        for (const label p : pointsAtFault(true))
+        {
+            if (held_[p] < wrapTargets::atWrap)
+            {
+                const bool next = held_[p] || targets_.hasEdge(p);
+                hold(p, held_[p] + (next ? 1 : 2));
+                changed = true;
+            }
+        }
+    }
+}
+
+
+labelList returner::someHeldBack(bitSet& tried) const
+{
+    bitSet beside(held_.size());
+    DynamicList<label> some;
+
+    forAll(held_, p)
+    {
+        const bool canMove = targets_.hasEdge(p) || !targets_.stays(p);
+
+        if (held_[p] && canMove && !tried.test(p) && !beside.test(p))
+        {
+            some.append(p);
+            tried.set(p);
+            beside.set(addressing_.pointPoints[p]);
+        }
+    }
+
+    return labelList(std::move(some));
+}
+
+
+bool returner::release(const labelList& some)
+{
+    const labelList before(UIndirectList<label>(held_, some));
+    for (const label p : some)
+    {
+        hold(p, wrapTargets::none);
+    }
+
+    label nFree = some.size();
+    bool changed = nFree;
+    while (changed)
+    {
+        changed = false;
+        const bitSet fault(pointsAtFault(false));
+        forAll(some, i)
+        {
+            if (held_[some[i]] != before[i] && fault.test(some[i]))
+            {
+                hold(some[i], before[i]);
+                changed = true;
+                --nFree;
+            }
+        }
+    }
+
+    return nFree;
+}
+
+
+void returner::tryAgain()
+{
+    bitSet tried(held_.size());
+    bool anyFree = false;
+
+    for (label round = 0; round < maxTries; ++round)
+    {
+        labelList some(someHeldBack(tried));
+        if (some.empty() && anyFree)
+        {
+            // Points may have kept others back
+            tried.reset();
+            anyFree = false;
+            some = someHeldBack(tried);
+        }
+        if (some.empty())
         {
             break;
         }
-        for (const label p : back)
-        {
-            held_[p] =
-                min(held_[p] + (held_[p] || onEdges_.found(p) ? 1 : 2), 3);
-            place(p);
-        }
+
+        anyFree = release(some) || anyFree;
     }
+}
+
+
+broughtBack returner::move()
+{
+    forAll(held_, p)
+    {
+        hold(p, wrapTargets::none);
+    }
+    holdBack();
+    tryAgain();
 
     broughtBack result;
     forAll(held_, p)
     {
         ++
         (
-            held_[p] == 0 && onEdges_.found(p) ? result.nOnEdges
-          : held_[p] <= 1 ? result.nOnFaces
-          : held_[p] == 2 ? result.nBetween
-          : result.nLeft
+            isOnEdge(p) ? result.nOnEdges
+          : held_[p] == wrapTargets::atWrap || targets_.stays(p) ? result.nLeft
+          : held_[p] == wrapTargets::between ? result.nBetween
+          : result.nOnFaces
         );
     }
 
@@ -311,12 +330,11 @@ broughtBack bringBack
 (
     const wallSurface& surface,
     const nearestSurface& nearest,
-    const scalar distance,
-    const scalar featureAngle,
+    const returnControls& controls,
     wallSurface& wrap
 )
 {
-    return returner(surface, nearest, distance, featureAngle, wrap).move();
+    return returner(surface, nearest, controls, wrap).move();
 }
 
 } // End namespace Foam

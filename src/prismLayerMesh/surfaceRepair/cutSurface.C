@@ -224,6 +224,34 @@ void cutOff
 }
 
 
+void removeFacesOn
+(
+    wallSurface& surface,
+    const sidePatch& plane,
+    const scalar tolerance
+)
+{
+    const scalarField distances(distancesTo(plane, surface));
+    bitSet kept(surface.faces.size());
+    forAll(surface.faces, facei)
+    {
+        const face& f = surface.faces[facei];
+        kept.set
+        (
+            facei,
+            std::any_of(f.begin(), f.end(), [&](const label p)
+            {
+                return mag(distances[p]) > tolerance;
+            })
+        );
+    }
+
+    inplaceSubset(kept, surface.faces);
+    inplaceSubset(kept, surface.patchIDs);
+    removeUnusedPoints(surface.faces, surface.points);
+}
+
+
 void cutSurface
 (
     wallSurface& surface,

@@ -59,6 +59,9 @@ class surfaceRepairer
 
     void stitch();
 
+    //- Those of patches that are to have no layers
+    bitSet facesOnSides() const;
+
     void wrap(const nearestSurface& given);
 
 public:
@@ -165,6 +168,20 @@ void surfaceRepairer::stitch()
 }
 
 
+bitSet surfaceRepairer::facesOnSides() const
+{
+    bitSet onSides(given_.faces.size());
+
+    forAll(given_.faces, facei)
+    {
+        const word& name = given_.patchNames[given_.patchIDs[facei]];
+        onSides.set(facei, sidePatches_.found(name));
+    }
+
+    return onSides;
+}
+
+
 void surfaceRepairer::wrap(const nearestSurface& given)
 {
     const scalar size = orShare(controls_.size, 0.01);
@@ -175,12 +192,14 @@ void surfaceRepairer::wrap(const nearestSurface& given)
     surface = wrapSurface(given_, size, offset, controls_.seeds);
     repairSteps& steps = repaired_.steps;
     addStep(steps, "points of the wrap", surface.points.size());
-    addLeaks(given_, given, surface, size, steps);
+    const returnControls controls
+    {
+        2*offset, featureAngle, facesInside(given_, given, surface),
+        facesOnSides()
+    };
+    addLeaks(given_, controls.inside, size, steps);
 
-    const broughtBack back
-    (
-        bringBack(given_, given, 2*offset, featureAngle, surface)
-    );
+    const broughtBack back(bringBack(given_, given, controls, surface));
     addStep(steps, "points brought back to sharp edges", back.nOnEdges);
     addStep(steps, "points brought back to faces", back.nOnFaces);
     addStep(steps, "points brought half way", back.nBetween);

@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wrapLeaks.H"
-#include "bitSet.H"
 #include "boundBox.H"
 #include "disjointSets.H"
 #include "Map.H"
@@ -97,13 +96,11 @@ static void addOpenings
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void addLeaks
+bitSet facesInside
 (
     const wallSurface& surface,
     const nearestSurface& nearest,
-    const wallSurface& wrap,
-    const scalar size,
-    repairSteps& steps
+    const wallSurface& wrap
 )
 {
     const vectorField normals(surface.faceNormals());
@@ -124,10 +121,21 @@ void addLeaks
         }
     }
 
-    front &= back;
-    addFaces(surface, front, steps);
+    return front &= back;
+}
 
-    if (front.any())
+
+void addLeaks
+(
+    const wallSurface& surface,
+    const bitSet& inside,
+    const scalar size,
+    repairSteps& steps
+)
+{
+    addFaces(surface, inside, steps);
+
+    if (inside.any())
     {
         addOpenings(surface, size, steps);
     }

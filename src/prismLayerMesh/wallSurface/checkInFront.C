@@ -4,16 +4,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "checkInFront.H"
+#include "endWall.H"
 
 namespace Foam
 {
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- A point is on a plane if it is nearer than this share of the tolerance:
-//  1e-9 of the body's size, above the rounding of its coordinates
-static constexpr scalar touchShare = 1e-5;
-
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 

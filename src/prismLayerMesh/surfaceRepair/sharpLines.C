@@ -1,0 +1,110 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "sharpLines.H"
+#include "wallSides.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- The search tree: levels at most, edges in a leaf, and share of edges in
+//  several leaves
+static constexpr label treeLevels = 10;
+static constexpr scalar treeLeafSize = 10;
+static constexpr scalar treeDuplicity = 3;
+
+
+//- A face is along a plane if the product of their unit normals is larger
+static constexpr scalar alongCosine = 0.9;
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+sharpLines::sharpLines(const wallSurface& surface, const scalar minCos)
+{
+    const vectorField normals(surface.faceNormals());
+    const wallSides sides
+    (
+        makeWallSides(surface.faces, surface.points.size())
+    );
+    DynamicList<edge> sharp;
+    DynamicList<Pair<vector>> both;
+
+    for (label e = 0; e < sides.nEdges(); ++e)
+    {
+        const label start = sides.edgeStarts[e];
+        const wallSide& first = sides.sides[start];
+        Pair<vector> n(Zero, Zero);
+
+        if (sides.edgeStarts[e + 1] - start == 2)
+        {
+            n.first() = normals[first.facei];
+            n.second() = normals[sides.sides[start + 1].facei];
+
+            // Normals of neighbours may be opposite to each other
+            if (mag(n.first() & n.second()) >= minCos)
+            {
+                continue;
+            }
+        }
+
+        sharp.append(edge(first.low, first.high));
+        both.append(n);
+    }
+
+    edges_ = edgeList(std::move(sharp));
+    normals_ = List<Pair<vector>>(std::move(both));
+
+    if (edges_.size())
+    {
+        treeBoundBox box(surface.points);
+        box.inflate(0.01);
+
+        tree_.reset
+        (
+            new indexedOctree<treeDataEdge>
+            (
+                treeDataEdge
+                (
+                    false, edges_, surface.points, identity(edges_.size())
+                ),
+                box, treeLevels, treeLeafSize, treeDuplicity
+            )
+        );
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+pointIndexHit sharpLines::findNearest
+(
+    const point& x,
+    const scalar distance
+) const
+{
+    return tree_ ? tree_->findNearest(x, sqr(distance)) : pointIndexHit();
+}
+
+
+bool sharpLines::isBetween
+(
+    const label edgei,
+    const vector& m,
+    const vector& n
+) const
+{
+    const vector& a = normals_[edgei].first();
+    const vector& b = normals_[edgei].second();
+
+    return max(min(mag(a & m), mag(b & n)), min(mag(a & n), mag(b & m)))
+      > alongCosine;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

@@ -1,0 +1,213 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "wrapTargets.H"
+#include "unitConversion.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- A point far from the surface is in a corner if the planes beside it meet
+//  within so many times its distance from the surface
+static constexpr scalar cornerReach = 3;
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+wrapTargets::wrapTargets
+(
+    const wallSurface& surface,
+    const nearestSurface& nearest,
+    const returnControls& controls,
+    wallSurface& wrap
+)
+:
+    nearest_(nearest),
+    faceNormals_(surface.faceNormals()),
+    controls_(controls),
+    from_(wrap.points)
+{
+    foot_.minCos = Foam::cos(degToRad(controls.featureAngle));
+    const sharpLines lines(surface, foot_.minCos);
+    const label nGiven = wrap.points.size();
+
+    setNearest(0);
+    const edgeList chamfers(takeToEdges(lines, wrap));
+    const pointField targets(splitChamfers(foot_, lines, chamfers, wrap));
+
+    from_ = wrap.points;
+    setNearest(nGiven);
+    forAll(targets, i)
+    {
+        onEdges_.set(nGiven + i, targets[i]);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void wrapTargets::setNearest(const label start)
+{
+    const pointField from
+    (
+        SubList<point>(from_, from_.size() - start, start)
+    );
+    pointField onFaces;
+    labelList faces;
+    nearest_.find(from, onFaces, faces);
+    for (bitSet* const set : {&foot_.areOff, &foot_.onSides, &isFar_})
+    {
+        set->resize(from_.size());
+    }
+
+    forAll(from, i)
+    {
+        const vector out(from[i] - onFaces[i]);
+        const vector& n = faceNormals_[faces[i]];
+        const bool isInside = controls_.inside.test(faces[i]);
+
+        // Faces of the surface need not be oriented alike; around the edge of a
+        // sheet planes turn
+        foot_.points.append(isInside ? from[i] : onFaces[i]);
+        foot_.normals.append
+        (
+            isInside && mag(out) > VSMALL ? vector(normalised(out))
+          : (n & out) < 0 ? -n : n
+        );
+        foot_.areOff.set(start + i, isInside);
+        foot_.onSides.set(start + i, controls_.sides.test(faces[i]));
+        isFar_.set(start + i, mag(out) > controls_.distance);
+    }
+}
+
+
+labelList wrapTargets::planesOf(const labelList& points) const
+{
+    DynamicList<label> across;
+
+    for (const label p : points)
+    {
+        const bool isAcrossAll = std::all_of
+        (
+            across.begin(), across.end(),
+            [&](const label q) { return foot_.areAcross(p, q); }
+        );
+
+        if (!stays(p) && isAcrossAll && across.size() < 3)
+        {
+            across.append(p);
+        }
+    }
+
+    return labelList(std::move(across));
+}
+
+
+void wrapTargets::takeFarPoints
+(
+    const sharpLines& lines,
+    const wallSurface& wrap
+)
+{
+    Map<labelList> beside;
+    for (const face& f : wrap.faces)
+    {
+        for (const label p : f)
+        {
+            if (isFar_[p] && !foot_.areOff[p])
+            {
+                beside(p).append(f);
+            }
+        }
+    }
+
+    for (const label p : beside.sortedToc())
+    {
+        const labelList planes(planesOf(beside[p]));
+        const scalar distance = mag(from_[p] - foot_.points[p]);
+
+        if (planes.size() > 1)
+        {
+            const pointIndexHit hit
+            (
+                foot_.meet(planes, from_[p], lines, cornerReach*distance)
+            );
+            if (hit.hit())
+            {
+                onEdges_.set(p, hit.rawPoint());
+            }
+        }
+    }
+}
+
+
+edgeList wrapTargets::takeToEdges
+(
+    const sharpLines& lines,
+    const wallSurface& wrap
+)
+{
+    DynamicList<edge> chamfers;
+
+    // To where the planes of both ends meet, or else to any sharp line
+    const auto nearestTo = [&](const label p, const edge& e)
+    {
+        const point& foot = foot_.points[p];
+        const labelList ends(e);
+        const scalar length = e.mag(wrap.points);
+        const pointIndexHit meeting(foot_.meet(ends, foot, lines, length));
+        const pointIndexHit hit
+        (
+            meeting.hit() || foot_.areOff.test(p)
+          ? meeting : lines.findNearest(foot, 2*controls_.distance)
+        );
+
+        return hit.hit() && mag(hit.rawPoint() - foot) < 2*controls_.distance
+          ? hit : pointIndexHit();
+    };
+
+    for (const face& f : wrap.faces)
+    {
+        for (const edge& e : f.edges())
+        {
+            // Each edge is of two faces
+            if (e.start() > e.end() || !isAcross(e))
+            {
+                continue;
+            }
+
+            const pointIndexHit a(nearestTo(e.start(), e));
+            const pointIndexHit b(nearestTo(e.end(), e));
+            const scalar da =
+                a.hit() ? mag(a.rawPoint() - foot_.points[e.start()]) : GREAT;
+            const scalar db =
+                b.hit() ? mag(b.rawPoint() - foot_.points[e.end()]) : GREAT;
+
+            if (min(da, db) < GREAT)
+            {
+                const bool first = da <= db;
+                onEdges_.set
+                (
+                    first ? e.start() : e.end(),
+                    first ? a.rawPoint() : b.rawPoint()
+                );
+            }
+            else
+            {
+                chamfers.append(e);
+            }
+        }
+    }
+
+    takeFarPoints(lines, wrap);
+
+    return edgeList(std::move(chamfers));
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
