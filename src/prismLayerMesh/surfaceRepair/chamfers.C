@@ -259,7 +259,7 @@ pointIndexHit tangentPlanes::meet
         hit.rawPoint() = meeting;
     }
 
-    return isBetween || isOnSide ? hit : pointIndexHit();
+    return isBetween || isOnSide || isOff ? hit : pointIndexHit();
 }
 
 

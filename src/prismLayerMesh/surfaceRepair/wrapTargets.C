@@ -162,7 +162,8 @@ edgeList wrapTargets::takeToEdges
         const pointIndexHit meeting(foot_.meet(ends, foot, lines, length));
         const pointIndexHit hit
         (
-            meeting.hit() || foot_.areOff.test(p)
+            meeting.hit()
+         || foot_.areOff.test(e.start()) || foot_.areOff.test(e.end())
           ? meeting : lines.findNearest(foot, 2*controls_.distance)
         );
 
