@@ -9,13 +9,6 @@
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- A point far from the surface is in a corner if the planes beside it meet
-//  within so many times its distance from the surface
-static constexpr scalar cornerReach = 3;
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 wrapTargets::wrapTargets
@@ -59,6 +52,8 @@ void wrapTargets::setNearest(const label start)
     pointField onFaces;
     labelList faces;
     nearest_.find(from, onFaces, faces);
+    foot_.points.setSize(from_.size());
+    foot_.normals.setSize(from_.size());
     for (bitSet* const set : {&foot_.areOff, &foot_.onSides, &isFar_})
     {
         set->resize(from_.size());
@@ -66,81 +61,20 @@ void wrapTargets::setNearest(const label start)
 
     forAll(from, i)
     {
+        const label p = start + i;
         const vector out(from[i] - onFaces[i]);
         const vector& n = faceNormals_[faces[i]];
         const bool isInside = controls_.inside.test(faces[i]);
 
         // Faces of the surface need not be oriented alike; around the edge of a
         // sheet planes turn
-        foot_.points.append(isInside ? from[i] : onFaces[i]);
-        foot_.normals.append
-        (
+        foot_.points[p] = isInside ? from[i] : onFaces[i];
+        foot_.normals[p] =
             isInside && mag(out) > VSMALL ? vector(normalised(out))
-          : (n & out) < 0 ? -n : n
-        );
-        foot_.areOff.set(start + i, isInside);
-        foot_.onSides.set(start + i, controls_.sides.test(faces[i]));
-        isFar_.set(start + i, mag(out) > controls_.distance);
-    }
-}
-
-
-labelList wrapTargets::planesOf(const labelList& points) const
-{
-    DynamicList<label> across;
-
-    for (const label p : points)
-    {
-        const bool isAcrossAll = std::all_of
-        (
-            across.begin(), across.end(),
-            [&](const label q) { return foot_.areAcross(p, q); }
-        );
-
-        if (!stays(p) && isAcrossAll && across.size() < 3)
-        {
-            across.append(p);
-        }
-    }
-
-    return labelList(std::move(across));
-}
-
-
-void wrapTargets::takeFarPoints
-(
-    const sharpLines& lines,
-    const wallSurface& wrap
-)
-{
-    Map<labelList> beside;
-    for (const face& f : wrap.faces)
-    {
-        for (const label p : f)
-        {
-            if (isFar_[p] && !foot_.areOff[p])
-            {
-                beside(p).append(f);
-            }
-        }
-    }
-
-    for (const label p : beside.sortedToc())
-    {
-        const labelList planes(planesOf(beside[p]));
-        const scalar distance = mag(from_[p] - foot_.points[p]);
-
-        if (planes.size() > 1)
-        {
-            const pointIndexHit hit
-            (
-                foot_.meet(planes, from_[p], lines, cornerReach*distance)
-            );
-            if (hit.hit())
-            {
-                onEdges_.set(p, hit.rawPoint());
-            }
-        }
+          : (n & out) < 0 ? -n : n;
+        foot_.areOff.set(p, isInside);
+        foot_.onSides.set(p, controls_.sides.test(faces[i]));
+        isFar_.set(p, mag(out) > controls_.distance);
     }
 }
 
@@ -203,8 +137,6 @@ edgeList wrapTargets::takeToEdges
             }
         }
     }
-
-    takeFarPoints(lines, wrap);
 
     return edgeList(std::move(chamfers));
 }

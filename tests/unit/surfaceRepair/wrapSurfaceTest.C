@@ -252,4 +252,52 @@ TEST(bringBack, chamfersBecomeCorners)
 }
 
 
+TEST(bringBack, sidePatchesArePlaneUpToTheirRims)
+{
+    // A duct whose first face, of the walls, is missing
+    wallSurface body(duct(8));
+    const label missing =
+        body.patchIDs.find(body.patchNames.find("walls"));
+    body.faces[missing] = body.faces.last();
+    body.patchIDs[missing] = body.patchIDs.last();
+    body.faces.setSize(body.faces.size() - 1);
+    body.patchIDs.setSize(body.faces.size());
+
+    bitSet sides(body.faces.size());
+    forAll(body.faces, facei)
+    {
+        const word& name = body.patchNames[body.patchIDs[facei]];
+        sides.set(facei, name != "walls");
+    }
+
+    const nearestSurface nearest(body);
+    wallSurface wrap
+    (
+        wrapSurface(body, 0.2, 0.02, pointField(1, point(0.5, 0.5, 0.5)))
+    );
+    bringBack(body, nearest, returnControls{0.04, 30, {}, sides}, wrap);
+    nearest.setPatches(wrap, wordHashSet({"inlet", "outlet"}));
+
+    scalar area = 0;
+    forAll(wrap.faces, facei)
+    {
+        if (wrap.patchNames[wrap.patchIDs[facei]] == "walls")
+        {
+            continue;
+        }
+
+        const face& f = wrap.faces[facei];
+        area += f.mag(wrap.points);
+        for (const label p : f)
+        {
+            const scalar x = wrap.points[p].x();
+            EXPECT_LT(min(mag(x), mag(x - 1)), 1e-14);
+        }
+    }
+
+    // Both squares
+    EXPECT_NEAR(area, 2, 0.01);
+}
+
+
 // ************************************************************************* //
