@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "endWall.H"
+#include "boundBox.H"
 #include "mathematicalConstants.H"
 #include "triPoints.H"
 #include "wallSides.H"
@@ -279,9 +280,14 @@ label orientOpenWall
     }
 
     List<List<triPoints>> capped(components.size());
+    List<boundBox> boxes(components.size(), boundBox::invertedBox);
     forAll(components, i)
     {
         capped[i] = cappedTriangles(surface, planes, components[i]);
+        for (const triPoints& t : capped[i])
+        {
+            boxes[i].add(t);
+        }
     }
 
     forAll(components, i)
@@ -290,7 +296,8 @@ label orientOpenWall
         label nAround = 0;
         forAll(components, j)
         {
-            nAround += i != j && isWithin(capped[j], x);
+            nAround +=
+                i != j && boxes[j].contains(x) && isWithin(capped[j], x);
         }
 
         const bool isBody = components[i].borders.empty() && nAround == 0;
