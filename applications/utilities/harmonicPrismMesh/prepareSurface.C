@@ -171,10 +171,10 @@ void remesh
 
     log.begin("surfaceRemesh");
     remeshedSurface remeshed(remeshSurface(prepared.surface, controls.remesh));
+    const scalar size = boundBox(remeshed.surface.points, false).mag();
     for (const sidePatch& plane : controls.sidePlanes)
     {
         // Two edges of the border may have become those of one triangle
-        const scalar size = boundBox(remeshed.surface.points, false).mag();
         removeFacesOn(remeshed.surface, plane, touchShare*sideTolerance*size);
     }
     log.end(sizesOf(remeshed.surface));

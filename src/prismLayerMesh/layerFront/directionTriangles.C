@@ -53,6 +53,24 @@ scalar angleAt(const vector& d, const vector& a, const vector& b)
 }
 
 
+void addAngles
+(
+    const vectorField& d,
+    const faceList& triangles,
+    scalarField& angles
+)
+{
+    for (const face& t : triangles)
+    {
+        forAll(t, k)
+        {
+            angles[t[k]] +=
+                angleAt(d[t[k]], d[t.nextLabel(k)], d[t.prevLabel(k)]);
+        }
+    }
+}
+
+
 bool cutIntoTriangles(const vectorField& d, faceList& triangles)
 {
     DynamicList<label> left(identity(d.size()));

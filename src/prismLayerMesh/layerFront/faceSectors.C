@@ -206,14 +206,7 @@ class faceDirections
               - (isFirst(i) || isLast(i) ? 1 : 2)*constant::mathematical::pi;
         }
 
-        for (const face& t : triangles_)
-        {
-            forAll(t, k)
-            {
-                angles[t[k]] +=
-                    angleAt(d_[t[k]], d_[t.nextLabel(k)], d_[t.prevLabel(k)]);
-            }
-        }
+        addAngles(d_, triangles_, angles);
 
         return max(mag(angles)) < frontControls::angleTolerance;
     }

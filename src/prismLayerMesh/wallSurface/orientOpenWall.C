@@ -199,22 +199,13 @@ static point centreOfLargest
     const labelList& faces
 )
 {
-    scalar largest = 0;
-    point centre(Zero);
-
-    for (const label facei : faces)
+    scalarField areas(faces.size());
+    forAll(areas, i)
     {
-        const face& f = surface.faces[facei];
-        const scalar area = f.mag(surface.points);
-
-        if (area >= largest)
-        {
-            largest = area;
-            centre = f.centre(surface.points);
-        }
+        areas[i] = surface.faces[faces[i]].mag(surface.points);
     }
 
-    return centre;
+    return surface.faces[faces[findMax(areas)]].centre(surface.points);
 }
 
 
