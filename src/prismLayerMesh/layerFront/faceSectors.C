@@ -223,22 +223,28 @@ class faceDirections
               ? nearBorder(i, distance) : nearEdge(i, i < without, distance);
         }
 
-        return cutIntoTriangles(d_, triangles_) && isPositive() && closes();
+        return cutIntoTriangles(d_, triangles_) && closes();
     }
 
 
-    //- Put each direction into the axis of its cone
-    void centre()
+    //- Put each direction into the axis of its cone, until they agree. True if
+    //  all are in front of their limits then.
+    bool centre()
     {
-        forAll(d_, i)
+        for (label round = 0; round < frontControls::maxRounds; ++round)
         {
-            const visibilityCone cone(makeVisibilityCone(limits(i)));
-
-            if (!cone.empty())
+            forAll(d_, i)
             {
-                d_[i] = cone.axis;
+                const visibilityCone cone(makeVisibilityCone(limits(i)));
+
+                if (!cone.empty())
+                {
+                    d_[i] = cone.axis;
+                }
             }
         }
+
+        return isPositive();
     }
 
 
@@ -259,23 +265,18 @@ public:
     //- The sectors; none where not even directions very near to the edges fit
     normalSectors sectors()
     {
+        normalSectors all;
         scalar distance = frontControls::ringDistance;
-        bool begun = begin(distance);
-        for (label k = 1; !begun && k < frontControls::maxRings; ++k)
+        bool fits = false;
+        for (label k = 0; !fits && k < frontControls::maxRings; ++k)
         {
+            fits = begin(distance) && centre();
             distance *= 0.5;
-            begun = begin(distance);
         }
 
-        normalSectors all;
-        if (!begun)
+        if (!fits)
         {
             return all;
-        }
-
-        for (label round = 0; round < frontControls::maxRounds; ++round)
-        {
-            centre();
         }
 
         all.starts = identity(d_.size());

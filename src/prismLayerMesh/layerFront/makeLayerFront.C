@@ -113,8 +113,8 @@ class frontBuilder
 
         // With other middles cells may be positive all the same
         divide(makeNormalSectors, middles)
-     || divide(makeNormalSectors, normals)
      || divide(makeFaceSectors, middles)
+     || divide(makeNormalSectors, normals)
      || divide(makeFaceSectors, normals);
 
         return sectors;

@@ -59,6 +59,46 @@ static testSurfaces::saddle halfFan(const label n, Random& random)
 }
 
 
+//- A wound fan of quadrilaterals, whose last points are in front of or behind
+//  the planes of their corners in the middle
+static testSurfaces::saddle warpedFan(const scalar inFront)
+{
+    testSurfaces::saddle fan(testSurfaces::woundFan());
+    wallSurface& wall = fan.wall;
+
+    for (face& f : wall.faces)
+    {
+        const label k = f.find(fan.p);
+        if (k < 0) continue;
+
+        const edge opposite(f[(k + 1) % 3], f[(k + 2) % 3]);
+        const vector normal(normalised(f.areaNormal(wall.points)));
+        const label last = wall.points.size();
+
+        wall.points.append
+        (
+            wall.points[fan.p]
+          + 1.2*(opposite.centre(wall.points) - wall.points[fan.p])
+          + inFront*normal
+        );
+        for (face& g : wall.faces)
+        {
+            const label i = g.find(opposite.start());
+            const label j = g.find(opposite.end());
+
+            if (i >= 0 && j >= 0)
+            {
+                g = i == g.rcIndex(j)
+                  ? face({g[i], last, g[j], g[g.fcIndex(j)]})
+                  : face({g[j], last, g[i], g[g.fcIndex(i)]});
+            }
+        }
+    }
+
+    return fan;
+}
+
+
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
 TEST(faceSectors, areNeededAtTheWoundFan)
@@ -67,6 +107,18 @@ TEST(faceSectors, areNeededAtTheWoundFan)
 
     EXPECT_TRUE(dividedSaddle(wound, makeNormalSectors).sectors.starts.empty());
     EXPECT_EQ(dividedSaddle(wound, makeFaceSectors).sectors.starts.size(), 11);
+}
+
+
+TEST(faceSectors, existAmongWarpedFaces)
+{
+    for (const scalar inFront : {-0.02, 0.01, 0.02})
+    {
+        const dividedSaddle s(warpedFan(inFront), makeFaceSectors);
+
+        ASSERT_EQ(s.sectors.starts.size(), 11) << inFront;
+        expectPositivePieces(s);
+    }
 }
 
 
