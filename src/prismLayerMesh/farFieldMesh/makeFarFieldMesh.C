@@ -9,8 +9,10 @@
 #include "improveTets.H"
 #include "limitGradient.H"
 #include "outerTriangles.H"
+#include "readWallSurface.H"
 #include "refineSurface.H"
 #include "sideRemainders.H"
+#include "sideShape.H"
 #include "tetrahedralize.H"
 #include "wallSearch.H"
 
@@ -232,6 +234,77 @@ static void improve(const prismLayers& layers, farFieldMesh& mesh)
 }
 
 
+//- Puts the points whose triangles are of one curved side patch, or of sectors
+//  of one, on it; not those of the layers. Then merges patches of one name.
+static void putOnSides
+(
+    const UList<sidePatch>& sides,
+    const endedBoundary& ended,
+    wallSurface& far
+)
+{
+    labelList patches(far.points.size(), -1);
+    bitSet onSeveral(far.points.size());
+
+    forAll(far.faces, facei)
+    {
+        const label patchi = far.patchIDs[facei];
+
+        for (const label p : far.faces[facei])
+        {
+            const label other = patches[p];
+            if (other >= 0 && far.patchNames[other] != far.patchNames[patchi])
+            {
+                onSeveral.set(p);
+            }
+            patches[p] = patchi;
+        }
+    }
+
+    for (label p = ended.columns.size(); p < far.points.size(); ++p)
+    {
+        const label s = patches[p] - ended.firstSide;
+
+        if (s >= 0 && sides[s].isCurved() && !onSeveral.test(p))
+        {
+            far.points[p] = sides[s].shape->nearest(far.points[p]).rawPoint();
+        }
+    }
+
+    mergePatches(far);
+}
+
+
+//- The boundary of the far field with triangles of the given size [m], and the
+//  columns on whose outer points its first points are
+static wallSurface refinedBoundary
+(
+    const prismLayers& layers,
+    const farBoundary& boundary,
+    const std::function<scalar(const point&)>& size,
+    labelList& columns
+)
+{
+    wallSurface far(boundary.surface);
+    far.patchTypes = boundary.patchTypes;
+
+    if (layers.border.sides.empty())
+    {
+        refineSurface(far, size, boundary.project);
+
+        return far;
+    }
+
+    const endedBoundary ended(makeEndedBoundary(layers, boundary, size));
+    columns = ended.columns;
+    far = ended.surface;
+    refineSurface(far, size, boundary.project);
+    putOnSides(layers.border.sides, ended, far);
+
+    return far;
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 farFieldMesh makeFarFieldMesh
@@ -256,20 +329,16 @@ farFieldMesh makeFarFieldMesh
         makeSizes(outer.points, sizes, box, controls, bounds)
     );
 
-    const bool isEnded = layers.border.sides.size();
-    const endedBoundary ended
+    labelList columns;
+    const wallSurface far
     (
-        isEnded
-      ? makeEndedBoundary(layers, boundary, std::cref(fromLayers))
-      : endedBoundary{boundary.surface, {}}
+        refinedBoundary(layers, boundary, std::cref(fromLayers), columns)
     );
-    const label nCommon = ended.columns.size();
-    wallSurface far(ended.surface);
-    refineSurface(far, std::cref(fromLayers), boundary.project);
+    const label nCommon = columns.size();
     const scalarField farSizes(meanEdges(far, makeWallAddressing(far)));
     sizes.append(SubList<scalar>(farSizes, farSizes.size() - nCommon, nCommon));
 
-    const wallSurface both(joined(outer, far, ended.columns));
+    const wallSurface both(joined(outer, far, columns));
     if (far.faces.size())
     {
         checkFarBoundary(both, outer.faces.size());
@@ -295,7 +364,7 @@ farFieldMesh makeFarFieldMesh
     );
     mesh.patchIDs = far.patchIDs;
     mesh.patchNames = far.patchNames;
-    mesh.patchTypes = isEnded ? far.patchTypes : boundary.patchTypes;
+    mesh.patchTypes = far.patchTypes;
     compact(mesh);
     improve(layers, mesh);
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sideRemainders.H"
+#include "coarsenCuts.H"
 #include "convexPolyhedron.H"
 #include "planeTriangulation.H"
 #include "readWallSurface.H"
@@ -51,21 +52,6 @@ class endedBoundaryMaker
         return box;
     }
 
-    label patchOf(const sidePatch& side)
-    {
-        wordList& names = made_.surface.patchNames;
-        label patchi = names.find(side.name);
-
-        if (patchi < 0)
-        {
-            patchi = names.size();
-            names.append(side.name);
-            made_.surface.patchTypes.append(side.type);
-        }
-
-        return patchi;
-    }
-
     void addTriangle(const face& f, const label patchi)
     {
         made_.surface.faces.append(f);
@@ -110,6 +96,12 @@ public:
     {
         made_.surface.patchNames = far.surface.patchNames;
         made_.surface.patchTypes = far.patchTypes;
+        made_.firstSide = made_.surface.patchNames.size();
+        for (const sidePatch& side : sides_)
+        {
+            made_.surface.patchNames.append(side.name);
+            made_.surface.patchTypes.append(side.type);
+        }
     }
 
     endedBoundary make();
@@ -240,11 +232,10 @@ void endedBoundaryMaker::triangulate()
         );
         region.points = identity(inside.size(), points().size());
         points().append(inside);
-        const label patchi = patchOf(sides_[s]);
 
         for (const face& f : triangulatePlane(points(), region))
         {
-            addTriangle(f, patchi);
+            addTriangle(f, made_.firstSide + s);
         }
     }
 }
@@ -313,6 +304,7 @@ endedBoundary endedBoundaryMaker::make()
 {
     addLayers();
     addParts();
+    coarsenCuts(points(), sides_, size_, regions_);
 
     if (hasPlanes(sides_))
     {
@@ -359,7 +351,6 @@ endedBoundary makeEndedBoundary
 )
 {
     endedBoundary made(endedBoundaryMaker(layers, boundary, size).make());
-    mergePatches(made.surface);
     removeUnusedPoints(made.surface.faces, made.surface.points);
 
     return made;
