@@ -53,6 +53,9 @@ struct sideColumns
     //- Edges of the border of the wall that are on the side patch
     DynamicList<edge> edges;
 
+    //- Other side patches of columns
+    Map<label> others;
+
     sideColumns(const prismLayers& l, const label s)
     :
         layers(l),
@@ -65,6 +68,12 @@ struct sideColumns
                 columns.insert(layers.border.edges[i]);
                 edges.append(layers.border.edges[i]);
             }
+            else
+            {
+                const edge& e = layers.border.edges[i];
+                others.set(e.start(), layers.border.edgeSides[i]);
+                others.set(e.end(), layers.border.edgeSides[i]);
+            }
         }
     }
 
@@ -76,6 +85,19 @@ struct sideColumns
             f.begin(), f.end(),
             [&](const label c) { return columns.found(c); }
         );
+    }
+
+
+    //- Whether a point of a column is on a side patch that continues this one
+    bool isContinued(const label c, const point& x) const
+    {
+        const auto other = others.cfind(c);
+
+        return other.found() && side.isCurved()
+            && (
+                   side.planeAt(x).normal
+                 & layers.border.sides[*other].planeAt(x).normal
+               ) > curvedCosine;
     }
 
 
@@ -93,7 +115,9 @@ struct sideColumns
 
             for (label i = 1; i <= layers.nLayers; ++i)
             {
-                if (side.distance(layers(c, i)) >= 0)
+                const point& x = layers(c, i);
+
+                if (side.distance(x) >= 0 && !isContinued(c, x))
                 {
                     return true;
                 }

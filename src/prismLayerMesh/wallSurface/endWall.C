@@ -8,6 +8,7 @@
 #include "checkInFront.H"
 #include "sideParts.H"
 #include "sideShape.H"
+#include "wallSides.H"
 
 namespace Foam
 {
@@ -106,8 +107,7 @@ public:
         surface_(surface),
         controls_(controls),
         layers_(layers),
-        tolerance_(sideTolerance*boundBox(surface.points, false).mag()),
-        pointSides_(surface.points.size())
+        tolerance_(sideTolerance*boundBox(surface.points, false).mag())
     {}
 
     wallSurface end(wallReading& reading);
@@ -197,22 +197,17 @@ void wallEnder::findBorders()
 
 void wallEnder::checkSides() const
 {
-    forAll(sides_, s)
+    for (label s = nParts_; s < sides_.size(); ++s)
     {
         if (!wall_.border.edgeSides.found(s))
         {
             FatalErrorInFunction
-                << (s >= nParts_
-                  ? "No border of the wall is on the side plane "
-                  : "The wall does not end on the side patch ")
+                << "No border of the wall is on the side plane "
                 << sides_[s].name << " at " << sides_[s].origin
                 << exit(FatalError);
         }
 
-        if (s >= nParts_)
-        {
-            checkInFront(surface_, sides_[s], pointsOn(s), tolerance_);
-        }
+        checkInFront(surface_, sides_[s], pointsOn(s), tolerance_);
     }
 
     for (const edge& e : wall_.border.edges)
@@ -304,12 +299,10 @@ wallSurface wallEnder::end(wallReading& reading)
     (
         surface_, controls_.sidePlanes, controls_.fluidOutside
     );
-    edges_ = makeWallSides(surface_.faces, surface_.points.size());
 
-    const sideParts parts
-    (
-        findSideParts(surface_, edges_, layers_, tolerance_)
-    );
+    const sideParts parts(findSideParts(surface_, layers_, tolerance_));
+    edges_ = makeWallSides(surface_.faces, surface_.points.size());
+    pointSides_.setSize(surface_.points.size());
     sideOfFace_ = parts.sideOfFace;
     sides_ = parts.sides;
     nParts_ = sides_.size();

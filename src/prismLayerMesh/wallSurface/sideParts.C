@@ -6,8 +6,10 @@
 #include "sideParts.H"
 #include "bitSet.H"
 #include "disjointSets.H"
+#include "divideSidePart.H"
 #include "readWallSurface.H"
 #include "sideShape.H"
+#include "wallSides.H"
 
 namespace Foam
 {
@@ -18,13 +20,12 @@ namespace Foam
 //  part: cos(5 degrees)
 static constexpr scalar samePlaneCosine = 0.996;
 
-//- Faces with a larger angle than that between them are not of one curved part:
-//  cos(30 degrees)
-static constexpr scalar curvedCosine = 0.866;
-
 //- The largest angle of a face of a curved part with the mean plane: cos(75
 //  degrees)
 static constexpr scalar leastSeen = 0.2588;
+
+//- Bound on the rounds in which curved parts are divided in two
+static constexpr label maxDivisions = 6;
 
 
 namespace
@@ -33,7 +34,11 @@ namespace
 class partFinder
 {
     const wallSurface& surface_;
-    const wallSides& edges_;
+
+    //- Of each face; parts are of one sector
+    const labelList& sectors_;
+
+    const wallSides edges_;
     const layerControls& layers_;
     const scalar tolerance_;
     const vectorField normals_;
@@ -96,6 +101,7 @@ class partFinder
             if
             (
                 sideFaces_.test(f) && sideFaces_.test(g)
+             && sectors_[f] == sectors_[g]
              && surface_.patchIDs[f] == surface_.patchIDs[g]
              && (normals_[f] & normals_[g]) > cosine
             )
@@ -172,27 +178,9 @@ class partFinder
     }
 
 
-    //- Errors: FatalError if some of the faces are not seen along their mean
-    //  normal
     sidePatch curvedThrough(const labelUList& faces) const
     {
         sidePatch side(planeThrough(faces));
-
-        for (const label f : faces)
-        {
-            if ((-side.normal & normals_[f]) < leastSeen)
-            {
-                FatalErrorInFunction
-                    << "The side patch "
-                    << surface_.patchNames[surface_.patchIDs[f]]
-                    << " is curved so far that at "
-                    << surface_.faces[f].centre(surface_.points)
-                    << " it is not seen along its mean normal, "
-                    << -side.normal << nl
-                    << "Divide it into several patches" << exit(FatalError);
-            }
-        }
-
         pointField points(surface_.points);
         faceList own(UIndirectList<face>(surface_.faces, faces)());
         removeUnusedPoints(own, points);
@@ -221,13 +209,14 @@ public:
     partFinder
     (
         const wallSurface& surface,
-        const wallSides& edges,
+        const labelList& sectors,
         const layerControls& layers,
         const scalar tolerance
     )
     :
         surface_(surface),
-        edges_(edges),
+        sectors_(sectors),
+        edges_(makeWallSides(surface.faces, surface.points.size())),
         layers_(layers),
         tolerance_(tolerance),
         normals_(surface.faceNormals())
@@ -237,6 +226,13 @@ public:
     }
 
     sideParts find();
+
+    //- Of each curved part not all of which is seen along its mean normal, a
+    //  face that is not
+    Map<label> unseen() const;
+
+    //- Errors: FatalError if a part is not joined to the wall
+    void checkJoined() const;
 };
 
 
@@ -286,6 +282,58 @@ sideParts partFinder::find()
     return parts_;
 }
 
+
+Map<label> partFinder::unseen() const
+{
+    Map<label> faces;
+
+    forAll(parts_.sideOfFace, facei)
+    {
+        const label s = parts_.sideOfFace[facei];
+
+        if
+        (
+            s >= 0 && parts_.sides[s].isCurved()
+         && (-parts_.sides[s].normal & normals_[facei]) < leastSeen
+        )
+        {
+            faces.insert(s, facei);
+        }
+    }
+
+    return faces;
+}
+
+
+void partFinder::checkJoined() const
+{
+    labelList components;
+    boolList hasWall
+    (
+        findComponents(edges_, surface_.faces.size(), components), false
+    );
+    forAll(components, facei)
+    {
+        if (!sideFaces_.test(facei))
+        {
+            hasWall[components[facei]] = true;
+        }
+    }
+
+    forAll(components, facei)
+    {
+        const label s = parts_.sideOfFace[facei];
+
+        if (s >= 0 && !hasWall[components[facei]])
+        {
+            FatalErrorInFunction
+                << "The wall does not end on the side patch "
+                << parts_.sides[s].name << " at " << parts_.sides[s].origin
+                << exit(FatalError);
+        }
+    }
+}
+
 } // End anonymous namespace
 
 
@@ -293,13 +341,45 @@ sideParts partFinder::find()
 
 sideParts findSideParts
 (
-    const wallSurface& surface,
-    const wallSides& edges,
+    wallSurface& surface,
     const layerControls& layers,
     const scalar tolerance
 )
 {
-    return partFinder(surface, edges, layers, tolerance).find();
+    labelList sectors(surface.faces.size(), Zero);
+
+    for (label round = 0; ; ++round)
+    {
+        partFinder finder(surface, sectors, layers, tolerance);
+        sideParts found(finder.find());
+        const Map<label> unseen(finder.unseen());
+
+        if (unseen.empty())
+        {
+            finder.checkJoined();
+
+            return found;
+        }
+
+        if (round == maxDivisions)
+        {
+            const label facei = *unseen.cbegin();
+            FatalErrorInFunction
+                << "The side patch "
+                << surface.patchNames[surface.patchIDs[facei]]
+                << " is curved so far that at "
+                << surface.faces[facei].centre(surface.points)
+                << " it is not seen along its mean normal" << nl
+                << "Divide it into several patches" << exit(FatalError);
+        }
+
+        sectoredSurface sectored{surface, found.sideOfFace, sectors};
+        for (const label part : unseen.sortedToc())
+        {
+            divideSidePart(sectored, part, tolerance);
+        }
+        sectors = sectored.sectors;
+    }
 }
 
 } // End namespace Foam

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "openSurfaces.H"
+#include "mathematicalConstants.H"
 #include "endWall.H"
 
 namespace Foam
@@ -111,6 +112,39 @@ wallSurface testSurfaces::bulgedDuct(const label n)
 scalar testSurfaces::bulgeAt(const point& x)
 {
     return 0.4*(sqr(x.y() - 0.5) + sqr(x.z() - 0.5)) - 0.2;
+}
+
+
+wallSurface testSurfaces::vessel()
+{
+    List<vector2D> polygon(96);
+    forAll(polygon, i)
+    {
+        const scalar angle = constant::mathematical::twoPi*i/polygon.size();
+        polygon[i] = vector2D(::cos(angle), ::sin(angle));
+    }
+
+    wallSurface surface(reversed(extruded(polygon, 1, 0.2)));
+    surface.patchNames = wordList({"bottom", "around", "top"});
+    forAll(surface.faces, facei)
+    {
+        const vector n(surface.faces[facei].unitNormal(surface.points));
+        surface.patchIDs[facei] = 1 - label(::round(n.z()));
+    }
+
+    // No edge around is upright
+    for (point& x : surface.points)
+    {
+        const scalar turn = 0.1*x.z();
+        x = point
+        (
+            ::cos(turn)*x.x() - ::sin(turn)*x.y(),
+            ::sin(turn)*x.x() + ::cos(turn)*x.y(),
+            x.z()
+        );
+    }
+
+    return surface;
 }
 
 

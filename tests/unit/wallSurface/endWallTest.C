@@ -259,4 +259,16 @@ TEST(endWall, patchesKeepTheirTypes)
 }
 
 
+TEST(endWall, sidePatchesMayJoinOthersToTheWall)
+{
+    const endedWall ended(vessel(), {}, withoutLayers({"around", "top"}));
+    const wallBorder& border = ended.wall.border;
+
+    ASSERT_EQ(border.sides[0].name, "top");
+    EXPECT_FALSE(border.edgeSides.found(0));
+    EXPECT_EQ(border.edges.size(), 96);
+    expectBorder(ended.wall);
+}
+
+
 // ************************************************************************* //

@@ -5,9 +5,10 @@
 
 #include "openSurfaces.H"
 #include "sideParts.H"
-#include "thrownMessage.H"
 #include "wallSides.H"
 #include "mathematicalConstants.H"
+
+#include <gtest/gtest.h>
 
 using namespace Foam;
 using namespace Foam::testSurfaces;
@@ -16,18 +17,12 @@ using namespace Foam::testSurfaces;
 
 static sideParts partsOf
 (
-    const wallSurface& surface,
+    wallSurface& surface,
     const wordList& patches,
     const scalar tolerance = 1e-6
 )
 {
-    return findSideParts
-    (
-        surface,
-        makeWallSides(surface.faces, surface.points.size()),
-        withoutLayers(patches),
-        tolerance
-    );
+    return findSideParts(surface, withoutLayers(patches), tolerance);
 }
 
 
@@ -53,7 +48,7 @@ static scalarField areas(const wallSurface& surface, const sideParts& parts)
 
 TEST(sideParts, ofPatchesWithoutLayersOnly)
 {
-    const wallSurface surface(duct(3));
+    wallSurface surface(duct(3));
     const sideParts parts(partsOf(surface, {"outlet"}));
 
     ASSERT_EQ(parts.sides.size(), 1);
@@ -72,7 +67,8 @@ TEST(sideParts, ofPatchesWithoutLayersOnly)
 
 TEST(sideParts, normalsPointOutOfTheFluid)
 {
-    const sideParts parts(partsOf(duct(3), {"inlet", "outlet"}));
+    wallSurface surface(duct(3));
+    const sideParts parts(partsOf(surface, {"inlet", "outlet"}));
 
     ASSERT_EQ(parts.sides.size(), 2);
     EXPECT_LT(mag(parts.sides[0].normal - vector(-1, 0, 0)), 1e-15);
@@ -103,7 +99,7 @@ TEST(sideParts, sharpEdgesDivideAPatch)
 TEST(sideParts, apartInAPlaneTheyAreSeveral)
 {
     const wallSurface one(duct(2));
-    const wallSurface surface
+    wallSurface surface
     (
         merge(one, translated(one, vector(0, 3, 0)))
     );
@@ -133,7 +129,7 @@ TEST(sideParts, wrinklesWithinTheToleranceAreOfOnePart)
 
 TEST(sideParts, smallAnglesThatSumUpMakeACurvedPart)
 {
-    const wallSurface surface(bulgedDuct(24));
+    wallSurface surface(bulgedDuct(24));
     const sideParts parts(partsOf(surface, {"inlet", "outlet"}));
 
     ASSERT_EQ(parts.sides.size(), 2);
@@ -181,7 +177,45 @@ TEST(sideParts, facetsThatAllTouchTheWallArePlanes)
 }
 
 
-TEST(sideParts, curvedPartsThatAreNotSeenFromOneSideAreRefused)
+//- All faces of curved parts are seen along the mean normal of theirs, and the
+//  parts of a patch cover it
+static void expectSeen
+(
+    const wallSurface& surface,
+    const sideParts& parts,
+    const word& patch,
+    const scalar area
+)
+{
+    scalar covered = 0;
+    forAll(surface.faces, facei)
+    {
+        const label s = parts.sideOfFace[facei];
+
+        if (s >= 0 && parts.sides[s].name == patch)
+        {
+            const vector n(surface.faces[facei].unitNormal(surface.points));
+            EXPECT_GT(-n & parts.sides[s].normal, 0.25) << patch;
+            covered += surface.faces[facei].mag(surface.points);
+        }
+    }
+    EXPECT_NEAR(covered, area, 1e-12*area) << patch;
+}
+
+
+static scalar areaOf(const wallSurface& surface, const label patchi)
+{
+    scalar sum = 0;
+    for (const label f : findIndices(surface.patchIDs, patchi))
+    {
+        sum += surface.faces[f].mag(surface.points);
+    }
+
+    return sum;
+}
+
+
+TEST(sideParts, domesAreDividedIntoSectors)
 {
     wallSurface surface(sphere(12));
     surface.patchNames = wordList({"wall", "dome"});
@@ -190,15 +224,86 @@ TEST(sideParts, curvedPartsThatAreNotSeenFromOneSideAreRefused)
         surface.patchIDs[facei] =
             surface.faces[facei].centre(surface.points).z() > 0;
     }
+    const scalar area = areaOf(surface, 1);
+    const sideParts parts(partsOf(surface, {"dome"}));
 
-    expectWords
+    EXPECT_EQ(parts.sides.size(), 4);
+    expectSeen(surface, parts, "dome", area);
+}
+
+
+TEST(sideParts, cylindersAreDividedIntoSectors)
+{
+    wallSurface surface(vessel());
+    const wallSurface given(surface);
+    const sideParts parts(partsOf(surface, {"around", "top"}));
+
+    // The top in a plane, and quarters
+    ASSERT_EQ(parts.sides.size(), 5);
+    EXPECT_EQ(parts.sides[0].name, "top");
+    expectSeen(surface, parts, "around", areaOf(given, 1));
+    expectSeen(surface, parts, "top", areaOf(given, 2));
+
+    // The faces of the wall are as they were
+    for (const label f : findIndices(given.patchIDs, 0))
+    {
+        EXPECT_EQ(surface.faces[f], given.faces[f]);
+    }
+
+    // Faces on both sides of a cut have its points
+    const wallSides edges
     (
-        thrownMessage<error>([&]() { partsOf(surface, {"dome"}); }),
-        {
-            "side patch dome is curved so far that at (",
-            "not seen along its mean normal", "Divide it"
-        }
+        makeWallSides(surface.faces, surface.points.size())
     );
+    EXPECT_EQ(edges.sides.size(), 2*edges.nEdges());
+    EXPECT_GT(surface.points.size(), given.points.size());
+}
+
+
+TEST(sideParts, sectorsMeetInPlanesThroughPointsOfTheWall)
+{
+    wallSurface surface(vessel());
+    const sideParts parts(partsOf(surface, {"around", "top"}));
+
+    // Points of two sectors: on radii of the bottom's border, as all is upright
+    List<labelHashSet> sectorsOf(surface.points.size());
+    DynamicList<label> onWall;
+    forAll(surface.faces, facei)
+    {
+        const label s = parts.sideOfFace[facei];
+        for (const label p : surface.faces[facei])
+        {
+            if (s > 0)
+            {
+                sectorsOf[p].insert(s);
+            }
+            else if (s < 0)
+            {
+                onWall.append(p);
+            }
+        }
+    }
+
+    label nOnCuts = 0;
+    forAll(sectorsOf, p)
+    {
+        if (sectorsOf[p].size() > 1)
+        {
+            ++nOnCuts;
+            const point& x = surface.points[p];
+            const bool above = std::any_of
+            (
+                onWall.begin(), onWall.end(), [&](const label q)
+                {
+                    const point& y = surface.points[q];
+                    return sectorsOf[q].size() > 1
+                        && mag(vector(x.x() - y.x(), x.y() - y.y(), 0)) < 0.05;
+                }
+            );
+            EXPECT_TRUE(above) << x.z();
+        }
+    }
+    EXPECT_GT(nOnCuts, 12);
 }
 
 
