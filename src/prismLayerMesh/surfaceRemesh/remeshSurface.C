@@ -22,11 +22,8 @@ namespace Foam
 static constexpr scalar foldAngle = 0.5;
 
 //- Rounds in which the surface is kept nearer to the given one where its faces
-//  would intersect or are folded
+//  would intersect or are folded, or where it is too far away
 static constexpr label maxRounds = 8;
-
-//- The same where it is too far away
-static constexpr label maxDeviating = 2;
 
 
 static surfaceRemeshControls withDefaults
@@ -116,14 +113,13 @@ static labelList foldedFaces(const wallSurface& surface)
 }
 
 
-//- The triangles of the given surface beneath faces, and around points of it
-static labelHashSet trianglesAt
+//- The triangles of the given surface that are near to faces
+static labelHashSet trianglesNear
 (
     const givenSurface& given,
     const wallSurface& made,
-    const labelList& nearest,
-    const labelList& faces,
-    const labelHashSet& givenPoints
+    const labelUList& nearest,
+    const labelUList& faces
 )
 {
     labelHashSet result;
@@ -140,41 +136,75 @@ static labelHashSet trianglesAt
         }
     }
 
-    forAll(given.surface().faces, facei)
-    {
-        for (const label p : given.surface().faces[facei])
-        {
-            if (givenPoints.found(p))
-            {
-                result.insert(facei);
-            }
-        }
-    }
-
     return result;
 }
 
 
-//- Points that are further than the deviation from another surface
-static labelHashSet pointsAway
+//- Faces of a surface that are further than a distance from another one, with
+//  their centre or a point, and the nearest faces there of the other one
+static List<labelPair> facesAway
 (
-    const pointField& points,
+    const wallSurface& surface,
     const nearestSurface& other,
-    const scalar deviation
+    const scalar distance
 )
 {
+    pointField from(surface.points);
+    from.append(centresOf(surface));
     pointField nearest;
     labelList faces;
-    other.find(points, nearest, faces);
-    labelHashSet result;
+    other.find(from, nearest, faces);
+    DynamicList<labelPair> away;
 
-    forAll(points, p)
+    forAll(surface.faces, facei)
     {
-        if (mag(nearest[p] - points[p]) > deviation)
+        labelList samples(surface.faces[facei]);
+        samples.append(surface.points.size() + facei);
+
+        for (const label i : samples)
         {
-            result.insert(p);
+            if (mag(nearest[i] - from[i]) > distance)
+            {
+                away.append(labelPair(facei, faces[i]));
+            }
         }
     }
+
+    return List<labelPair>(std::move(away));
+}
+
+
+//- The triangles of the given surface that are further than the deviation from
+//  the new one, those beneath the faces that are nearest to them, and those
+//  beneath faces that are further from it; not where edges may not be shorter
+static labelHashSet trianglesAway
+(
+    const givenSurface& shape,
+    const wallSurface& made,
+    const labelUList& nearest,
+    const surfaceRemeshControls& controls
+)
+{
+    const wallSurface& given = shape.surface();
+    const scalar deviation = controls.deviation;
+    labelHashSet result;
+
+    for (const labelPair& f : facesAway(given, nearestSurface(made), deviation))
+    {
+        result.insert(f.first());
+        result.insert(nearest[f.second()]);
+    }
+    for (const labelPair& f : facesAway(made, nearestSurface(given), deviation))
+    {
+        result.insert(nearest[f.first()]);
+    }
+    result.erase(-1);
+
+    const scalarField lengths(shape.lengths());
+    result.filterKeys([&](const label t)
+    {
+        return lengths[t] > controls.minEdge;
+    });
 
     return result;
 }
@@ -216,22 +246,18 @@ remeshedSurface remeshSurface
 
     for (label round = 0; round < maxRounds; ++round)
     {
-        const labelHashSet away
-        (
-            pointsAway
-            (
-                triangles.points, nearestSurface(made), controls.deviation
-            )
-        );
+        const labelList nearest(mesher->edited().nearestFaces());
         labelList faces(conflicts);
         faces.append(folded);
-        if (faces.empty() && (away.empty() || round >= maxDeviating))
+        labelHashSet tightened(trianglesNear(shape, made, nearest, faces));
+        tightened |= trianglesAway(shape, made, nearest, controls);
+
+        if (faces.empty() && tightened.empty())
         {
             break;
         }
 
-        const labelList nearest(mesher->edited().nearestFaces());
-        for (const label t : trianglesAt(shape, made, nearest, faces, away))
+        for (const label t : tightened)
         {
             shape.tighten(t);
         }

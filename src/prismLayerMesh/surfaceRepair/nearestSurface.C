@@ -16,19 +16,6 @@ namespace Foam
 static constexpr scalar alongCosine = 0.985;
 
 
-static pointField centresOf(const wallSurface& surface)
-{
-    pointField centres(surface.faces.size());
-
-    forAll(centres, facei)
-    {
-        centres[facei] = surface.faces[facei].centre(surface.points);
-    }
-
-    return centres;
-}
-
-
 static labelList facesOfTriangles(const wallSurface& surface)
 {
     labelList faces;
@@ -134,6 +121,19 @@ void nearestSurface::setPatches
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+pointField centresOf(const wallSurface& surface)
+{
+    pointField centres(surface.faces.size());
+
+    forAll(centres, facei)
+    {
+        centres[facei] = surface.faces[facei].centre(surface.points);
+    }
+
+    return centres;
+}
+
 
 surfaceDistance distanceTo
 (

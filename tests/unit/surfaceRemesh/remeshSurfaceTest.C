@@ -138,8 +138,8 @@ TEST(remeshSurface, coarsensWithinTheDeviation)
 
     expectGood(result.surface, 20);
     EXPECT_LT(3*result.surface.faces.size(), surface.faces.size());
-    EXPECT_LT(result.distance.largest, 1.2*5e-3);
-    EXPECT_LT(result.distanceOfGiven.largest, 1.2*5e-3);
+    EXPECT_LT(result.distance.largest, 5e-3);
+    EXPECT_LT(result.distanceOfGiven.largest, 5e-3);
 
     // Half the deviation asks for about twice the triangles
     const label nFiner =
