@@ -25,6 +25,9 @@ class faceDirections
     //- Directions of the columns at the other ends of the edges
     const vectorField& middles_;
 
+    //- Edges at whose other ends sectors meet too
+    const bitSet& shared_;
+
     vectorField d_;
 
     faceList triangles_;
@@ -102,9 +105,12 @@ class faceDirections
         const scalar all = angleAbout(j, around_.edges[prev(j)]);
         const scalar middle = angleAbout(j, middles_[j]);
 
-        const scalar low = max(all - pi, isFirstEdge ? 0 : middle);
-        const scalar high = min(pi, isFirstEdge ? middle : all);
-        const scalar angle = 0.5*(low + high);
+        const scalar right = shared_.test(j) ? pi/2 : GREAT;
+        const scalar low =
+            isFirstEdge ? max(scalar(0), middle - right) : middle;
+        const scalar high =
+            isFirstEdge ? middle : min(all, middle + right);
+        const scalar angle = 0.5*(max(low, all - pi) + min(high, pi));
 
         const vector& e = around_.edges[j];
         const vector ahead = across(e, around_.edges[next(j)]);
@@ -137,6 +143,16 @@ class faceDirections
     }
 
 
+    //- Within a right angle of the middle, about edge j
+    void appendShared(const label j, DynamicField<vector>& all) const
+    {
+        if (shared_.test(j))
+        {
+            all.append(across(around_.edges[j], middles_[j]));
+        }
+    }
+
+
     //- What direction i must be in front of so that the middles at its edges
     //  are on the other sides, and all triangles positive
     vectorField limits(const label i) const
@@ -148,12 +164,14 @@ class faceDirections
             const vector& e = around_.edges[i];
             all.append(normalised(middles_[i] ^ e));
             all.append(normalised(d_.rcValue(i) ^ e));
+            appendShared(i, all);
         }
         if (!isLast(i))
         {
             const vector& e = around_.edges[next(i)];
             all.append(normalised(e ^ middles_[next(i)]));
             all.append(normalised(e ^ d_.fcValue(i)));
+            appendShared(next(i), all);
         }
 
         for (const face& t : triangles_)
@@ -253,11 +271,13 @@ public:
     faceDirections
     (
         const facesAround& around,
-        const vectorField& middles
+        const vectorField& middles,
+        const bitSet& shared
     )
     :
         around_(around),
         middles_(middles),
+        shared_(shared),
         d_(around_.normals.size())
     {}
 
@@ -301,6 +321,7 @@ normalSectors makeFaceSectors
     const wallAddressing& addressing,
     const wallVisibility& visibility,
     const vectorField& middles,
+    const bitSet& shared,
     const label p
 )
 {
@@ -308,7 +329,7 @@ normalSectors makeFaceSectors
 
     // On two side patches a column can only stand on the line of both
     return addressing.sidesOf(p).size() > 1 || around.normals.size() < 2
-      ? normalSectors() : faceDirections(around, middles).sectors();
+      ? normalSectors() : faceDirections(around, middles, shared).sectors();
 }
 
 } // End namespace Foam

@@ -4,9 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layerFront.H"
-#include "adviceOnPoints.H"
-#include "faceSectors.H"
-#include "wallPointsError.H"
+#include "wallSectors.H"
 
 namespace Foam
 {
@@ -21,20 +19,9 @@ class frontBuilder
 {
     const wallSurface& wall_;
     const wallAddressing& addressing_;
-    const wallVisibility& visibility_;
-    const boolList& narrow_;
+    const wallSectors divided_;
 
-    //- Whether all narrow cones have been looked at once
-    bool searched_ = false;
-
-    //- Points with more than one column, and their sectors
-    DynamicList<label> points_;
-    DynamicList<normalSectors> sectors_;
-
-    //- Index in these of each point of the wall, or -1
-    labelList indices_;
-
-    //- The second column of each of these points
+    //- The second column of each divided point
     labelList secondColumns_;
 
     layerFront& front_;
@@ -43,123 +30,16 @@ class frontBuilder
     //- Column of the sector of point k
     label sectorColumn(const label k, const label s) const
     {
-        return s ? secondColumns_[k] + s - 1 : points_[k];
+        return s ? secondColumns_[k] + s - 1 : divided_.points[k];
     }
 
 
     //- Column of face i around point p of the wall
     label column(const label p, const label i) const
     {
-        const label k = indices_[p];
+        const label k = divided_.indices[p];
 
-        return k < 0 ? p : sectorColumn(k, sectors_[k].sector(i));
-    }
-
-
-    //- Sum of the normals of the faces of edge i of p
-    vector edgeNormal(const label p, const label i) const
-    {
-        const vectorField& corners = visibility_.cornerNormals[p];
-
-        return corners[i] + corners[corners.rcIndex(i)];
-    }
-
-
-    //- Direction of the column at the other end of edge i of p; where there are
-    //  two, or it is not known yet, the mean of the normals of the edge's faces
-    vector middle(const label p, const label i) const
-    {
-        const label q = addressing_.pointPoints[p][i];
-        const label k = indices_[q];
-
-        if (k < 0 && (!narrow_[q] || searched_))
-        {
-            return visibility_.cones[q].axis;
-        }
-
-        if (k >= 0)
-        {
-            const label back = addressing_.pointPoints[q].find(p);
-            const label s = sectors_[k].sector(back);
-            const label before = addressing_.pointFaces[q].rcIndex(back);
-
-            if (s == sectors_[k].sector(before))
-            {
-                return sectors_[k].axes[s];
-            }
-        }
-
-        return edgeNormal(p, i);
-    }
-
-
-    normalSectors sectorsOf(const label p) const
-    {
-        vectorField middles(addressing_.pointPoints[p].size());
-        vectorField normals(middles.size());
-        forAll(middles, i)
-        {
-            middles[i] = middle(p, i);
-            normals[i] = edgeNormal(p, i);
-        }
-
-        normalSectors sectors;
-        const auto divide = [&](auto divided, const vectorField& m)
-        {
-            sectors = divided(wall_, addressing_, visibility_, m, p);
-
-            return sectors.starts.size() || !visibility_.cones[p].empty();
-        };
-
-        // With other middles cells may be positive all the same
-        divide(makeNormalSectors, middles)
-     || divide(makeFaceSectors, middles)
-     || divide(makeNormalSectors, normals)
-     || divide(makeFaceSectors, normals);
-
-        return sectors;
-    }
-
-
-    //- Divide point k again; true if its division changes
-    bool divideAgain(const label k)
-    {
-        const normalSectors old(sectors_[k]);
-        const normalSectors sectors(sectorsOf(points_[k]));
-
-        if (sectors.starts.empty())
-        {
-            return false;
-        }
-
-        sectors_[k] = sectors;
-
-        return sectors.starts != old.starts
-            || max(mag(sectors.axes - old.axes))
-             > frontControls::directionTolerance;
-    }
-
-
-    //- Divide again the points beside others with narrow cones, until the
-    //  planes of each follow from the others' directions
-    void agree()
-    {
-        searched_ = true;
-        bool changed = true;
-
-        for (label i = 0; changed && i < frontControls::maxRounds; ++i)
-        {
-            changed = false;
-            forAll(points_, k)
-            {
-                const labelList& beside = addressing_.pointPoints[points_[k]];
-
-                if (UIndirectList<bool>(narrow_, beside).found(true))
-                {
-                    changed = divideAgain(k) || changed;
-                }
-            }
-        }
+        return k < 0 ? p : sectorColumn(k, divided_.sectors[k].sector(i));
     }
 
 
@@ -173,14 +53,14 @@ class frontBuilder
 
     void addColumns()
     {
-        forAll(points_, k)
+        forAll(divided_.points, k)
         {
             secondColumns_[k] = front_.wallPoints.size();
 
-            for (label s = 1; s < sectors_[k].starts.size(); ++s)
+            for (label s = 1; s < divided_.sectors[k].starts.size(); ++s)
             {
-                front_.wallPoints.append(points_[k]);
-                front_.surface.points.append(wall_.points[points_[k]]);
+                front_.wallPoints.append(divided_.points[k]);
+                front_.surface.points.append(wall_.points[divided_.points[k]]);
             }
         }
     }
@@ -189,7 +69,7 @@ class frontBuilder
     //- The faces of the wall stand on the columns of their sectors
     void moveFaces()
     {
-        for (const label p : points_)
+        for (const label p : divided_.points)
         {
             const labelList& pFaces = addressing_.pointFaces[p];
 
@@ -205,9 +85,9 @@ class frontBuilder
     //- On the edges where sectors of point k meet
     void addEdgeFaces(const label k)
     {
-        const label p = points_[k];
+        const label p = divided_.points[k];
 
-        for (const label i : sectors_[k].starts)
+        for (const label i : divided_.sectors[k].starts)
         {
             if (i == 0 && addressing_.isOnBorder(p)) continue;
 
@@ -247,16 +127,19 @@ class frontBuilder
             );
         }
 
-        forAll(points_, k)
+        forAll(divided_.points, k)
         {
-            if (addressing_.isOnBorder(points_[k]))
+            if (addressing_.isOnBorder(divided_.points[k]))
             {
-                const label last = sectors_[k].starts.size() - 1;
+                const label last = divided_.sectors[k].starts.size() - 1;
                 border.edges.append
                 (
                     edge(sectorColumn(k, last), sectorColumn(k, 0))
                 );
-                border.edgeSides.append(addressing_.sidesOf(points_[k])[0]);
+                border.edgeSides.append
+                (
+                    addressing_.sidesOf(divided_.points[k])[0]
+                );
             }
         }
     }
@@ -265,7 +148,7 @@ class frontBuilder
     //- Between three or more columns of point k
     void addPointFaces(const label k)
     {
-        for (face f : sectors_[k].triangles)
+        for (face f : divided_.sectors[k].triangles)
         {
             for (label& s : f)
             {
@@ -283,12 +166,15 @@ class frontBuilder
     {
         wallVisibility& visibility = front_.visibility;
 
-        forAll(points_, k)
+        forAll(divided_.points, k)
         {
-            forAll(sectors_[k].starts, s)
+            forAll(divided_.sectors[k].starts, s)
             {
                 const label c = sectorColumn(k, s);
-                visibility.polygonNormals[c].append(sectors_[k].planes[s]);
+                visibility.polygonNormals[c].append
+                (
+                    divided_.sectors[k].planes[s]
+                );
                 visibility.setCone(c);
             }
         }
@@ -300,49 +186,16 @@ public:
     (
         const wallSurface& wall,
         const wallAddressing& addressing,
-        const wallVisibility& visibility,
-        const boolList& narrow,
+        const wallSectors& divided,
         layerFront& front
     )
     :
         wall_(wall),
         addressing_(addressing),
-        visibility_(visibility),
-        narrow_(narrow),
-        indices_(wall.points.size(), -1),
+        divided_(divided),
+        secondColumns_(divided.points.size()),
         front_(front)
-    {
-        DynamicList<label> lost;
-        for (const label p : findIndices(narrow, true))
-        {
-            normalSectors sectors(sectorsOf(p));
-
-            if (sectors.starts.size())
-            {
-                indices_[p] = points_.size();
-                points_.append(p);
-                sectors_.append(std::move(sectors));
-            }
-            else if (visibility.cones[p].empty())
-            {
-                lost.append(p);
-            }
-        }
-
-        if (lost.size())
-        {
-            throw wallPointsError
-            (
-                wall, lost,
-                "see no directions that are in front of all their faces, not "
-                "even with several columns",
-                adviceOnPoints(wall, addressing, lost)
-            );
-        }
-
-        secondColumns_.setSize(points_.size());
-        agree();
-    }
+    {}
 
 
     void divide()
@@ -351,7 +204,7 @@ public:
         moveFaces();
         moveBorder();
 
-        forAll(points_, k)
+        forAll(divided_.points, k)
         {
             addEdgeFaces(k);
             addPointFaces(k);
@@ -387,7 +240,13 @@ layerFront makeLayerFront
 
     if (narrow.found(true))
     {
-        frontBuilder(wall, addressing, visibility, narrow, front).divide();
+        frontBuilder
+        (
+            wall,
+            addressing,
+            divideNarrowPoints(wall, addressing, visibility, narrow),
+            front
+        ).divide();
     }
 
     front.setConstraints();

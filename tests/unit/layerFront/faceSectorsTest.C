@@ -11,6 +11,24 @@
 
 using namespace Foam;
 
+//- makeFaceSectors where some of the edges are shared, none or all
+template<bool all>
+static normalSectors byFaces
+(
+    const wallSurface& wall,
+    const wallAddressing& addressing,
+    const wallVisibility& visibility,
+    const vectorField& middles,
+    const label p
+)
+{
+    return makeFaceSectors
+    (
+        wall, addressing, visibility, middles, bitSet(middles.size(), all), p
+    );
+}
+
+
 //- All that makeNormalSectors divides, and one that it does not
 static List<testSurfaces::saddle> allSaddles()
 {
@@ -106,7 +124,7 @@ TEST(faceSectors, areNeededAtTheWoundFan)
     const testSurfaces::saddle wound(testSurfaces::woundFan());
 
     EXPECT_TRUE(dividedSaddle(wound, makeNormalSectors).sectors.starts.empty());
-    EXPECT_EQ(dividedSaddle(wound, makeFaceSectors).sectors.starts.size(), 11);
+    EXPECT_EQ(dividedSaddle(wound, byFaces<false>).sectors.starts.size(), 11);
 }
 
 
@@ -114,7 +132,7 @@ TEST(faceSectors, existAmongWarpedFaces)
 {
     for (const scalar inFront : {-0.02, 0.01, 0.02})
     {
-        const dividedSaddle s(warpedFan(inFront), makeFaceSectors);
+        const dividedSaddle s(warpedFan(inFront), byFaces<false>);
 
         ASSERT_EQ(s.sectors.starts.size(), 11) << inFront;
         expectPositivePieces(s);
@@ -122,11 +140,38 @@ TEST(faceSectors, existAmongWarpedFaces)
 }
 
 
+TEST(faceSectors, areWithinARightAngleOfTheNormalsOfSharedEdges)
+{
+    label nDivided = 0;
+
+    for (const testSurfaces::saddle& saddle : allSaddles())
+    {
+        const dividedSaddle s(saddle, byFaces<true>);
+        const vectorField& d = s.sectors.axes;
+        const vectorField& corners = s.visibility.cornerNormals[s.p];
+        nDivided += d.size() > 0;
+
+        forAll(d, i)
+        {
+            const vector middle(corners[i] + corners.rcValue(i));
+            const vector e(s.edge(i));
+            const vector across(middle - (middle & e)*e);
+
+            EXPECT_GT(across & d[i], 0) << s.name;
+            EXPECT_GT(across & d.rcValue(i), 0) << s.name;
+        }
+    }
+
+    // Not always is there room for that at all edges
+    EXPECT_GT(nDivided, 10);
+}
+
+
 TEST(faceSectors, existAtAllSaddles)
 {
     for (const testSurfaces::saddle& saddle : allSaddles())
     {
-        const dividedSaddle s(saddle, makeFaceSectors);
+        const dividedSaddle s(saddle, byFaces<false>);
 
         EXPECT_EQ(s.sectors.starts, identity(s.nFaces())) << s.name;
         EXPECT_EQ(s.sectors.triangles.size(), s.nFaces() - 2) << s.name;
@@ -140,7 +185,7 @@ TEST(faceSectors, fillTheFluidOnce)
 
     for (const testSurfaces::saddle& saddle : allSaddles())
     {
-        const dividedSaddle s(saddle, makeFaceSectors);
+        const dividedSaddle s(saddle, byFaces<false>);
 
         expectPositivePieces(s);
         expectNoOverlap(s, random);
@@ -152,7 +197,7 @@ TEST(faceSectors, haveRoomAroundTheirDirections)
 {
     for (const testSurfaces::saddle& saddle : allSaddles())
     {
-        const dividedSaddle s(saddle, makeFaceSectors);
+        const dividedSaddle s(saddle, byFaces<false>);
 
         forAll(s.sectors.axes, k)
         {
@@ -170,7 +215,7 @@ TEST(faceSectors, areInThePlaneAtABorder)
 
     for (const label n : {3, 4, 5, 6, 9})
     {
-        const dividedSaddle s(halfFan(n, random), makeFaceSectors);
+        const dividedSaddle s(halfFan(n, random), byFaces<false>);
         const vectorField& d = s.sectors.axes;
 
         ASSERT_EQ(s.sectors.starts, identity(n)) << s.name;
@@ -194,7 +239,7 @@ TEST(faceSectors, areInThePlaneAtABorder)
 
 TEST(faceSectors, areTheAxesOfTheirPlanes)
 {
-    const dividedSaddle s(testSurfaces::woundFan(), makeFaceSectors);
+    const dividedSaddle s(testSurfaces::woundFan(), byFaces<false>);
 
     forAll(s.sectors.axes, k)
     {
