@@ -180,6 +180,7 @@ static List<labelPair> facesAway
 static labelHashSet trianglesAway
 (
     const givenSurface& shape,
+    const nearestSurface& search,
     const wallSurface& made,
     const labelUList& nearest,
     const surfaceRemeshControls& controls
@@ -194,7 +195,7 @@ static labelHashSet trianglesAway
         result.insert(f.first());
         result.insert(nearest[f.second()]);
     }
-    for (const labelPair& f : facesAway(made, nearestSurface(given), deviation))
+    for (const labelPair& f : facesAway(made, search, deviation))
     {
         result.insert(nearest[f.first()]);
     }
@@ -224,19 +225,14 @@ static void requireNone(const labelList& conflicts, const wallSurface& made)
 }
 
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
-remeshedSurface remeshSurface
+//- The new surface on given triangles
+static wallSurface remeshed
 (
-    const wallSurface& surface,
-    const surfaceRemeshControls& given
+    const wallSurface& triangles,
+    const nearestSurface& search,
+    const surfaceRemeshControls& controls
 )
 {
-    const surfaceRemeshControls controls
-    (
-        withDefaults(given, boundBox(surface.points, false).mag())
-    );
-    const wallSurface triangles(trianglesOf(surface, controls));
     givenSurface shape(triangles, controls.featureAngle, controls.deviation);
     autoPtr<remesher> mesher(new remesher(shape, controls));
     mesher->remesh();
@@ -244,17 +240,25 @@ remeshedSurface remeshSurface
     labelList conflicts(facesInConflict(made));
     labelList folded(foldedFaces(made));
 
+    // The last without intersections, which a round for distances may bring
+    wallSurface valid;
+
     for (label round = 0; round < maxRounds; ++round)
     {
         const labelList nearest(mesher->edited().nearestFaces());
         labelList faces(conflicts);
         faces.append(folded);
         labelHashSet tightened(trianglesNear(shape, made, nearest, faces));
-        tightened |= trianglesAway(shape, made, nearest, controls);
+        tightened |= trianglesAway(shape, search, made, nearest, controls);
 
-        if (faces.empty() && tightened.empty())
+        if (faces.empty())
         {
-            break;
+            valid = made;
+
+            if (tightened.empty())
+            {
+                break;
+            }
         }
 
         for (const label t : tightened)
@@ -276,12 +280,36 @@ remeshedSurface remeshSurface
         folded = foldedFaces(made);
     }
 
+    if (conflicts.size() && valid.faces.size())
+    {
+        return valid;
+    }
     requireNone(conflicts, made);
 
+    return made;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+remeshedSurface remeshSurface
+(
+    const wallSurface& surface,
+    const surfaceRemeshControls& given
+)
+{
+    const surfaceRemeshControls controls
+    (
+        withDefaults(given, boundBox(surface.points, false).mag())
+    );
+    const wallSurface triangles(trianglesOf(surface, controls));
+    const nearestSurface search(triangles);
+
     remeshedSurface result;
-    result.surface = made;
-    result.distance = distanceTo(nearestSurface(surface), made);
-    result.distanceOfGiven = distanceTo(nearestSurface(made), surface);
+    result.surface = remeshed(triangles, search, controls);
+    result.distance = distanceTo(search, result.surface);
+    result.distanceOfGiven =
+        distanceTo(nearestSurface(result.surface), surface);
 
     return result;
 }
