@@ -53,13 +53,14 @@ struct sideColumns
     //- Edges of the border of the wall that are on the side patch
     DynamicList<edge> edges;
 
-    //- Other side patches of columns
-    Map<label> others;
+    //- A side patch of each column on one
+    const Map<label>& sideOf;
 
-    sideColumns(const prismLayers& l, const label s)
+    sideColumns(const prismLayers& l, const label s, const Map<label>& of)
     :
         layers(l),
-        side(l.border.sides[s])
+        side(l.border.sides[s]),
+        sideOf(of)
     {
         forAll(layers.border.edges, i)
         {
@@ -67,12 +68,6 @@ struct sideColumns
             {
                 columns.insert(layers.border.edges[i]);
                 edges.append(layers.border.edges[i]);
-            }
-            else
-            {
-                const edge& e = layers.border.edges[i];
-                others.set(e.start(), layers.border.edgeSides[i]);
-                others.set(e.end(), layers.border.edgeSides[i]);
             }
         }
     }
@@ -91,7 +86,7 @@ struct sideColumns
     //- Whether a point of a column is on a side patch that continues this one
     bool isContinued(const label c, const point& x) const
     {
-        const auto other = others.cfind(c);
+        const auto other = sideOf.cfind(c);
 
         return other.found() && side.isCurved()
             && (
@@ -254,10 +249,17 @@ labelList findSideCrossings
 )
 {
     labelHashSet crossing;
+    Map<label> sideOf;
+    forAll(layers.border.edges, i)
+    {
+        const edge& e = layers.border.edges[i];
+        sideOf.set(e.start(), layers.border.edgeSides[i]);
+        sideOf.set(e.end(), layers.border.edgeSides[i]);
+    }
 
     forAll(layers.border.sides, s)
     {
-        const sideColumns columns(layers, s);
+        const sideColumns columns(layers, s, sideOf);
         const bool isPart = columns.side.isPart();
 
         for (const label facei : faces)
