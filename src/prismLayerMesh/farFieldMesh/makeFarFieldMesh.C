@@ -271,6 +271,11 @@ static void putOnSides
         }
     }
 
+    // In the order of the far boundary's patches: some of them are sides
+    for (label& patchi : far.patchIDs)
+    {
+        patchi = far.patchNames.find(far.patchNames[patchi]);
+    }
     mergePatches(far);
 }
 
