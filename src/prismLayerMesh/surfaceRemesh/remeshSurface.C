@@ -149,8 +149,7 @@ static List<labelPair> facesAway
     const scalar distance
 )
 {
-    pointField from(surface.points);
-    from.append(centresOf(surface));
+    const pointField from(samplesOf(surface));
     pointField nearest;
     labelList faces;
     other.find(from, nearest, faces);

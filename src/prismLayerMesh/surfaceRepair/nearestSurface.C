@@ -16,6 +16,19 @@ namespace Foam
 static constexpr scalar alongCosine = 0.985;
 
 
+static pointField centresOf(const wallSurface& surface)
+{
+    pointField centres(surface.faces.size());
+
+    forAll(centres, facei)
+    {
+        centres[facei] = surface.faces[facei].centre(surface.points);
+    }
+
+    return centres;
+}
+
+
 static labelList facesOfTriangles(const wallSurface& surface)
 {
     labelList faces;
@@ -122,16 +135,12 @@ void nearestSurface::setPatches
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-pointField centresOf(const wallSurface& surface)
+pointField samplesOf(const wallSurface& surface)
 {
-    pointField centres(surface.faces.size());
+    pointField samples(surface.points);
+    samples.append(centresOf(surface));
 
-    forAll(centres, facei)
-    {
-        centres[facei] = surface.faces[facei].centre(surface.points);
-    }
-
-    return centres;
+    return samples;
 }
 
 
@@ -141,8 +150,7 @@ surfaceDistance distanceTo
     const wallSurface& surface
 )
 {
-    pointField from(surface.points);
-    from.append(centresOf(surface));
+    const pointField from(samplesOf(surface));
     pointField nearest;
     labelList faces;
     other.find(from, nearest, faces);
