@@ -90,6 +90,25 @@ static dictionary compare(const wallSurface& given, const Changed& changed)
 }
 
 
+//- Logs what is poor away from features. Returns its entries in the report.
+static dictionary measure(const remeshedSurface& remeshed)
+{
+    const remeshQuality& quality = remeshed.quality;
+    const scalar percent =
+        100.0*quality.nSmallAngles/remeshed.surface.faces.size();
+    Info<< "    away from features: faces with angles below "
+        << surfaceMeasures::smallAngle << ": " << percent << " %, edges beyond "
+        << remeshQuality::nonOrtho << " degrees of non-orthogonality: "
+        << quality.nNonOrtho << nl << flush;
+
+    dictionary dict;
+    dict.add("below15DegreesPercent", percent);
+    dict.add("edgesBeyond70Degrees", quality.nNonOrtho);
+
+    return dict;
+}
+
+
 //- Logs what was done. Returns the entries of the report for it: step0, ...
 static dictionary logSteps(const repairSteps& steps)
 {
@@ -179,7 +198,9 @@ void remesh
     }
     log.end(sizesOf(remeshed.surface));
 
-    prepared.changes.add("remesh", compare(prepared.surface, remeshed));
+    dictionary changes(compare(prepared.surface, remeshed));
+    changes.add("awayFromFeatures", measure(remeshed));
+    prepared.changes.add("remesh", changes);
     prepared.surface = remeshed.surface;
 }
 

@@ -309,6 +309,7 @@ remeshedSurface remeshSurface
     result.distance = distanceTo(search, result.surface);
     result.distanceOfGiven =
         distanceTo(nearestSurface(result.surface), surface);
+    result.quality = qualityAwayFromFeatures(result.surface, controls);
 
     return result;
 }
