@@ -213,4 +213,49 @@ TEST(addIntersections, findsThePairsOfEachTwoTriangles)
 }
 
 
+TEST(addIntersections, findsPairsAcrossTheSlabsOfManyTriangles)
+{
+    // A plane of 60,800 triangles, and one long triangle through 190 squares
+    const label n = 190, m = 160;
+    pointField points((n + 1)*(m + 1));
+    DynamicList<face> faces;
+    for (label i = 0; i <= n; ++i)
+    {
+        for (label j = 0; j <= m; ++j)
+        {
+            const label p = i*(m + 1) + j;
+            points[p] = point(i, j, 0);
+            if (i < n && j < m)
+            {
+                faces.append(face({p, p + m + 1, p + m + 2}));
+                faces.append(face({p, p + m + 2, p + 1}));
+            }
+        }
+    }
+    const label across = points.size();
+    points.append(pointField({{-1, 3.5, -1}, {n + 1, 3.5, -1}, {0, 3.5, 9e4}}));
+    const auto plane = labelledTriangles(faces, points, identity(faces.size()));
+    const auto needle = labelledTriangles
+    (
+        faceList(1, face({across, across + 1, across + 2})),
+        points,
+        labelList(1, faces.size())
+    );
+    auto all = plane;
+    all.push_back(needle[0]);
+
+    DynamicList<labelPair> among, between;
+    addIntersections(all, {}, among);
+    addIntersections(plane, needle, between);
+
+    EXPECT_EQ(among.size(), 2*n);
+    EXPECT_EQ(between, among);
+    for (const labelPair& pair : among)
+    {
+        EXPECT_EQ((pair.first()/2) % m, 3);
+        EXPECT_EQ(pair.second(), faces.size());
+    }
+}
+
+
 // ************************************************************************* //
