@@ -14,6 +14,7 @@
 #include "replacedFiles.H"
 #include "Time.H"
 #include "wallPointsError.H"
+#include "writeObjects.H"
 #include "writeStageFields.H"
 #include "writeVtk.H"
 
@@ -180,7 +181,7 @@ void Foam::prismCase::writeMesh
     const fileName caseName(time_.caseName());
     time_.caseName() = scratch.relative(time_.rootPath());
     const bool written =
-        mesh.write() && (!piece || writeAddressing(mesh, *piece));
+        writeObjects(mesh) && (!piece || writeAddressing(mesh, *piece));
     time_.caseName() = caseName;
 
     if (!written)

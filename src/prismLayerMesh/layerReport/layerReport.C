@@ -194,9 +194,16 @@ layerReport makeLayerReport
     (
         invertOneToMany(names.size(), wall.patchIDs)
     );
+    report.patches.setSize(names.size(), report.wall);
+    #pragma omp parallel for schedule(dynamic) if (names.size() > 1)
     forAll(names, patchi)
     {
-        report.patches.append(sample.report(names[patchi], patchFaces[patchi]));
+        if (names.size() > 1)
+        {
+            report.patches[patchi] =
+                sample.report(names[patchi], patchFaces[patchi]);
+        }
+        report.patches[patchi].name = names[patchi];
     }
 
     for (const squeezeCause cause : causes)
