@@ -316,6 +316,32 @@ wallSurface editedSurface::surface() const
 }
 
 
+edgeList editedSurface::features() const
+{
+    labelList labels(mesh_.num_vertices(), -1);
+    label n = 0;
+    for (const Vertex v : mesh_.vertices())
+    {
+        labels[v] = n++;
+    }
+
+    DynamicList<edge> result;
+    for (const Edge e : mesh_.edges())
+    {
+        if (lines_[e] >= 0)
+        {
+            const Halfedge h = mesh_.halfedge(e);
+            result.append
+            (
+                edge(labels[mesh_.source(h)], labels[mesh_.target(h)])
+            );
+        }
+    }
+
+    return edgeList(std::move(result));
+}
+
+
 labelList editedSurface::nearestFaces() const
 {
     DynamicList<label> result(mesh_.number_of_faces());

@@ -5,6 +5,7 @@
 
 #include "remeshQuality.H"
 #include "Pair.H"
+#include "bitSet.H"
 #include "edgeHashes.H"
 #include "surfaceMeasures.H"
 #include "unitConversion.H"
@@ -20,57 +21,12 @@ namespace Foam
 static constexpr scalar narrowShare = 0.25;
 
 
-namespace
-{
-
-struct featuresOf
-{
-    edgeHashSet edges;
-    boolList hasPoint;
-};
-
-} // End anonymous namespace
-
-
-static featuresOf findFeatures
-(
-    const wallSurface& surface,
-    const wallSides& all,
-    const vectorField& normals,
-    const scalar minCos
-)
-{
-    featuresOf features{{}, boolList(surface.points.size(), false)};
-
-    for (label e = 0; e < all.nEdges(); ++e)
-    {
-        const label start = all.edgeStarts[e];
-        const wallSide& a = all.sides[start];
-        const wallSide& b = all.sides[all.edgeStarts[e + 1] - 1];
-
-        if
-        (
-            all.edgeStarts[e + 1] - start != 2
-         || surface.patchIDs[a.facei] != surface.patchIDs[b.facei]
-         || (normals[a.facei] & normals[b.facei]) < minCos
-        )
-        {
-            features.edges.insert(edge(a.low, a.high));
-            features.hasPoint[a.low] = true;
-            features.hasPoint[a.high] = true;
-        }
-    }
-
-    return features;
-}
-
-
 //- Whether a face is a triangle from one feature to another that is narrower
 static bool isNarrow
 (
     const face& f,
     const pointField& points,
-    const featuresOf& features,
+    const bitSet& onFeatures,
     const scalar minWidth
 )
 {
@@ -78,7 +34,7 @@ static bool isNarrow
     bool isBetween = f.size() == 3 && 2*f.mag(points) < minWidth*base;
     for (const label p : f)
     {
-        isBetween = isBetween && features.hasPoint[p];
+        isBetween = isBetween && onFeatures.test(p);
     }
 
     return isBetween;
@@ -90,7 +46,7 @@ static Pair<bool> smallAngles
 (
     const face& f,
     const pointField& points,
-    const featuresOf& features
+    const edgeHashSet& features
 )
 {
     static const scalar largestCos =
@@ -106,7 +62,7 @@ static Pair<bool> smallAngles
         if ((a & b) > largestCos*mag(a)*mag(b))
         {
             const bool isFeature =
-                features.edges.found(before) && features.edges.found(after);
+                features.found(before) && features.found(after);
             (isFeature ? result.first() : result.second()) = true;
         }
     }
@@ -135,39 +91,41 @@ static bool isNonOrthogonal
 remeshQuality qualityAwayFromFeatures
 (
     const wallSurface& surface,
-    const surfaceRemeshControls& controls
+    const edgeList& features,
+    const scalar minEdge
 )
 {
     const pointField& points = surface.points;
-    const vectorField normals(surface.faceNormals());
-    const wallSides all(makeWallSides(surface.faces, points.size()));
-    const featuresOf features
-    (
-        findFeatures
-        (
-            surface, all, normals, Foam::cos(degToRad(controls.featureAngle))
-        )
-    );
+    const edgeHashSet isFeature(features);
+    bitSet onFeatures(points.size());
+    for (const edge& e : features)
+    {
+        onFeatures.set(e.start());
+        onFeatures.set(e.end());
+    }
+
     remeshQuality result;
     boolList isOfFeatures(surface.faces.size());
 
     forAll(surface.faces, facei)
     {
         const face& f = surface.faces[facei];
-        const Pair<bool> small(smallAngles(f, points, features));
+        const Pair<bool> small(smallAngles(f, points, isFeature));
         const bool narrow =
-            isNarrow(f, points, features, narrowShare*controls.minEdge);
+            isNarrow(f, points, onFeatures, narrowShare*minEdge);
         isOfFeatures[facei] = narrow || small.first();
         result.nSmallAngles += !narrow && small.second();
     }
 
+    const vectorField normals(surface.faceNormals());
+    const wallSides all(makeWallSides(surface.faces, points.size()));
     for (label e = 0; e < all.nEdges(); ++e)
     {
         const wallSide& a = all.sides[all.edgeStarts[e]];
         const label other = all.sides[all.edgeStarts[e + 1] - 1].facei;
         const edge both(a.low, a.high);
         result.nNonOrtho +=
-            !features.edges.found(both)
+            !isFeature.found(both)
          && !isOfFeatures[a.facei] && !isOfFeatures[other]
          && isNonOrthogonal
             (

@@ -224,8 +224,18 @@ static void requireNone(const labelList& conflicts, const wallSurface& made)
 }
 
 
-//- The new surface on given triangles
-static wallSurface remeshed
+static remeshedSurface resultOf(const remesher& mesher)
+{
+    remeshedSurface result;
+    result.surface = mesher.edited().surface();
+    result.features = mesher.edited().features();
+
+    return result;
+}
+
+
+//- The new surface on given triangles, and its features
+static remeshedSurface remeshed
 (
     const wallSurface& triangles,
     const nearestSurface& search,
@@ -235,12 +245,13 @@ static wallSurface remeshed
     givenSurface shape(triangles, controls.featureAngle, controls.deviation);
     autoPtr<remesher> mesher(new remesher(shape, controls));
     mesher->remesh();
-    wallSurface made(mesher->edited().surface());
+    remeshedSurface result(resultOf(mesher()));
+    const wallSurface& made = result.surface;
     labelList conflicts(facesInConflict(made));
     labelList folded(foldedFaces(made));
 
     // The last without intersections, which a round for distances may bring
-    wallSurface valid;
+    remeshedSurface valid;
 
     for (label round = 0; round < maxRounds; ++round)
     {
@@ -252,7 +263,7 @@ static wallSurface remeshed
 
         if (faces.empty())
         {
-            valid = made;
+            valid = result;
 
             if (tightened.empty())
             {
@@ -274,18 +285,18 @@ static wallSurface remeshed
         {
             mesher->follow();
         }
-        made = mesher->edited().surface();
+        result = resultOf(mesher());
         conflicts = facesInConflict(made);
         folded = foldedFaces(made);
     }
 
-    if (conflicts.size() && valid.faces.size())
+    if (conflicts.size() && valid.surface.faces.size())
     {
         return valid;
     }
     requireNone(conflicts, made);
 
-    return made;
+    return result;
 }
 
 
@@ -304,12 +315,14 @@ remeshedSurface remeshSurface
     const wallSurface triangles(trianglesOf(surface, controls));
     const nearestSurface search(triangles);
 
-    remeshedSurface result;
-    result.surface = remeshed(triangles, search, controls);
+    remeshedSurface result(remeshed(triangles, search, controls));
     result.distance = distanceTo(search, result.surface);
     result.distanceOfGiven =
         distanceTo(nearestSurface(result.surface), surface);
-    result.quality = qualityAwayFromFeatures(result.surface, controls);
+    result.quality = qualityAwayFromFeatures
+    (
+        result.surface, result.features, controls.minEdge
+    );
 
     return result;
 }

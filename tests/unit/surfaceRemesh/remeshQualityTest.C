@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "remeshQuality.H"
+#include "edgeHashes.H"
 #include "testSurfaces.H"
 
 #include <gtest/gtest.h>
@@ -12,15 +13,6 @@ using namespace Foam;
 using namespace Foam::testSurfaces;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-static surfaceRemeshControls smallestEdge(const scalar length)
-{
-    surfaceRemeshControls controls;
-    controls.minEdge = length;
-
-    return controls;
-}
-
 
 //- A column of 1 m by 1 m, without points on its edges of 100 m
 static wallSurface column()
@@ -32,6 +24,28 @@ static wallSurface column()
     }
 
     return surface;
+}
+
+
+//- Along the axes
+static edgeList straightEdges(const wallSurface& surface)
+{
+    edgeHashSet edges;
+    for (const face& f : surface.faces)
+    {
+        for (const edge& e : f.edges())
+        {
+            const vector d(e.vec(surface.points));
+            if (cmptMag(d) == vector(mag(d.x()), 0, 0)
+             || cmptMag(d) == vector(0, mag(d.y()), 0)
+             || cmptMag(d) == vector(0, 0, mag(d.z())))
+            {
+                edges.insert(e);
+            }
+        }
+    }
+
+    return edges.sortedToc();
 }
 
 
@@ -55,7 +69,7 @@ TEST(remeshQuality, needlesBetweenFeaturesThatEdgesResolveCount)
 {
     const remeshQuality quality
     (
-        qualityAwayFromFeatures(column(), smallestEdge(0.1))
+        qualityAwayFromFeatures(column(), straightEdges(column()), 0.1)
     );
 
     // Two triangles of each side, and the diagonals between them
@@ -68,7 +82,7 @@ TEST(remeshQuality, featuresNearerThanEdgesDoNotCount)
 {
     const remeshQuality quality
     (
-        qualityAwayFromFeatures(column(), smallestEdge(5))
+        qualityAwayFromFeatures(column(), straightEdges(column()), 5)
     );
 
     EXPECT_EQ(quality.nSmallAngles, 0);
@@ -78,13 +92,14 @@ TEST(remeshQuality, featuresNearerThanEdgesDoNotCount)
 
 TEST(remeshQuality, anglesBetweenTwoFeaturesDoNotCount)
 {
+    const edgeList borders({{0, 1}, {1, 2}, {2, 3}, {0, 3}});
     wallSurface one(tip(0.1));
     one.faces = faceList({face({0, 1, 3}), face({1, 2, 3})});
 
     // 11 degrees between the borders, 45 in the other triangle
     const remeshQuality quality
     (
-        qualityAwayFromFeatures(one, smallestEdge(0.01))
+        qualityAwayFromFeatures(one, borders, 0.01)
     );
     EXPECT_EQ(quality.nSmallAngles, 0);
     EXPECT_EQ(quality.nNonOrtho, 0);
@@ -92,7 +107,7 @@ TEST(remeshQuality, anglesBetweenTwoFeaturesDoNotCount)
     // Each half of them is beside an edge that is no feature
     EXPECT_EQ
     (
-        qualityAwayFromFeatures(tip(0.1), smallestEdge(0.01)).nSmallAngles, 2
+        qualityAwayFromFeatures(tip(0.1), borders, 0.01).nSmallAngles, 2
     );
 }
 
@@ -101,7 +116,7 @@ TEST(remeshQuality, ofRegularFacesIsGood)
 {
     const remeshQuality quality
     (
-        qualityAwayFromFeatures(sphere(8), smallestEdge(0.01))
+        qualityAwayFromFeatures(sphere(8), edgeList(), 0.01)
     );
 
     EXPECT_EQ(quality.nSmallAngles, 0);
