@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layerJudge.H"
+#include "nestedBodies.H"
 #include "prismQuality.H"
 
 namespace Foam
@@ -57,6 +58,7 @@ layerJudge::layerJudge
     layers_(layers),
     controls_(controls),
     attainable_(attainableJacobians(front, visibility)),
+    bodies_(findBodies(layers)),
     centreTriesLeft_(front.faces.size(), controls.maxCentreTries)
 {}
 
@@ -140,7 +142,7 @@ labelList layerJudge::findBelowAttainable
 List<labelPair> layerJudge::findOverlapping(const labelUList& faces) const
 {
     const label nFaces = layers_.faces.size();
-    List<labelPair> pairs(findOverlaps(layers_, faces));
+    List<labelPair> pairs(findOverlaps(layers_, faces, bodies_));
 
     for (labelPair& pair : pairs)
     {

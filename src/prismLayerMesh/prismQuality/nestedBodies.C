@@ -11,26 +11,10 @@
 #include "DynamicList.H"
 #include "Map.H"
 
-#include <algorithm>
-
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- A body: a component of the front
-struct frontBody
-{
-    labelList faces;
-
-    //- Of its layers
-    boundBox bounds;
-
-    //- The middle of one of its cells: points of the wall may be on a side
-    //  patch, and so on the boundary of other layers
-    point inside;
-};
-
 
 static boundBox boundsOf
 (
@@ -57,59 +41,18 @@ static boundBox boundsOf
 }
 
 
-//- None if there is only one
-static List<frontBody> findBodies(const prismLayers& layers)
+//- The middle of one of a body's cells: points of the wall may be on a side
+//  patch, and so on the boundary of other layers
+static point pointInside(const prismLayers& layers, const labelUList& body)
 {
-    disjointSets columns(layers.nColumns());
-
-    for (const face& f : layers.faces)
+    const face& f = layers.faces[body[0]];
+    point inside(Zero);
+    for (const label c : f)
     {
-        for (const label c : f)
-        {
-            columns.join(f[0], c);
-        }
+        inside += (layers(c, 0) + layers(c, 1))/(2*f.size());
     }
 
-    const label first = columns.find(layers.faces[0][0]);
-    const bool isOne = std::all_of
-    (
-        layers.faces.begin(), layers.faces.end(),
-        [&](const face& f) { return columns.find(f[0]) == first; }
-    );
-    if (isOne)
-    {
-        return List<frontBody>();
-    }
-
-    Map<DynamicList<label>> faces;
-
-    forAll(layers.faces, facei)
-    {
-        faces(columns.find(layers.faces[facei][0])).append(facei);
-    }
-
-    List<frontBody> bodies(faces.size());
-    label bodyi = 0;
-
-    for (const label column : faces.sortedToc())
-    {
-        frontBody& body = bodies[bodyi++];
-        body.faces = faces[column];
-
-        const face& f = layers.faces[body.faces[0]];
-        body.inside = Zero;
-        for (const label c : f)
-        {
-            body.inside += (layers(c, 0) + layers(c, 1))/(2*f.size());
-        }
-    }
-
-    for (frontBody& body : bodies)
-    {
-        body.bounds = boundsOf(layers, body.faces, 0, layers.nLayers);
-    }
-
-    return bodies;
+    return inside;
 }
 
 
@@ -202,30 +145,67 @@ static bool isInStack
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-List<labelPair> findNestedBodies(const prismLayers& layers)
+labelListList findBodies(const prismLayers& layers)
 {
-    const List<frontBody> bodies(findBodies(layers));
-    DynamicList<labelPair> pairs;
+    disjointSets columns(layers.nColumns());
+    for (const face& f : layers.faces)
+    {
+        for (const label c : f)
+        {
+            columns.join(f[0], c);
+        }
+    }
 
+    Map<DynamicList<label>> faces;
+    forAll(layers.faces, facei)
+    {
+        faces(columns.find(layers.faces[facei][0])).append(facei);
+    }
+
+    DynamicList<labelList> bodies;
+    if (faces.size() > 1)
+    {
+        for (const label column : faces.sortedToc())
+        {
+            bodies.append(labelList(std::move(faces[column])));
+        }
+    }
+
+    return labelListList(std::move(bodies));
+}
+
+
+List<labelPair> findNestedBodies
+(
+    const prismLayers& layers,
+    const labelListList& bodies
+)
+{
+    List<boundBox> bounds(bodies.size());
     forAll(bodies, i)
     {
+        bounds[i] = boundsOf(layers, bodies[i], 0, layers.nLayers);
+    }
+
+    DynamicList<labelPair> pairs;
+    forAll(bodies, i)
+    {
+        const point inside(pointInside(layers, bodies[i]));
+
         forAll(bodies, j)
         {
-            if (i == j || !bodies[j].bounds.contains(bodies[i].inside))
+            if (i == j || !bounds[j].contains(inside))
             {
                 continue;
             }
 
-            for (const label facei : bodies[j].faces)
+            for (const label facei : bodies[j])
             {
-                if (isInStack(layers, facei, bodies[i].inside))
+                if (isInStack(layers, facei, inside))
                 {
                     pairs.append
                     (
-                        labelPair
-                        (
-                            bodies[i].faces[0], layers.faces.size() + facei
-                        )
+                        labelPair(bodies[i][0], layers.faces.size() + facei)
                     );
                 }
             }

@@ -100,7 +100,8 @@ List<labelPair> findIntersections(const prismLayers& layers)
 List<labelPair> findOverlaps
 (
     const prismLayers& layers,
-    const labelUList& outerFaces
+    const labelUList& outerFaces,
+    const labelListList& bodies
 )
 {
     List<labelPair> pairs(findIntersections(layers, outerFaces));
@@ -111,7 +112,7 @@ List<labelPair> findOverlaps
         pairs.append(labelPair(outer, outer));
     }
 
-    return pairs.empty() ? findNestedBodies(layers) : pairs;
+    return pairs.empty() ? findNestedBodies(layers, bodies) : pairs;
 }
 
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "prismQuality.H"
+#include "nestedBodies.H"
 #include "scaledJacobian.H"
 #include "stackHeights.H"
 
@@ -53,7 +54,7 @@ layerCertificate certify(const prismLayers& layers)
     certificate.nStacksNotPositive = nNotPositive;
     certificate.outlyingCentres = findIndices(outlying, true);
     certificate.nIntersectingPairs =
-        findOverlaps(layers, identity(nFaces)).size();
+        findOverlaps(layers, identity(nFaces), findBodies(layers)).size();
 
     return certificate;
 }

@@ -69,7 +69,7 @@ TEST(findNestedBodies, findsThoseInLayers)
     for (const scalar z : {1.05, 1.15, 1.3, 1.45})
     {
         const prismLayers layers(layersOn(cubes(point(0.6, 0.3, z))));
-        const List<labelPair> pairs(findNestedBodies(layers));
+        const List<labelPair> pairs(findNestedBodies(layers, findBodies(layers)));
 
         ASSERT_FALSE(pairs.empty());
         EXPECT_FALSE(certify(layers).valid());
@@ -95,7 +95,7 @@ TEST(findNestedBodies, leavesThoseOutside)
     {
         const prismLayers layers(layersOn(cubes(point(0.6, 0.3, z))));
 
-        EXPECT_TRUE(findNestedBodies(layers).empty());
+        EXPECT_TRUE(findNestedBodies(layers, findBodies(layers)).empty());
         EXPECT_TRUE(certify(layers).valid());
     }
 }
@@ -111,7 +111,7 @@ TEST(findNestedBodies, columnsRetreatFromThem)
     );
 
     EXPECT_TRUE(certify(layers).valid());
-    EXPECT_TRUE(findNestedBodies(layers).empty());
+    EXPECT_TRUE(findNestedBodies(layers, findBodies(layers)).empty());
 }
 
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sideCrossings.H"
+#include "nestedBodies.H"
 #include "openSurfaces.H"
 #include "prismQuality.H"
 #include "testLayers.H"
@@ -186,7 +187,8 @@ TEST(sideCrossings, layersThroughAnInletCrossIt)
             true
         );
     }
-    EXPECT_EQ(findOverlaps(layers, identity(layers.faces.size())).size(), 4);
+    const labelList all(identity(layers.faces.size()));
+    EXPECT_EQ(findOverlaps(layers, all, findBodies(layers)).size(), 4);
 }
 
 
