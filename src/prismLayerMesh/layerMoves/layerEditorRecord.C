@@ -117,10 +117,11 @@ void layerEditor::touch(const label c)
 
 labelList layerEditor::touchedSince(const label then) const
 {
-    labelList touched(SubList<label>(journal_, journal_.size() - then, then));
-    inplaceUniqueSort(touched);
-
-    return touched;
+    return bitSet
+    (
+        layers_.faces.size(),
+        SubList<label>(journal_, journal_.size() - then, then)
+    ).toc();
 }
 
 

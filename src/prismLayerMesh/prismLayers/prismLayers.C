@@ -4,8 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "prismLayers.H"
+#include "bitSet.H"
 #include "error.H"
-#include "ListOps.H"
 
 namespace Foam
 {
@@ -14,14 +14,13 @@ namespace Foam
 
 labelList prismLayers::columnsOf(const labelUList& stacks) const
 {
-    DynamicList<label> columns(4*stacks.size());
+    bitSet columns(nColumns());
     for (const label facei : stacks)
     {
-        columns.append(faces[facei]);
+        columns.set(faces[facei]);
     }
-    inplaceUniqueSort(columns);
 
-    return labelList(std::move(columns));
+    return columns.toc();
 }
 
 
