@@ -69,7 +69,10 @@ TEST(findNestedBodies, findsThoseInLayers)
     for (const scalar z : {1.05, 1.15, 1.3, 1.45})
     {
         const prismLayers layers(layersOn(cubes(point(0.6, 0.3, z))));
-        const List<labelPair> pairs(findNestedBodies(layers, findBodies(layers)));
+        const List<labelPair> pairs
+        (
+            findNestedBodies(layers, findBodies(layers))
+        );
 
         ASSERT_FALSE(pairs.empty());
         EXPECT_FALSE(certify(layers).valid());
