@@ -24,31 +24,6 @@ scalar cosineLack(const vector& area, const vector& between, const scalar aim)
     return aim - dot/Foam::sqrt(squares);
 }
 
-
-scalar wallCosine
-(
-    const faceGeometry& f,
-    const faceGeometry& g,
-    const vector& edge
-)
-{
-    const scalar areas = mag(f.area)*mag(g.area);
-    if (areas <= VSMALL)
-    {
-        return GREAT;
-    }
-
-    const vector side
-    (
-        edge ^ (f.area/mag(f.area) + g.area/mag(g.area))
-    );
-    const vector between(g.centre - f.centre);
-    const scalar lengths = mag(side)*mag(between);
-
-    return lengths > VSMALL
-      ? min(mag(side & between)/lengths, scalar(1)) : GREAT;
-}
-
 } // End namespace Foam
 
 // ************************************************************************* //

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layerGeometry.H"
+#include "surfaceMeasures.H"
 #include "unitConversion.H"
 
 namespace Foam

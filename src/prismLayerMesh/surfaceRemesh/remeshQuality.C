@@ -5,6 +5,7 @@
 
 #include "remeshQuality.H"
 #include "Pair.H"
+#include "UIndirectList.H"
 #include "bitSet.H"
 #include "edgeHashes.H"
 #include "surfaceMeasures.H"
@@ -71,21 +72,6 @@ static Pair<bool> smallAngles
 }
 
 
-static bool isNonOrthogonal
-(
-    const vector& edgeVector,
-    const vector& normal,
-    const vector& betweenCentres
-)
-{
-    static const scalar least = Foam::cos(degToRad(remeshQuality::nonOrtho));
-    const vector across(edgeVector ^ normal);
-
-    return
-        mag(betweenCentres & across) < least*mag(betweenCentres)*mag(across);
-}
-
-
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 remeshQuality qualityAwayFromFeatures
@@ -117,7 +103,11 @@ remeshQuality qualityAwayFromFeatures
         result.nSmallAngles += !narrow && small.second();
     }
 
-    const vectorField normals(surface.faceNormals());
+    static const scalar least = Foam::cos(degToRad(remeshQuality::nonOrtho));
+    const auto geometry = [&](const label facei)
+    {
+        return faceGeometry(UIndirectList<point>(points, surface.faces[facei]));
+    };
     const wallSides all(makeWallSides(surface.faces, points.size()));
     for (label e = 0; e < all.nEdges(); ++e)
     {
@@ -127,13 +117,8 @@ remeshQuality qualityAwayFromFeatures
         result.nNonOrtho +=
             !isFeature.found(both)
          && !isOfFeatures[a.facei] && !isOfFeatures[other]
-         && isNonOrthogonal
-            (
-                both.vec(points),
-                normals[a.facei] + normals[other],
-                surface.faces[other].centre(points)
-              - surface.faces[a.facei].centre(points)
-            );
+         && wallCosine(geometry(a.facei), geometry(other), both.vec(points))
+          < least;
     }
 
     return result;

@@ -52,6 +52,31 @@ scalarField smallestAngles(const wallSurface& surface)
     return result;
 }
 
+
+scalar wallCosine
+(
+    const faceGeometry& f,
+    const faceGeometry& g,
+    const vector& edge
+)
+{
+    const scalar areas = mag(f.area)*mag(g.area);
+    if (areas <= VSMALL)
+    {
+        return GREAT;
+    }
+
+    const vector side
+    (
+        edge ^ (f.area/mag(f.area) + g.area/mag(g.area))
+    );
+    const vector between(g.centre - f.centre);
+    const scalar lengths = mag(side)*mag(between);
+
+    return lengths > VSMALL
+      ? min(mag(side & between)/lengths, scalar(1)) : GREAT;
+}
+
 } // End namespace Foam
 
 // ************************************************************************* //
