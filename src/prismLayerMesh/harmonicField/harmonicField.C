@@ -311,11 +311,18 @@ vectorField tetGradients(const backgroundMesh& mesh, const scalarField& field)
 }
 
 
-vectorField pointGradients(const backgroundMesh& mesh, const scalarField& field)
+gradientMeans pointGradientMeans
+(
+    const backgroundMesh& mesh,
+    const scalarField& field
+)
 {
     const vectorField tetGradient(tetGradients(mesh, field));
+    const scalarField tetSize(mag(tetGradient));
 
-    vectorField gradients(mesh.points.size(), Zero);
+    gradientMeans means;
+    means.gradients.setSize(mesh.points.size(), Zero);
+    means.sizes.setSize(mesh.points.size(), 0);
     scalarField angles(mesh.points.size(), 0);
 
     forAll(mesh.tets, t)
@@ -332,17 +339,22 @@ vectorField pointGradients(const backgroundMesh& mesh, const scalarField& field)
                 normalised(mesh.points[tet[(i + 3) % 4]] - x)
             );
 
-            gradients[tet[i]] += angle*tetGradient[t];
+            means.gradients[tet[i]] += angle*tetGradient[t];
+            means.sizes[tet[i]] += angle*tetSize[t];
             angles[tet[i]] += angle;
         }
     }
 
-    forAll(gradients, p)
-    {
-        gradients[p] /= max(angles[p], VSMALL);
-    }
+    means.gradients /= max(angles, VSMALL);
+    means.sizes /= max(angles, VSMALL);
 
-    return gradients;
+    return means;
+}
+
+
+vectorField pointGradients(const backgroundMesh& mesh, const scalarField& field)
+{
+    return pointGradientMeans(mesh, field).gradients;
 }
 
 } // End namespace Foam

@@ -15,7 +15,8 @@ columnLines makeColumnLines
 (
     const backgroundMesh& mesh,
     const scalarField& isotropic,
-    const columnStarts& starts
+    const columnStarts& starts,
+    const lineDirections weighting
 )
 {
     return columnLines
@@ -23,7 +24,7 @@ columnLines makeColumnLines
         makeGradientLines
         (
             mesh, isotropic, starts.wallPoints, starts.directions,
-            starts.arcLengths
+            starts.arcLengths, weighting
         ),
         scalarField(mag(scaledGradients(mesh, isotropic)), starts.wallPoints)
     };

@@ -86,7 +86,7 @@ class lineTracer
     const backgroundMesh& mesh_;
     const scalarField& field_;
 
-    //- Unit directions of the lines at the points of the mesh
+    //- Directions of the lines at the points of the mesh, as long as they count
     const vectorField directions_;
 
     labelListList pointTets_;
@@ -98,19 +98,26 @@ class lineTracer
         const backgroundMesh& mesh,
         const scalarField& field,
         const labelList& wallPoints,
-        const vectorField& wallDirections
+        const vectorField& wallDirections,
+        const lineDirections weighting
     )
     {
-        vectorField directions(-pointGradients(mesh, field));
+        const gradientMeans means(pointGradientMeans(mesh, field));
+        vectorField directions(-means.gradients);
 
         SubList<vector>(directions, mesh.nWallPoints) = Zero;
         forAll(wallPoints, line)
         {
             directions[wallPoints[line]] += wallDirections[line];
         }
-        for (vector& d : directions)
+        forAll(directions, p)
         {
-            d = normalised(d);
+            const bool isUnit =
+                p < mesh.nWallPoints || weighting == lineDirections::unit;
+
+            directions[p] = isUnit
+              ? normalised(directions[p])
+              : directions[p]/max(means.sizes[p], VSMALL);
         }
 
         return directions;
@@ -155,12 +162,16 @@ public:
         const backgroundMesh& mesh,
         const scalarField& field,
         const labelList& wallPoints,
-        const vectorField& wallDirections
+        const vectorField& wallDirections,
+        const lineDirections weighting
     )
     :
         mesh_(mesh),
         field_(field),
-        directions_(directionsOf(mesh, field, wallPoints, wallDirections))
+        directions_
+        (
+            directionsOf(mesh, field, wallPoints, wallDirections, weighting)
+        )
     {
         invertManyToMany(mesh.points.size(), mesh.tets, pointTets_);
     }
@@ -224,7 +235,8 @@ gradientLines makeGradientLines
     const scalarField& field,
     const labelList& wallPoints,
     const vectorField& wallDirections,
-    const scalarField& arcLengths
+    const scalarField& arcLengths,
+    const lineDirections weighting
 )
 {
     gradientLines lines;
@@ -232,7 +244,10 @@ gradientLines makeGradientLines
     lines.points.setSize(arcLengths.size());
     lines.energies.setSize(arcLengths.size());
 
-    const lineTracer tracer(mesh, field, wallPoints, wallDirections);
+    const lineTracer tracer
+    (
+        mesh, field, wallPoints, wallDirections, weighting
+    );
 
     #pragma omp parallel for schedule(dynamic, 256)
     forAll(wallPoints, line)

@@ -124,7 +124,7 @@ scalarField samplingEnergies
         makeGradientLines
         (
             mesh, field, identity(mesh.nWallPoints), directions,
-            requestedHeights(uniform)
+            requestedHeights(uniform), lineDirections::agreeing
         )
     );
     const bool anyFlat = kinds.found(pointKind::flat);
@@ -173,7 +173,8 @@ layerSpacing levelSetSpacing
     (
         makeGradientLines
         (
-            mesh, field, identity(mesh.nWallPoints), visibility.axes(), lengths
+            mesh, field, identity(mesh.nWallPoints), visibility.axes(), lengths,
+            lineDirections::agreeing
         )
     );
     layerSpacing spacing(uniform);

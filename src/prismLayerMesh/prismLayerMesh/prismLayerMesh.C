@@ -31,8 +31,7 @@ class pipeline
 
     prismLayerMesh m_;
 
-    //- The thickness [m] that clearance and envelope are for: on level sets the
-    //  same for all of the wall
+    //- The thickness [m] of clearance and envelope, uniform on level sets
     scalarField thickness() const;
 
     void makeHeights(const localHeights& local);
@@ -209,7 +208,9 @@ columnLines pipeline::linesOfField(const columnStarts& starts)
     {
         return makeColumnLines
         (
-            m_.fields.background, m_.fields.isotropic, starts
+            m_.fields.background, m_.fields.isotropic, starts,
+            controls_.layers.onLevelSets
+          ? lineDirections::agreeing : lineDirections::unit
         );
     }
 

@@ -147,6 +147,50 @@ TEST(levelSets, energiesDescend)
 }
 
 
+//- Least part of the height of their last level set that columns have on
+//  concave edges and beside them
+static scalar leastReachedInCorners(const wallSurface& wall, const word& tensor)
+{
+    const prismLayerMesh m
+    (
+        testSurfaces::layeredMesh(wall, onLevelSets(tensor))
+    );
+    scalar least = GREAT;
+
+    forAll(wall.points, p)
+    {
+        if (m.pointKinds[p] != pointKind::concave)
+        {
+            continue;
+        }
+        for (const label q : m.addressing.pointPoints[p])
+        {
+            const vector column
+            (
+                m.made.layers(q, nLayers) - m.made.layers(q, 0)
+            );
+            least = min
+            (
+                least,
+                m.visibility.heightCosine(q, column)/m.spacing.thickness[q]
+            );
+        }
+    }
+
+    return least;
+}
+
+
+TEST(levelSets, layersReachThemInTheCornersOfASlit)
+{
+    // A quarter of two thicknesses wide: lines must end on the sheet in it
+    const wallSurface wall(testSurfaces::slitBlock(12, 0.1));
+
+    EXPECT_GT(leastReachedInCorners(wall, "isotropic"), 0.9);
+    EXPECT_GT(leastReachedInCorners(wall, "anisotropic"), 0.9);
+}
+
+
 TEST(levelSets, everyLayerIsOnItsLevelSet)
 {
     // Above a sphere lines are straight: the field at every layer of the
