@@ -9,6 +9,7 @@
 #include "cutReflexFaces.H"
 #include "endWall.H"
 #include "prismPolyMesh.H"
+#include "renumberWall.H"
 #include "surfaceAdvice.H"
 #include "wallDefects.H"
 
@@ -181,6 +182,7 @@ preparedWall readWall
 
     remesh(controls.surface, result.prepared, log);
     result.wall = takeWall(surface, controls, reading, log);
+    renumberWall(result.wall);
 
     return result;
 }
