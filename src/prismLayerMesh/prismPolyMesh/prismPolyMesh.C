@@ -22,12 +22,11 @@ const word farFieldName("farField");
 static void addPatches
 (
     const polyMeshTopology& topology,
-    const wordList& names,
-    const wordList& types,
+    const layerPatches& all,
     polyMesh& mesh
 )
 {
-    PtrList<polyPatch> patches(names.size());
+    PtrList<polyPatch> patches(all.names.size());
 
     forAll(patches, patchi)
     {
@@ -36,8 +35,8 @@ static void addPatches
             patchi,
             polyPatch::New
             (
-                types[patchi],
-                names[patchi],
+                all.types[patchi],
+                all.names[patchi],
                 topology.patchSizes[patchi],
                 topology.patchStarts[patchi],
                 patchi,
@@ -61,6 +60,17 @@ static const word& typeOfSide(const wallBorder& border, const word& name)
     }
 
     return word::null;
+}
+
+
+static layerPatches patchesOfWall(const prismLayers& layers)
+{
+    layerPatches wall;
+    wall.names = prismPatchNames(layers.patchNames);
+    wall.types = wordList(wall.names.size(), word("wall"));
+    SubList<word>(wall.types, layers.patchTypes.size()) = layers.patchTypes;
+
+    return wall;
 }
 
 
@@ -134,6 +144,30 @@ wordList prismPatchNames(const wordList& wallPatchNames)
 }
 
 
+layerPatches patchesOfLayers(const prismLayers& layers, const label nOpen)
+{
+    layerPatches patches(patchesOfWall(layers));
+    const auto add = [&](const word& name, const word& type)
+    {
+        patches.names.append(name);
+        patches.types.append(type);
+    };
+
+    add(layerOuterName, "patch");
+    const wordList sides(sidePatchNames(layers.border));
+    for (const word& name : sides)
+    {
+        add(name, typeOfSide(layers.border, name));
+    }
+    if (nOpen > sides.size())
+    {
+        add(layerSidesName, "patch");
+    }
+
+    return patches;
+}
+
+
 autoPtr<polyMesh> makePrismPolyMesh
 (
     prismLayers& layers,
@@ -144,9 +178,7 @@ autoPtr<polyMesh> makePrismPolyMesh
     const bool hasFarField = !far.empty();
     const label nLayerCells = layers.faces.size()*layers.nLayers;
     polyMeshTopology topology(makePrismTopology(layers));
-    wordList names(prismPatchNames(layers.patchNames));
-    wordList types(names.size(), word("wall"));
-    SubList<word>(types, layers.patchTypes.size()) = layers.patchTypes;
+    layerPatches patches(patchesOfWall(layers));
 
     if (hasFarField)
     {
@@ -155,25 +187,15 @@ autoPtr<polyMesh> makePrismPolyMesh
             layers, topology,
             layers.points.size() - layers.extraColumnPoints.size(), far
         );
-        names.append(far.patchNames);
-        types.append(far.patchTypes);
+        patches.names.append(far.patchNames);
+        patches.types.append(far.patchTypes);
     }
-
     else
     {
-        names.append(layerOuterName);
-        types.append("patch");
-
-        for (const word& name : sidePatchNames(layers.border))
-        {
-            names.append(name);
-            types.append(typeOfSide(layers.border, name));
-        }
+        const label nWall = layers.patchNames.size();
+        const label nOpen = topology.patchSizes.size() - nWall - 1;
+        patches = patchesOfLayers(layers, nOpen);
     }
-
-    names.append(layerSidesName);
-    names.setSize(topology.patchStarts.size());
-    types.setSize(names.size(), word("patch"));
 
     IOobject unread(io);
     unread.readOpt() = IOobject::NO_READ;
@@ -190,7 +212,7 @@ autoPtr<polyMesh> makePrismPolyMesh
             labelList(std::move(topology.neighbour))
         )
     );
-    addPatches(topology, names, types, mesh());
+    addPatches(topology, patches, mesh());
 
     if (hasFarField)
     {
