@@ -1,0 +1,360 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "layersPiece.H"
+#include "bitSet.H"
+#include "facesBeyond.H"
+#include "SubField.H"
+
+#include <tuple>
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- The columns of stacks, and those with their points of the wall
+static labelList columnsWithRoots
+(
+    const prismLayers& layers,
+    const labelUList& stacks
+)
+{
+    bitSet columns(layers.nColumns());
+    for (const label c : layers.columnsOf(stacks))
+    {
+        columns.set(c);
+        columns.set(layers.root(c));
+    }
+
+    return columns.toc();
+}
+
+
+//- Some stacks as layers without a border
+static prismLayers someOf
+(
+    const prismLayers& layers,
+    const labelUList& stacks,
+    const labelUList& columns
+)
+{
+    labelList newColumns(layers.nColumns(), -1);
+    prismLayers some;
+    some.nLayers = layers.nLayers;
+    some.points.setSize(columns.size()*(layers.nLayers + 1));
+    DynamicList<label> roots, patchIDs(stacks.size());
+
+    forAll(columns, c)
+    {
+        newColumns[columns[c]] = c;
+        for (label i = 0; i <= layers.nLayers; ++i)
+        {
+            some.points[some.index(c, i)] = layers(columns[c], i);
+        }
+        if (columns[c] >= layers.nWallPoints())
+        {
+            roots.append(newColumns[layers.root(columns[c])]);
+        }
+    }
+    some.extraColumnPoints.transfer(roots);
+
+    some.faces.setSize(stacks.size());
+    forAll(stacks, i)
+    {
+        some.faces[i] = layers.faces[stacks[i]];
+        inplaceRenumber(newColumns, some.faces[i]);
+        if (stacks[i] < layers.nWallFaces())
+        {
+            patchIDs.append(layers.patchIDs[stacks[i]]);
+        }
+    }
+    some.patchIDs.transfer(patchIDs);
+    some.patchNames = layers.patchNames;
+
+    return some;
+}
+
+
+//- Labels of the points of the piece in the whole mesh, see pointLabel()
+static labelList pointAddressing(const layersPiece& piece)
+{
+    const prismLayers& layers = piece.layers;
+    const label n = layers.nLayers;
+    labelList addressing
+    (
+        layers.points.size() - layers.extraColumnPoints.size()
+    );
+
+    forAll(piece.columns, c)
+    {
+        const label whole = piece.columns[c];
+        const label nSkipped = max(whole - piece.nWallPoints + 1, label(0));
+        for (label i = nSkipped > 0; i <= n; ++i)
+        {
+            addressing[layers.pointLabel(c, i)] =
+                whole*(n + 1) + i - nSkipped;
+        }
+    }
+
+    return addressing;
+}
+
+
+//- Labels of the faces of the topology in the whole mesh, plus 1
+static DynamicList<label> faceAddressing
+(
+    const layersPiece& piece,
+    const labelListList& beyond,
+    const label nFaces
+)
+{
+    const prismLayers& layers = piece.layers;
+    DynamicList<label> addressing(nFaces);
+
+    forAll(beyond, facei)
+    {
+        visitInternalFaces
+        (
+            layers.nLayers, beyond[facei], facei,
+            [&](const label k, const label i, const label)
+            {
+                addressing.append(piece.labels(facei, k, i) + 1);
+            }
+        );
+    }
+    visitBoundaryFaces
+    (
+        layers, piece.open, []() {},
+        [&](const label facei, const label k, const label i)
+        {
+            addressing.append(piece.labels(facei, k, i) + 1);
+        }
+    );
+
+    return addressing;
+}
+
+
+//- Append the faces to other processes, one process after the other, each in
+//  the order of the whole mesh
+static void addBetween
+(
+    const layersPiece& piece,
+    const label processor,
+    polyMeshTopology& mesh,
+    DynamicList<label>& addressing,
+    meshPiece& result
+)
+{
+    const prismLayers& layers = piece.layers;
+
+    // Process, label in the whole mesh, front face, edge, layer
+    DynamicList<std::tuple<label, label, label, label, label>> faces;
+
+    forAll(piece.processors, facei)
+    {
+        forAll(piece.processors[facei], k)
+        {
+            const label other = piece.processors[facei][k];
+            if (other < 0 || other == processor)
+            {
+                continue;
+            }
+            for (label i = 1; i <= layers.nLayers; ++i)
+            {
+                faces.append
+                (
+                    std::make_tuple
+                    (
+                        other, piece.labels(facei, k, i), facei, k, i
+                    )
+                );
+            }
+        }
+    }
+    std::sort(faces.begin(), faces.end());
+
+    DynamicList<label> processors, sizes;
+    for (const auto& f : faces)
+    {
+        label other, whole, facei, k, i;
+        std::tie(other, whole, facei, k, i) = f;
+        if (processors.empty() || processors.last() != other)
+        {
+            processors.append(other);
+            sizes.append(0);
+            mesh.startPatch();
+        }
+        ++sizes.last();
+
+        // The face is of the stack with the lower label
+        const edge e(layers.faces[facei].faceEdge(k));
+        const bool turned = piece.beyond[facei][k] < piece.stacks[facei];
+        mesh.append
+        (
+            turned
+          ? sideFace(layers, e.reverseEdge(), i).reverseFace()
+          : sideFace(layers, e, i),
+            cellLabel(layers, facei, i)
+        );
+        addressing.append(turned ? -(whole + 1) : whole + 1);
+    }
+    result.processors.transfer(processors);
+    result.processorSizes.transfer(sizes);
+}
+
+
+//- Drop the points that no face has
+static void dropUnused(meshPiece& piece)
+{
+    bitSet isUsed(piece.points.size());
+    for (const face& f : piece.faces)
+    {
+        isUsed.set(f);
+    }
+    if (isUsed.all())
+    {
+        return;
+    }
+
+    const labelList used(isUsed.toc());
+    const labelList newPoints(invert(piece.points.size(), used));
+    piece.points = pointField(piece.points, used);
+    piece.pointAddressing =
+        labelList(UIndirectList<label>(piece.pointAddressing, used));
+    for (face& f : piece.faces)
+    {
+        inplaceRenumber(newPoints, f);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+layersDivider::layersDivider(const prismLayers& layers)
+:
+    layers_(layers),
+    beyond_(facesBeyond(layers)),
+    open_(openEdges(layers, beyond_)),
+    labels_(makePrismFaceLabels(layers, beyond_, open_)),
+    patches_(patchesOfLayers(layers, open_.size()))
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+labelListList layersDivider::neighbours() const
+{
+    labelListList beside(beyond_);
+    for (labelList& stacks : beside)
+    {
+        inplaceSubsetList(stacks, [](const label other) { return other >= 0; });
+    }
+
+    return beside;
+}
+
+
+pointField layersDivider::centres() const
+{
+    pointField centres(layers_.faces.size(), Zero);
+    const label n = layers_.nLayers + 1;
+
+    forAll(centres, facei)
+    {
+        const face& f = layers_.faces[facei];
+        for (const label c : f)
+        {
+            centres[facei] += sum(SubField<point>(layers_.points, n, c*n));
+        }
+        centres[facei] /= f.size()*n;
+    }
+
+    return centres;
+}
+
+
+layersPiece layersDivider::piece
+(
+    const labelUList& processorOfStack,
+    const label processor
+) const
+{
+    layersPiece some;
+    some.stacks = findIndices(processorOfStack, processor);
+    some.columns = columnsWithRoots(layers_, some.stacks);
+    some.layers = someOf(layers_, some.stacks, some.columns);
+    some.nWallPoints = layers_.nWallPoints();
+    some.patchNames = patches_.names;
+    some.patchTypes = patches_.types;
+    some.labels = labels_.subset(some.stacks);
+    some.beyond = labelListList(UIndirectList<labelList>(beyond_, some.stacks));
+    some.processors = some.beyond;
+    for (labelList& others : some.processors)
+    {
+        for (label& other : others)
+        {
+            other = other < 0 ? -1 : processorOfStack[other];
+        }
+    }
+
+    const labelList newFaces(invert(layers_.faces.size(), some.stacks));
+    some.open.setSize(open_.size());
+    forAll(open_, i)
+    {
+        for (const labelPair& e : open_[i])
+        {
+            if (newFaces[e.first()] >= 0)
+            {
+                some.open[i].append(labelPair(newFaces[e.first()], e.second()));
+            }
+        }
+    }
+
+    return some;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+meshPiece makeMeshPiece(const layersPiece& piece, const label processor)
+{
+    const prismLayers& layers = piece.layers;
+    const labelListList beyond(facesBeyond(layers));
+    polyMeshTopology mesh(makePrismTopology(layers, beyond, piece.open));
+    DynamicList<label> addressing
+    (
+        faceAddressing(piece, beyond, mesh.faces.size())
+    );
+
+    meshPiece result;
+    result.patchNames = piece.patchNames;
+    result.patchTypes = piece.patchTypes;
+    result.patchSizes = mesh.patchSizes;
+    addBetween(piece, processor, mesh, addressing, result);
+
+    result.points = layers.meshPoints();
+    result.faces.transfer(mesh.faces);
+    result.owner.transfer(mesh.owner);
+    result.neighbour.transfer(mesh.neighbour);
+    result.faceAddressing.transfer(addressing);
+    result.pointAddressing = pointAddressing(piece);
+    dropUnused(result);
+
+    result.cellAddressing.setSize(layers.faces.size()*layers.nLayers);
+    forAll(result.cellAddressing, celli)
+    {
+        result.cellAddressing[celli] =
+            piece.stacks[celli/layers.nLayers]*layers.nLayers
+          + celli % layers.nLayers;
+    }
+
+    return result;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

@@ -1,0 +1,123 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "layersPiece.H"
+#include "memoryMesh.H"
+#include "openSurfaces.H"
+#include "testLayers.H"
+#include "testStages.H"
+#include "testSurfaces.H"
+#include "boundBox.H"
+#include "Random.H"
+
+#include <gtest/gtest.h>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+using namespace Foam;
+using namespace Foam::testSurfaces;
+
+static const label nProcessors = 4;
+
+//- Processes of stacks: parts along x, and some stacks anywhere
+static labelList processorsOf(const prismLayers& layers)
+{
+    const boundBox box(layers.points, false);
+    Random random(3);
+    labelList processors(layers.faces.size());
+
+    forAll(processors, facei)
+    {
+        const point& x = layers(layers.faces[facei][0], 0);
+        const scalar share = (x - box.min()).x()/box.span().x();
+        processors[facei] =
+            random.sample01<scalar>() < 0.1 ? nProcessors - 1
+          : share < 0.3 ? 0 : share < 0.7 ? 1 : 2;
+    }
+
+    return processors;
+}
+
+
+//- Pieces made of stacks are those of the whole mesh, list by list
+static void expectPiecesOfTheMesh(const prismLayers& layers)
+{
+    const memoryMesh memory(layers);
+    const labelList processorOfStack(processorsOf(layers));
+    labelList processorOfCell(memory().nCells());
+    forAll(processorOfCell, celli)
+    {
+        processorOfCell[celli] = processorOfStack[celli/layers.nLayers];
+    }
+    const layersDivider divider(layers);
+
+    for (label processor = 0; processor < nProcessors; ++processor)
+    {
+        const meshPiece whole
+        (
+            makeMeshPiece(memory(), processorOfCell, processor)
+        );
+        const meshPiece own
+        (
+            makeMeshPiece
+            (
+                divider.piece(processorOfStack, processor), processor
+            )
+        );
+
+        ASSERT_GT(whole.cellAddressing.size(), 0);
+        EXPECT_EQ(own.points, whole.points);
+        EXPECT_EQ(own.faces, whole.faces);
+        EXPECT_EQ(own.owner, whole.owner);
+        EXPECT_EQ(own.neighbour, whole.neighbour);
+        EXPECT_EQ(own.patchNames, whole.patchNames);
+        EXPECT_EQ(own.patchTypes, whole.patchTypes);
+        EXPECT_EQ(own.patchSizes, whole.patchSizes);
+        EXPECT_EQ(own.processors, whole.processors);
+        EXPECT_EQ(own.processorSizes, whole.processorSizes);
+        EXPECT_EQ(own.cellAddressing, whole.cellAddressing);
+        EXPECT_EQ(own.pointAddressing, whole.pointAddressing);
+        EXPECT_EQ(own.faceAddressing, whole.faceAddressing);
+        EXPECT_EQ(own.zoneNames, whole.zoneNames);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(layersPiece, isThatOfTheMeshOnTriangles)
+{
+    expectPiecesOfTheMesh(shakenLayers(sphere(5)));
+}
+
+
+TEST(layersPiece, isThatOfTheMeshOnQuadrilateralsInOneLayer)
+{
+    expectPiecesOfTheMesh(straightLayers(quadSphere(4), {0, 0.1}));
+}
+
+
+TEST(layersPiece, isThatOfTheMeshWithSeveralColumnsOnAPoint)
+{
+    const prismLayers layers
+    (
+        frontLayers(frontOf(cube(4), 60), {0, 0.02, 0.05, 0.1})
+    );
+
+    ASSERT_GT(layers.extraColumnPoints.size(), 0);
+    expectPiecesOfTheMesh(layers);
+}
+
+
+TEST(layersPiece, isThatOfTheMeshOnAWallThatEnds)
+{
+    const wallSurface wall(endedOn(halfSphere(6), halfPlanes()));
+    const prismLayerMesh run(layeredMesh(wall, 3, 0.1));
+
+    ASSERT_GT(run.made.layers.border.edges.size(), 0);
+    expectPiecesOfTheMesh(run.made.layers);
+}
+
+// ************************************************************************* //
