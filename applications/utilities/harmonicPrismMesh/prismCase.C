@@ -12,9 +12,9 @@
 #include "prepareSurface.H"
 #include "prismPolyMesh.H"
 #include "replacedFiles.H"
+#include "returnMemory.H"
 #include "Time.H"
 #include "wallPointsError.H"
-#include "writeObjects.H"
 #include "writeStageFields.H"
 #include "writeVtk.H"
 
@@ -22,10 +22,6 @@
 
 namespace Foam
 {
-
-//- The end of the last line of OpenFOAM's files
-static const char* const dividerEnd = "* //";
-
 
 static IOobject dictObject(const argList& args, const Time& time)
 {
@@ -169,67 +165,6 @@ Foam::IOobject Foam::prismCase::meshObject() const
 }
 
 
-void Foam::prismCase::writeMesh
-(
-    const polyMesh& mesh,
-    const meshPiece* piece,
-    replacedFiles& files
-) const
-{
-    // The scratch folder is the case while the mesh is written
-    const fileName scratch(files.scratch(polyMeshFolder(), polyMeshPath()));
-    const fileName caseName(time_.caseName());
-    time_.caseName() = scratch.relative(time_.rootPath());
-    const bool written =
-        writeObjects(mesh) && (!piece || writeAddressing(mesh, *piece));
-    time_.caseName() = caseName;
-
-    if (!written)
-    {
-        FatalErrorInFunction << "Cannot write to it" << exit(FatalError);
-    }
-
-    // OpenFOAM does not look whether the last bytes of a file arrived
-    const fileName folder(scratch/polyMeshPath());
-    for (const fileName& file : readDir(folder, fileName::FILE))
-    {
-        checkEnd(folder/file, dividerEnd);
-    }
-}
-
-
-Foam::autoPtr<Foam::polyMesh> Foam::prismCase::writeMesh
-(
-    prismLayerMesh& m,
-    replacedFiles& files
-) const
-{
-    const label nStacks = m.made.layers.faces.size();
-    const label nLayers = m.made.layers.nLayers;
-    autoPtr<polyMesh> mesh
-    (
-        makePrismPolyMesh(m.made.layers, m.farField, meshObject())
-    );
-
-    if (team_.isParallel())
-    {
-        meshPiece piece(team_.sendPieces(mesh(), nStacks, nLayers));
-        const autoPtr<polyMesh> own
-        (
-            makePolyMesh(meshObject(), team_.processor(), piece)
-        );
-        writeMesh(own(), &piece, files);
-        team_.requireWritten();
-    }
-    else
-    {
-        writeMesh(mesh(), nullptr, files);
-    }
-
-    return mesh;
-}
-
-
 bool Foam::prismCase::writePiece() const
 {
     meshPiece piece(team_.receivePiece());
@@ -240,11 +175,7 @@ bool Foam::prismCase::writePiece() const
 
     try
     {
-        const autoPtr<polyMesh> mesh
-        (
-            makePolyMesh(meshObject(), team_.processor(), piece)
-        );
-        writeMesh(mesh(), &piece, files);
+        writePiece(piece, files);
     }
     catch (const Foam::error& e)
     {
@@ -293,10 +224,19 @@ void Foam::prismCase::writeAll
     report.nRetreats = m.made.nRetreats;
     report.faces = m.faces;
 
-    const autoPtr<polyMesh> mesh(writeMesh(m, files));
+    const qualityControls bounds(m.bounds);
+    prismLayers layers(std::move(m.made.layers));
+    farFieldMesh farField(std::move(m.farField));
+    m = prismLayerMesh();
+    returnMemory();
+
+    const label nLayerCells = layers.faces.size()*layers.nLayers;
+    const autoPtr<polyMesh> mesh(writeMesh(layers, farField, files));
     log.end
     (
-        name(mesh->nCells()) + " cells, " + name(mesh->nFaces()) + " faces"
+        mesh
+      ? name(mesh->nCells()) + " cells, " + name(mesh->nFaces()) + " faces"
+      : name(nLayerCells) + " cells, " + name(team_.size()) + " pieces"
     );
     report.stages = log.costs();
 
@@ -306,7 +246,7 @@ void Foam::prismCase::writeAll
 
     if (hasFarField)
     {
-        const farFieldReport far(makeFarFieldReport(mesh(), m.bounds));
+        const farFieldReport far(makeFarFieldReport(mesh(), bounds));
         entries.add(farFieldName, toDictionary(far));
         Foam::write(Info, far);
     }

@@ -10,6 +10,7 @@
 #include "IPstream.H"
 #include "OPstream.H"
 #include "pieceMessages.H"
+#include "returnMemory.H"
 #include "Time.H"
 
 #include <unistd.h>
@@ -22,6 +23,9 @@ namespace Foam
 //- How often a process that waits looks for the master [microseconds]. Waiting
 //  messages of MPI keep a processor busy, which the master's threads need.
 static const unsigned lookInterval = 5000;
+
+//- What the master sends: a piece of a mesh, or of layers
+enum class pieceKind : char { mesh, layers };
 
 static const auto blocking = UPstream::commsTypes::scheduled;
 
@@ -63,6 +67,12 @@ static pointField centresOfFaces(const polyMesh& mesh)
     }
 
     return centres;
+}
+
+
+static void announce(const pieceKind kind, const label other)
+{
+    UOPstream::write(blocking, other, reinterpret_cast<const char*>(&kind), 1);
 }
 
 
@@ -143,6 +153,34 @@ processTeam::~processTeam()
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+meshPiece processTeam::sendPieces(prismLayers& layers) const
+{
+    layersPiece own;
+    {
+        const layersDivider divider(layers);
+        const pointField centres(divider.centres());
+        const labelList processors
+        (
+            decomposition_->decompose
+            (
+                divider.neighbours(), centres, scalarField(centres.size(), 1)
+            )
+        );
+
+        for (label other = 1; other < nProcesses_; ++other)
+        {
+            announce(pieceKind::layers, other);
+            sendPiece(divider.piece(processors, other), other);
+        }
+        own = divider.piece(processors, 0);
+    }
+    layers = prismLayers();
+    returnMemory();
+
+    return makeMeshPiece(own, 0);
+}
+
+
 meshPiece processTeam::sendPieces
 (
     const polyMesh& mesh,
@@ -157,8 +195,7 @@ meshPiece processTeam::sendPieces
 
     for (label other = 1; other < nProcesses_; ++other)
     {
-        const char now = 1;
-        UOPstream::write(blocking, other, &now, 1);
+        announce(pieceKind::mesh, other);
         sendPiece(makeMeshPiece(mesh, processors, other), other);
     }
 
@@ -194,16 +231,21 @@ void processTeam::requireWritten() const
 
 meshPiece processTeam::receivePiece() const
 {
-    char now = 0;
+    pieceKind kind = pieceKind::mesh;
     const label request = UPstream::nRequests();
-    UIPstream::read(UPstream::commsTypes::nonBlocking, 0, &now, 1);
+    UIPstream::read
+    (
+        UPstream::commsTypes::nonBlocking, 0, reinterpret_cast<char*>(&kind), 1
+    );
     while (!UPstream::finishedRequest(request))
     {
         usleep(lookInterval);
     }
     UPstream::resetRequests(request);
 
-    return Foam::receivePiece(0);
+    return kind == pieceKind::mesh
+      ? receiveMeshPiece(0)
+      : makeMeshPiece(receiveLayersPiece(0), processor_);
 }
 
 

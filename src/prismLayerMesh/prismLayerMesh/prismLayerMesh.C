@@ -7,6 +7,7 @@
 #include "levelSets.H"
 #include "makeFarFieldMesh.H"
 #include "nameCauses.H"
+#include "returnMemory.H"
 #include "stageText.H"
 #include "straightShares.H"
 #include "unitConversion.H"
@@ -41,9 +42,6 @@ class pipeline
     //  in front of it
     void makeFront(scalar angle);
 
-    //- Divide a closed wall that is large into pieces
-    void divide();
-
     void makeField();
 
     //- The lines of the isotropic field, the exact and the smooth one: on the
@@ -55,8 +53,8 @@ class pipeline
     //- Certified layers
     void makeLayers();
 
-    //- Drop what neither mesh nor report need
-    void dropStages();
+    //- Drop what columns alone need, unless stages are kept
+    void dropField();
 
     //- Make from the front on what a member makes; if no layers are possible
     //  with the multiple normals that were chosen, with those that are needed
@@ -138,16 +136,6 @@ void pipeline::makeFront(const scalar angle)
 }
 
 
-void pipeline::divide()
-{
-    if (wall_.border.sides.empty() && !controls_.layers.onLevelSets)
-    {
-        m_.pieces =
-            divideWall(wall_.points, m_.envelope.radius, pieceControls());
-    }
-}
-
-
 void pipeline::makeField()
 {
     m_.pieces.clear();
@@ -166,8 +154,13 @@ void pipeline::makeField()
         wall_, m_.addressing, search_, m_.visibility, thickness(),
         m_.front.smallest(m_.clearance), controls_, observer_
     );
-    divide();
 
+    // Closed walls that are large
+    if (wall_.border.sides.empty() && !controls_.layers.onLevelSets)
+    {
+        m_.pieces =
+            divideWall(wall_.points, m_.envelope.radius, pieceControls());
+    }
     if (m_.pieces.empty() || keepStages_)
     {
         m_.fields = makeFields
@@ -303,15 +296,17 @@ void pipeline::makeLayers()
 }
 
 
-void pipeline::dropStages()
+void pipeline::dropField()
 {
-    m_.visibility = wallVisibility();
-    m_.front.visibility = wallVisibility();
+    if (keepStages_)
+    {
+        return;
+    }
     m_.envelope = offsetEnvelope();
     m_.fields = wallFields();
     m_.field.clear();
     m_.lines = gradientLines();
-    m_.columns = layerColumns();
+    returnMemory();
 }
 
 
@@ -350,12 +345,15 @@ prismLayerMesh pipeline::run(const localHeights& local)
         makeFront(angle);
         makeField();
         makeColumns();
+        dropField();
         makeLayers();
     });
 
     if (!keepStages_)
     {
-        dropStages();
+        m_.visibility = wallVisibility();
+        m_.front.visibility = wallVisibility();
+        m_.columns = layerColumns();
     }
 
     return std::move(m_);
