@@ -116,6 +116,8 @@ prismFaceLabels makePrismFaceLabels
     labels.strides.setSize(nFront);
     labels.wallFaces.setSize(layers.nWallFaces());
     labels.outerFaces.setSize(nFront);
+
+    // As many as there are edges; all are set
     labels.firstSides = beyond;
     labels.sideStrides = beyond;
 

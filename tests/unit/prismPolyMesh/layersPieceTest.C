@@ -87,6 +87,41 @@ static void expectPiecesOfTheMesh(const prismLayers& layers)
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
+TEST(layersDivider, stacksAreBesideEachOther)
+{
+    const prismLayers layers(straightLayers(cube(3), {0, 0.1}));
+    const labelListList beside(layersDivider(layers).neighbours());
+
+    ASSERT_EQ(beside.size(), layers.faces.size());
+    forAll(beside, stacki)
+    {
+        EXPECT_EQ(beside[stacki].size(), 3);
+        for (const label other : beside[stacki])
+        {
+            EXPECT_TRUE(beside[other].found(stacki));
+        }
+    }
+}
+
+
+TEST(layersDivider, aStackAtTheBorderHasFewerBesideIt)
+{
+    const prismLayers layers(onePolygon(4, {0, 0.1}));
+
+    EXPECT_EQ(layersDivider(layers).neighbours(), labelListList(1));
+}
+
+
+TEST(layersDivider, centresAreInTheMiddleOfStacks)
+{
+    const prismLayers layers(onePolygon(5, {0, 0.1, 0.4}));
+    const pointField centres(layersDivider(layers).centres());
+
+    ASSERT_EQ(centres.size(), 1);
+    EXPECT_NEAR(mag(centres[0] - point(0, 0, 0.5/3)), 0, 1e-15);
+}
+
+
 TEST(layersPiece, isThatOfTheMeshOnTriangles)
 {
     expectPiecesOfTheMesh(shakenLayers(sphere(5)));
