@@ -128,6 +128,23 @@ TEST(layersPiece, isThatOfTheMeshOnTriangles)
 }
 
 
+TEST(layersPiece, ofAProcessWithoutStacksIsEmpty)
+{
+    const prismLayers layers(shakenLayers(sphere(3)));
+    const labelList processors(layers.faces.size(), Zero);
+    const meshPiece piece
+    (
+        makeMeshPiece(layersDivider(layers).piece(processors, 1), 1)
+    );
+
+    EXPECT_TRUE(piece.points.empty());
+    EXPECT_TRUE(piece.faces.empty());
+    EXPECT_TRUE(piece.cellAddressing.empty());
+    EXPECT_TRUE(piece.processors.empty());
+    EXPECT_EQ(piece.patchSizes, labelList(piece.patchNames.size(), Zero));
+}
+
+
 TEST(layersPiece, isThatOfTheMeshOnQuadrilateralsInOneLayer)
 {
     expectPiecesOfTheMesh(straightLayers(quadSphere(4), {0, 0.1}));
