@@ -68,24 +68,23 @@ Foam::autoPtr<Foam::polyMesh> Foam::prismCase::writeMesh
     replacedFiles& files
 ) const
 {
-    autoPtr<polyMesh> mesh;
-
-    if (team_.isParallel() && far.empty())
-    {
-        meshPiece piece(team_.sendPieces(layers));
-        writePiece(piece, files);
-        team_.requireWritten();
-
-        return mesh;
-    }
-
     const label nStacks = layers.faces.size();
     const label nLayers = layers.nLayers;
-    mesh = makePrismPolyMesh(layers, far, meshObject());
+    autoPtr<polyMesh> mesh;
+
+    if (!team_.isParallel() || !far.empty())
+    {
+        mesh = makePrismPolyMesh(layers, far, meshObject());
+    }
 
     if (team_.isParallel())
     {
-        meshPiece piece(team_.sendPieces(mesh(), nStacks, nLayers));
+        meshPiece piece
+        (
+            mesh
+          ? team_.sendPieces(mesh(), nStacks, nLayers)
+          : team_.sendPieces(layers)
+        );
         writePiece(piece, files);
         team_.requireWritten();
     }
