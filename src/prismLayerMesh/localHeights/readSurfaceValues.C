@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceValues.H"
+#include "pointOrder.H"
 #include "surfaceFile.H"
 #include "FlatOutput.H"
 #include "IFstream.H"
@@ -27,14 +28,7 @@ static scalarField smallestOfFaces
     const scalarField& ofFaces
 )
 {
-    const auto before = [](const point& a, const point& b)
-    {
-        return std::lexicographical_compare
-        (
-            a.begin(), a.end(), b.begin(), b.end()
-        );
-    };
-    std::map<point, scalar, decltype(before)> smallest(before);
+    std::map<point, scalar, decltype(&isBefore)> smallest(&isBefore);
 
     forAll(surface.faces, facei)
     {

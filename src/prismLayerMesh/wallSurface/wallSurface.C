@@ -6,6 +6,7 @@
 #include "wallSurface.H"
 #include "CompactListList.H"
 #include "disjointSets.H"
+#include "pointOrder.H"
 #include "triSurface.H"
 
 #include <algorithm>
@@ -63,10 +64,16 @@ static wallCorners makeCorners(const wallSurface& wall)
 }
 
 
-//- The corner that begins at an edge on which none ends; the first if there is
-//  no such edge
-static label firstCorner(const UList<wallCorner>& corners)
+//- Returns the corner that begins at an edge on which none ends. If there is no
+//  such edge, returns the corner whose next point is before the others.
+static label firstCorner
+(
+    const UList<wallCorner>& corners,
+    const pointField& points
+)
 {
+    label first = 0;
+
     forAll(corners, i)
     {
         const bool follows = std::any_of
@@ -81,16 +88,25 @@ static label firstCorner(const UList<wallCorner>& corners)
         {
             return i;
         }
+        if (isBefore(points[corners[i].next], points[corners[first].next]))
+        {
+            first = i;
+        }
     }
 
-    return 0;
+    return first;
 }
 
 
-//- Sort corners so that each begins at the edge on which the one before ends
-static void sortByRotation(UList<wallCorner>& corners)
+//- Sorts corners so that each begins at the edge on which the one before ends.
+//  The first one does not depend on the labels of points and faces.
+static void sortByRotation
+(
+    UList<wallCorner>& corners,
+    const pointField& points
+)
 {
-    std::swap(corners[0], corners[firstCorner(corners)]);
+    std::swap(corners[0], corners[firstCorner(corners, points)]);
 
     for (label i = 1; i < corners.size(); ++i)
     {
@@ -210,7 +226,7 @@ wallAddressing makeWallAddressing(const wallSurface& wall)
     forAll(corners, p)
     {
         UList<wallCorner> around(corners[p]);
-        sortByRotation(around);
+        sortByRotation(around, wall.points);
 
         labelList& faces = addressing.pointFaces[p];
         labelList& points = addressing.pointPoints[p];

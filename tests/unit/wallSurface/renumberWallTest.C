@@ -5,8 +5,6 @@
 
 #include "renumberWall.H"
 #include "openSurfaces.H"
-#include "ListOps.H"
-#include "Random.H"
 
 #include <gtest/gtest.h>
 
@@ -22,19 +20,7 @@ using namespace Foam::testSurfaces;
 //  faces in random order
 static wallSurface shuffledHalfSphere()
 {
-    wallSurface surface(halfSphere(24));
-    Random random(7);
-
-    labelList newPoints(identity(surface.points.size()));
-    random.shuffle(newPoints);
-    surface.points = reorder(newPoints, surface.points);
-    for (face& f : surface.faces)
-    {
-        inplaceRenumber(newPoints, f);
-    }
-    random.shuffle(surface.faces);
-
-    wallSurface wall(endedOn(surface, halfPlanes()));
+    wallSurface wall(endedOn(renumbered(halfSphere(24), 7), halfPlanes()));
     wall.patchNames = wordList({"left", "right"});
     forAll(wall.faces, facei)
     {

@@ -102,6 +102,26 @@ TEST(wallSurface, fansAreOrderedByRotation)
 }
 
 
+TEST(wallSurface, fansBeginAtTheSamePlaceHoweverPointsAreNumbered)
+{
+    const wallSurface wall(lBlock(4));
+    const wallSurface other(renumbered(wall, 5));
+    const wallAddressing a(makeWallAddressing(wall));
+    const wallAddressing b(makeWallAddressing(other));
+
+    forAll(wall.points, p)
+    {
+        const label q = other.points.find(wall.points[p]);
+
+        ASSERT_GE(q, 0);
+        EXPECT_EQ
+        (
+            wall.points[a.pointPoints[p][0]], other.points[b.pointPoints[q][0]]
+        );
+    }
+}
+
+
 TEST(wallSurface, fansHoldEveryCornerOnce)
 {
     const wallSurface wall(torus(12, 8, 2, 0.5));
