@@ -138,7 +138,7 @@ void splitAt
     backgroundMesh& mesh
 )
 {
-    splitTets(simplices, mesh.points.size(), mesh.tets);
+    splitTets(simplices, mesh.points, mesh.points.size(), mesh.tets);
     mesh.points.append(points);
     mesh.gaps.append(gaps);
     mesh.free.append(free);

@@ -105,7 +105,7 @@ void splitCornerCells(farFieldMesh& mesh)
         mesh.points[nPoints + i] =
             centreOf(simplices.simplices()[i], mesh.points);
     }
-    splitTets(simplices, nPoints, mesh.tets);
+    splitTets(simplices, mesh.points, nPoints, mesh.tets);
 }
 
 } // End namespace Foam

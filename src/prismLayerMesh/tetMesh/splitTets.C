@@ -11,11 +11,35 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Position in the set of the first edge or face of a tetrahedron, or -1. The
-//  set has simplices on the points that inSet marks.
+//- Returns for each simplex its position in the order in which tetrahedra are
+//  split: the shortest edges first, then the faces
+static labelList splitOrder
+(
+    const simplexSet& simplices,
+    const pointField& points
+)
+{
+    scalarField lengths(simplices.simplices().size(), GREAT);
+    forAll(lengths, i)
+    {
+        const simplex& s = simplices.simplices()[i];
+
+        if (s[0] < 0)
+        {
+            lengths[i] = magSqr(points[s[2]] - points[s[1]]);
+        }
+    }
+
+    return invert(lengths.size(), sortedOrder(lengths));
+}
+
+
+//- Returns the edge or face of a tetrahedron at which it is split first, as its
+//  position in the set, or -1. inSet marks the points of the set.
 static label firstSimplex
 (
     const simplexSet& simplices,
+    const labelUList& order,
     const boolList& inSet,
     const tetCell& tet
 )
@@ -33,7 +57,7 @@ static label firstSimplex
     const auto look = [&](const simplex& s)
     {
         const label i = simplices.find(s);
-        first = i >= 0 && (first < 0 || i < first) ? i : first;
+        first = i >= 0 && (first < 0 || order[i] < order[first]) ? i : first;
     };
 
     for (label i = 0; i < p.size(); ++i)
@@ -59,13 +83,14 @@ static label firstSimplex
 static void split
 (
     const simplexSet& simplices,
+    const labelUList& order,
     const boolList& inSet,
     const label firstNewPoint,
     const tetCell& tet,
     DynamicList<tetCell>& parts
 )
 {
-    const label first = firstSimplex(simplices, inSet, tet);
+    const label first = firstSimplex(simplices, order, inSet, tet);
 
     if (first < 0)
     {
@@ -78,7 +103,7 @@ static void split
 
     for (const tetCell& part : own)
     {
-        split(simplices, inSet, firstNewPoint, part, parts);
+        split(simplices, order, inSet, firstNewPoint, part, parts);
     }
 }
 
@@ -115,10 +140,12 @@ point centreOf(const simplex& s, const pointField& points)
 void splitTets
 (
     const simplexSet& simplices,
+    const pointField& points,
     const label firstNewPoint,
     tetCellList& tets
 )
 {
+    const labelList order(splitOrder(simplices, points));
     boolList inSet(firstNewPoint, false);
     for (const simplex& s : simplices.simplices())
     {
@@ -134,7 +161,7 @@ void splitTets
     DynamicList<tetCell> parts(tets.size());
     for (const tetCell& tet : tets)
     {
-        split(simplices, inSet, firstNewPoint, tet, parts);
+        split(simplices, order, inSet, firstNewPoint, tet, parts);
     }
     tets.transfer(parts);
 }

@@ -12,6 +12,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 using namespace Foam;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -271,10 +273,43 @@ TEST(splitTets, splitsAtEdgesAndFacesAlikeFromBothSides)
     {
         mesh.points.append(centreOf(s, mesh.points));
     }
-    splitTets(simplices, n, mesh.tets);
+    splitTets(simplices, mesh.points, n, mesh.tets);
 
     EXPECT_NEAR(volumeOf(mesh), 1, 1e-12);
     EXPECT_EQ(boundaryFaces(mesh).second(), 12*4);
+}
+
+
+TEST(splitTets, splitsAtTheShortestEdgeFirst)
+{
+    // Edges 0-1 and 0-2 meet in point 0. After a split at 0-1 the part with
+    // point 0 has a new edge from the middle of 0-1 to 2; the other order has
+    // one from the middle of 0-2 to 1.
+    const auto joins = [](const scalar x, const label newPoint, const label p)
+    {
+        const pointField points
+        ({
+            point(0, 0, 0), point(x, 0, 0), point(0, 1, 0), point(0, 0, 1),
+            point(x/2, 0, 0), point(0, 0.5, 0)
+        });
+        simplexSet simplices;
+        simplices.append(sortedSimplex(-1, 0, 1));
+        simplices.append(sortedSimplex(-1, 0, 2));
+        simplices.sort();
+
+        tetCellList tets(1, tetCell(0, 1, 2, 3));
+        splitTets(simplices, points, 4, tets);
+
+        return std::any_of(tets.begin(), tets.end(), [&](const tetCell& tet)
+        {
+            return tet.found(newPoint) && tet.found(p);
+        });
+    };
+
+    EXPECT_TRUE(joins(0.9, 4, 2));
+    EXPECT_FALSE(joins(0.9, 5, 1));
+    EXPECT_TRUE(joins(1.1, 5, 1));
+    EXPECT_FALSE(joins(1.1, 4, 2));
 }
 
 
