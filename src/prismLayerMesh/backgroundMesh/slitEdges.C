@@ -19,14 +19,14 @@ static simplexSet oppositeEdges
     Map<wallSearch::foot>& feet
 )
 {
-    const auto normal = [&](const label p)
+    const auto direction = [&](const label p)
     {
         if (!feet.found(p))
         {
             feet.insert(p, search.footOf(mesh.points[p]));
         }
 
-        return feet[p].normal;
+        return feet[p].direction;
     };
     simplexSet edges;
 
@@ -42,7 +42,7 @@ static simplexSet oppositeEdges
             (
                 mesh.inside(a) && mesh.inside(b)
              && e.mag(mesh.points) >= 0.5*min(mesh.gaps[a], mesh.gaps[b])
-             && (normal(a) & normal(b)) <= clearanceControls::oppositeFrom
+             && (direction(a) & direction(b)) <= domainControls::slitCosine
             )
             {
                 edges.append(sortedSimplex(-1, a, b));

@@ -137,7 +137,7 @@ wallSearch::foot wallSearch::footOf(const point& x) const
         result.weights[k] = min(max(weights[k], scalar(0)), scalar(1));
     }
     result.distance = mag(x - hit.rawPoint());
-    result.normal = normals_[hit.index()];
+    result.direction = normalised(x - hit.rawPoint());
 
     return result;
 }
