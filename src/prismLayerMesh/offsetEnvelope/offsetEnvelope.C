@@ -5,9 +5,12 @@
 
 #include "offsetEnvelope.H"
 #include "limitGradient.H"
+#include "pointOrder.H"
 #include "sparsePoints.H"
 #include "wallClearance.H"
 #include "ListOps.H"
+
+#include <algorithm>
 
 namespace Foam
 {
@@ -19,6 +22,38 @@ static vector offsetVector(const visibilityCone& cone)
 {
     return min(1/max(cone.cosine, SMALL), clearanceControls::maxStretch)
        *cone.axis;
+}
+
+
+static bool isConcave(const pointKind kind)
+{
+    return kind == pointKind::concave || kind == pointKind::saddle;
+}
+
+
+//- Returns the points of the wall in the order in which their sheet points are
+//  chosen: first points on concave edges, then points on no edge, then the
+//  others, each in a sweep by place. A point on a concave edge would lose its
+//  sheet points to its neighbours; a point on a convex edge has several.
+static labelList sweepOrder
+(
+    const wallSurface& wall,
+    const List<pointKind>& kinds
+)
+{
+    const auto rank = [&](const label p)
+    {
+        return isConcave(kinds[p]) ? 0 : kinds[p] == pointKind::flat ? 1 : 2;
+    };
+    labelList order(identity(wall.points.size()));
+
+    std::sort(order.begin(), order.end(), [&](const label p, const label q)
+    {
+        return rank(p) != rank(q)
+          ? rank(p) < rank(q) : isBefore(wall.points[p], wall.points[q]);
+    });
+
+    return order;
 }
 
 
@@ -50,6 +85,9 @@ struct sheetMaker
 
     //- Radius of the envelope [m] that is wanted at each point of the wall
     const scalarField& wanted;
+
+    //- Factor on the distance between the points of each point of the wall
+    const scalarField& closeness;
 
     DynamicList<stem> stems;
 
@@ -215,7 +253,7 @@ struct sheetMaker
             if (stands[i])
             {
                 const scalar d = limited(s.p, s.radius) ? inSlits : wide;
-                spacings[k] = share*s.radius*d;
+                spacings[k] = share*s.radius*d*closeness[s.p];
                 gaps[k++] = s.radius;
             }
         }
@@ -242,6 +280,7 @@ offsetEnvelope makeOffsetEnvelope
     const wallAddressing& addressing,
     const wallSearch& search,
     const wallVisibility& visibility,
+    const List<pointKind>& kinds,
     const scalarField& radius,
     const scalarField& wanted,
     const backgroundMeshControls& mesh
@@ -253,9 +292,20 @@ offsetEnvelope makeOffsetEnvelope
     envelope.radius = radius;
     limitGradient(wall, addressing, sheetControls::maxSlope, envelope.radius);
 
-    sheetMaker maker{wall, search, visibility, wanted, {}};
+    // In acute edges whose radius the wall does not resolve, points that are
+    // near to the edge would squeeze the level sets
+    scalarField closeness(wall.points.size(), 1);
+    forAll(closeness, p)
+    {
+        if (isConcave(kinds[p]) && envelope.radius[p] > lengths[p])
+        {
+            closeness[p] = sheetControls::concaveSpacing;
+        }
+    }
+
+    sheetMaker maker{wall, search, visibility, wanted, closeness, {}};
     boolList atTip(wall.points.size());
-    forAll(atTip, p)
+    for (const label p : sweepOrder(wall, kinds))
     {
         const labelList& neighbours = addressing.pointPoints[p];
         const scalar r = envelope.radius[p];

@@ -130,6 +130,7 @@ offsetEnvelope makeEnvelope
     const wallAddressing& addressing,
     const wallSearch& search,
     const wallVisibility& visibility,
+    const List<pointKind>& kinds,
     const scalarField& thickness,
     const scalarField& clearance,
     const prismLayerControls& controls,
@@ -143,8 +144,8 @@ offsetEnvelope makeEnvelope
     (
         makeOffsetEnvelope
         (
-            wall, addressing, search, visibility, min(wanted, clearance),
-            wanted, controls.backgroundMesh
+            wall, addressing, search, visibility, kinds,
+            min(wanted, clearance), wanted, controls.backgroundMesh
         )
     );
     observer.end(sizesOf(envelope));

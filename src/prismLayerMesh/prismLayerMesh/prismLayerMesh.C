@@ -151,8 +151,8 @@ void pipeline::makeField()
 
     m_.envelope = makeEnvelope
     (
-        wall_, m_.addressing, search_, m_.visibility, thickness(),
-        m_.front.smallest(m_.clearance), controls_, observer_
+        wall_, m_.addressing, search_, m_.visibility, m_.pointKinds,
+        thickness(), m_.front.smallest(m_.clearance), controls_, observer_
     );
 
     // Closed walls that are large

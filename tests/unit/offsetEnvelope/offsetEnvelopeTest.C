@@ -3,10 +3,13 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
+#include "pointOrder.H"
 #include "testStages.H"
 #include "testSurfaces.H"
 
 #include <gtest/gtest.h>
+
+#include <algorithm>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -194,6 +197,62 @@ TEST(offsetEnvelope, surroundsEdgesAndCornersOfACube)
         // Points are 0.18 apart at 0.65 or more from the centre
         EXPECT_GT(largest, std::cos(0.3));
     }
+}
+
+
+//- The points of the envelope and of the other sheets, each by place
+static pointField sortedPoints(const offsetEnvelope& envelope)
+{
+    pointField points(envelope.points);
+    const auto middle = points.begin() + envelope.nEnvelope;
+    std::sort(points.begin(), middle, isBefore);
+    std::sort(middle, points.end(), isBefore);
+
+    return points;
+}
+
+
+TEST(offsetEnvelope, doesNotDependOnTheNumbering)
+{
+    for (const wallSurface& wall :
+        {
+            testSurfaces::lBlock(8),
+            testSurfaces::slitBlock(8, 0.15),
+            testSurfaces::wedgeBlock(8, 60),
+            testSurfaces::torus(24, 12, 1, 0.8),
+            testSurfaces::screw(point(0.3, 0.1, 0)),
+            testSurfaces::quadCube(6)
+        })
+    {
+        const stages a(wall, 5, 0.2);
+        const stages b(testSurfaces::renumbered(wall, 3), 5, 0.2);
+        const pointField inA(sortedPoints(a.envelope));
+        const pointField inB(sortedPoints(b.envelope));
+
+        ASSERT_EQ(a.envelope.nEnvelope, b.envelope.nEnvelope);
+        ASSERT_EQ(inA.size(), inB.size());
+
+        // The nearest point on an edge is found on one of its two triangles,
+        // with another rounding on each
+        EXPECT_LT(max(mag(inA - inB)), 1e-14);
+    }
+}
+
+
+TEST(offsetEnvelope, everyPointOnAConcaveEdgeHasItsOwn)
+{
+    // The edge has points 0.125 apart; the envelope is 0.11 above the faces
+    const stages s(testSurfaces::lBlock(8), 5, 0.1);
+    label nAbove = 0;
+
+    for (label i = 0; i < s.envelope.nEnvelope; ++i)
+    {
+        const point& x = s.envelope.points[i];
+        nAbove += mag(x.x() - 1.11) < 1e-9 && mag(x.y() - 1.11) < 1e-9
+            && x.z() > 0 && x.z() < 1;
+    }
+
+    EXPECT_EQ(nAbove, 7);
 }
 
 

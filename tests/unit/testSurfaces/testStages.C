@@ -39,6 +39,7 @@ Foam::testSurfaces::stages::stages
             addressing,
             search,
             visibility,
+            kindsOfPoints(wall, addressing, visibility),
             min(envelopeControls().scale*spacing.thickness, clearance),
             envelopeControls().scale*spacing.thickness,
             backgroundMeshControls()
