@@ -37,10 +37,14 @@ madeLayers makePrismLayers
         (
             made.layers(c, spacing.nLayers) - made.layers(c, 0)
         );
-        made.thickness[c] = min
-        (
-            made.thickness[c], front.visibility.heightCosine(c, column)
-        );
+        const scalar height = front.visibility.heightCosine(c, column);
+
+        if (height < made.thickness[c])
+        {
+            made.thickness[c] = height;
+            made.causes[c] = made.causes[c] == squeezeCause::none
+              ? squeezeCause::quality : made.causes[c];
+        }
     }
 
     return made;
