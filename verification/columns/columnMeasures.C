@@ -28,6 +28,7 @@ Usage
 #include "prismLayerMesh.H"
 #include "readPrismLayerControls.H"
 #include "readWallSurface.H"
+#include "renumberWall.H"
 #include "Time.H"
 
 using namespace Foam;
@@ -150,10 +151,11 @@ int main(int argc, char *argv[])
     );
     prismLayerControls controls(readPrismLayerControls(dict));
     wallReading reading;
-    const wallSurface wall
+    wallSurface wall
     (
         readWallSurface(controls.surface.files, controls.surface, reading)
     );
+    renumberWall(wall);
     const wordList fields
     (
         args.getOrDefault

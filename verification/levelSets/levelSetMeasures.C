@@ -1,0 +1,275 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
+Application
+    levelSetMeasures
+
+Description
+    Prints how even the first level sets of each field are, without making
+    layers: a line for each field, with tabs between its name, the unevenness and
+    the largest height over the points on concave edges alone, both over the
+    points on convex edges alone, and the saddle points above the last energy.
+
+    An edge of the wall counts if the normals of its faces are more than 20
+    degrees apart. Unevenness is exp(mean |ln(h/h_1)|), h the height of the
+    first level set and h_1 the first height that is asked for.
+
+Usage
+    levelSetMeasures -case <case with a harmonicPrismMeshDict>
+
+    \table
+        Option       | Meaning
+        -shuffle n   | the wall is numbered at random, with the seed n
+        -fields list | only these of (isotropic anisotropic gradientPower)
+    \endtable
+
+\*---------------------------------------------------------------------------*/
+
+#include "argList.H"
+#include "criticalPoints.H"
+#include "fieldStages.H"
+#include "levelSets.H"
+#include "Random.H"
+#include "readPrismLayerControls.H"
+#include "readWallSurface.H"
+#include "renumberWall.H"
+#include "Time.H"
+#include "unitConversion.H"
+#include "wallClearance.H"
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Marks the points on concave edges alone and on convex edges alone
+static void markEdges
+(
+    const wallSurface& wall,
+    const wallAddressing& addressing,
+    bitSet& concave,
+    bitSet& convex
+)
+{
+    const vectorField normals(wall.faceNormals());
+    concave.resize(wall.points.size());
+    convex.resize(wall.points.size());
+
+    forAll(addressing.edges, i)
+    {
+        const label a = addressing.edgeFaces[i].first();
+        const label b = addressing.edgeFaces[i].second();
+
+        if (b < 0 || (normals[a] & normals[b]) >= ::cos(degToRad(scalar(20))))
+        {
+            continue;
+        }
+
+        const vector ab =
+            wall.faces[b].centre(wall.points)
+          - wall.faces[a].centre(wall.points);
+        const edge& e = addressing.edges[i];
+        ((normals[a] & ab) > 0 ? concave : convex).set(labelList({e[0], e[1]}));
+    }
+
+    const bitSet both(concave & convex);
+    concave -= both;
+    convex -= both;
+}
+
+
+static void printHeights(const scalarField& heights, const bitSet& points)
+{
+    scalar sum = 0, largest = 0;
+
+    for (const label p : points)
+    {
+        sum += mag(::log(max(heights[p], scalar(1e-3))));
+        largest = max(largest, heights[p]);
+    }
+
+    if (points.none())
+    {
+        Info<< "\t-\t-";
+    }
+    else
+    {
+        Info<< '\t' << ::exp(sum/points.count()) << '\t' << largest;
+    }
+}
+
+
+//- The wall as the utility numbers it, or at random
+static wallSurface readNumbered
+(
+    const wallSurfaceControls& controls,
+    const label seed
+)
+{
+    wallReading reading;
+    wallSurface wall(readWallSurface(controls.files, controls, reading));
+
+    if (seed < 0)
+    {
+        renumberWall(wall);
+
+        return wall;
+    }
+
+    Random random(seed);
+    labelList newPoints(identity(wall.points.size()));
+    random.shuffle(newPoints);
+    wall.points = reorder(newPoints, wall.points);
+    for (face& f : wall.faces)
+    {
+        inplaceRenumber(newPoints, f);
+    }
+
+    return wall;
+}
+
+
+namespace
+{
+
+//- What all fields of a wall have in common
+struct fieldInput
+{
+    const wallSurface& wall;
+    const wallAddressing& addressing;
+    const wallSearch& search;
+    const offsetEnvelope& envelope;
+    const wallVisibility& visibility;
+    const List<pointKind>& kinds;
+    const layerSpacing uniform;
+    const stageObserver& silent;
+};
+
+
+void measure(const fieldInput& in, const fieldControls& controls)
+{
+    const wallFields fields
+    (
+        makeFields
+        (
+            in.wall, in.addressing, in.search, in.envelope, controls, in.silent
+        )
+    );
+    if (fields.failure.size())
+    {
+        FatalErrorInFunction << fields.failure.c_str() << exit(FatalError);
+    }
+
+    const scalarField& field = fields.anisotropic;
+    const scalarField energies
+    (
+        samplingEnergies
+        (
+            fields.background, field, in.visibility.axes(), in.kinds, in.uniform
+        )
+    );
+    const layerSpacing levelSets
+    (
+        levelSetSpacing
+        (
+            fields.background, field, in.visibility, energies, in.uniform
+        )
+    );
+    const scalarField heights
+    (
+        levelSets.firstThickness/in.uniform.firstThickness
+    );
+    bitSet concave, convex;
+    markEdges(in.wall, in.addressing, concave, convex);
+
+    label nSaddles = 0;
+    for (const label p : findCriticalPoints(fields.background, field).saddles)
+    {
+        nSaddles += field[p] > energies.last();
+    }
+
+    Info<< controls.tensor.c_str();
+    printHeights(heights, concave);
+    printHeights(heights, convex);
+    Info<< '\t' << nSaddles << endl;
+}
+
+} // End anonymous namespace
+
+
+int main(int argc, char *argv[])
+{
+    argList::noParallel();
+    argList::noBanner();
+    argList::addOption("fields", "list", "Only these");
+    argList::addOption("shuffle", "seed", "Number the wall at random");
+
+    #include "setRootCase.H"
+    #include "createTime.H"
+
+    const IOdictionary dict
+    (
+        IOobject
+        (
+            "harmonicPrismMeshDict", runTime.system(), runTime,
+            IOobject::MUST_READ, IOobject::NO_WRITE
+        )
+    );
+    prismLayerControls controls(readPrismLayerControls(dict));
+    const stageObserver silent{[](const word&) {}, [](const string&) {}};
+
+    const wallSurface wall
+    (
+        readNumbered
+        (
+            controls.surface, args.getOrDefault<label>("shuffle", -1)
+        )
+    );
+    const wallAddressing addressing(makeWallAddressing(wall));
+    const layerSpacing request
+    (
+        makeLayerSpacing(wall, addressing, controls.layers)
+    );
+    const wallVisibility visibility(makeWallVisibility(wall, addressing));
+    const List<pointKind> kinds(kindsOfPoints(wall, addressing, visibility));
+    const wallSearch search(wall);
+    const scalarField clearance
+    (
+        makeWallClearance
+        (
+            wall, search, visibility,
+            2*controls.envelope.scale*request.thickness
+        )
+    );
+    const offsetEnvelope envelope
+    (
+        makeEnvelope
+        (
+            wall, addressing, search, visibility, kinds, request.thickness,
+            clearance, controls, silent
+        )
+    );
+    const fieldInput in
+    {
+        wall, addressing, search, envelope, visibility, kinds,
+        uniformSpacing(request), silent
+    };
+    const wordList fields
+    (
+        args.getOrDefault
+        (
+            "fields", wordList({"isotropic", "anisotropic", "gradientPower"})
+        )
+    );
+
+    for (const word& field : fields)
+    {
+        controls.field.tensor = field;
+        measure(in, controls.field);
+    }
+
+    return 0;
+}
+
+
+// ************************************************************************* //
