@@ -3,210 +3,115 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
-#include <CGAL/Polygon_mesh_processing/connected_components.h>
-#include <CGAL/Polygon_mesh_processing/corefinement.h>
-#include <CGAL/Polygon_mesh_processing/measure.h>
-#include <CGAL/Polygon_mesh_processing/orientation.h>
-#include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
-#include <CGAL/Polygon_mesh_processing/repair_self_intersections.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
-
-#include <cmath>
-
 #include "stitchSurface.H"
-#include "cgalMeshes.H"
-#include "unitConversion.H"
+#include "isolatedProcess.H"
+#include "joinBodies.H"
+#include "StringStream.H"
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-namespace PMP = CGAL::Polygon_mesh_processing;
-
-typedef CGAL::Exact_predicates_inexact_constructions_kernel unionKernel;
-typedef CGAL::Surface_mesh<unionKernel::Point_3> unionMesh;
-
-
-//- Removes the intersections of a body with itself. Returns whether there were
-//  any, all of which are gone.
-static bool untangle(unionMesh& body)
+static void send(const char tag, const OStringStream& text, std::FILE* out)
 {
-    if (!PMP::does_self_intersect(body))
-    {
-        return false;
-    }
+    const string message(text.str());
+    const size_t length = message.size();
+    std::fwrite(&tag, 1, 1, out);
+    std::fwrite(&length, sizeof(length), 1, out);
+    std::fwrite(message.data(), 1, length, out);
+    std::fflush(out);
+}
 
-    unionMesh untangled(body);
+
+//- Returns false if nothing more is sent
+static bool receive(std::FILE* in, char& tag, string& message)
+{
+    size_t length;
 
     if
     (
-        !PMP::experimental::remove_self_intersections(untangled)
-     || PMP::does_self_intersect(untangled)
+        std::fread(&tag, 1, 1, in) != 1
+     || std::fread(&length, sizeof(length), 1, in) != 1
     )
     {
         return false;
     }
-    body = untangled;
+    message.resize(length);
 
-    return true;
+    return std::fread(&message[0], 1, length, in) == length;
 }
 
 
-static bool isBody(const unionMesh& mesh)
-{
-    return CGAL::is_closed(mesh) && !PMP::does_self_intersect(mesh);
-}
-
-
-//- Removes needles with an edge shorter than a length from a body, such as
-//  those on the steps between surfaces that hardly overlap, if the body stays
-//  sound. A needle has an edge 4 times as long as another, or an angle above
-//  160 degrees.
-static void removeNeedles(const double length, unionMesh& body)
-{
-    unionMesh cleaned(body);
-    PMP::experimental::remove_almost_degenerate_faces
-    (
-        cleaned, std::cos(degToRad(160.0)), 4, length
-    );
-
-    if (isBody(cleaned))
-    {
-        body = cleaned;
-    }
-}
-
-
-//- Whether less of the surfaces of two bodies is left in what was made of them:
-//  they intersect, or have parts of their surfaces in common
-static bool touched
+//- Sends 'p' and the places of two bodies before they are joined; at last 's',
+//  the surface and the steps
+static void sendUnited
 (
-    const unionMesh& a,
-    const unionMesh& b,
-    const unionMesh& both
+    wallSurface surface,
+    const bool fluidOutside,
+    const scalar step,
+    std::FILE* out
 )
 {
-    return PMP::area(both) < (1 - 1e-12)*(PMP::area(a) + PMP::area(b));
-}
-
-
-//- Sets what is left of a body without another, if that is possible. Returns
-//  whether the other one is within it.
-static bool subtract(unionMesh a, unionMesh b, unionMesh& rest)
-{
-    const double volume = PMP::volume(a);
-
-    return
-        PMP::corefine_and_compute_difference(a, b, rest)
-     && std::abs(PMP::volume(rest) - volume + PMP::volume(b)) <= 1e-9*volume;
-}
-
-
-//- Unites two bodies unless they are apart, or cannot be united
-static bool unite(unionMesh a, unionMesh b, unionMesh& both)
-{
-    return PMP::corefine_and_compute_union(a, b, both) && touched(a, b, both);
-}
-
-
-//- Bodies of which pairs are joined
-class bodyJoiner
-{
-    //- Lower steps between joined surfaces are removed
-    double step_;
-
-    std::vector<unionMesh> bodies_;
-
-    //- Closed, and without intersections with themselves
-    std::vector<bool> sound_;
-
-    std::vector<CGAL::Bbox_3> boxes_;
-
-public:
-
-    bodyJoiner(const std::vector<unionMesh>& bodies, const double step)
-    :
-        step_(step),
-        bodies_(bodies),
-        sound_(bodies.size()),
-        boxes_(bodies.size())
+    const joinObserver tellPlaces = [&](const point& a, const point& b)
     {
-        for (std::size_t i = 0; i < bodies_.size(); ++i)
-        {
-            sound_[i] = isBody(bodies_[i]);
-            boxes_[i] = PMP::bbox(bodies_[i]);
-        }
+        OStringStream places;
+        places << a << " and " << b;
+        send('p', places, out);
+    };
+
+    repairSteps made;
+    joinBodies(surface, fluidOutside, step, tellPlaces, made);
+
+    OStringStream result(IOstream::BINARY);
+    result << surface.points << surface.faces << surface.patchIDs;
+    result << made.size();
+    for (const repairStep& s : made)
+    {
+        result << token::SPACE << s.what << s.count;
     }
+    send('s', result, out);
+}
 
-    const std::vector<unionMesh>& bodies() const { return bodies_; }
 
-    //- Replaces pairs by what join makes of them until nothing changes; it
-    //  returns whether it made something. Returns the number of joined bodies.
-    template<class Join>
-    label joinAll(const Join& join)
+//- Reads what sendUnited sends. Returns false if no surface comes. Places are
+//  then the places of the last two bodies.
+static bool readUnited
+(
+    std::FILE* in,
+    string& places,
+    wallSurface& surface,
+    repairSteps& steps
+)
+{
+    char tag;
+    string message;
+
+    while (receive(in, tag, message))
     {
-        label nJoined = 0;
-
-        for (std::size_t i = 0; i < bodies_.size(); ++i)
+        if (tag == 'p')
         {
-            for (std::size_t j = i + 1; sound_[i] && j < bodies_.size();)
-            {
-                unionMesh both;
-                const bool isJoined =
-                    sound_[j] && CGAL::do_overlap(boxes_[i], boxes_[j])
-                 && join(bodies_[i], bodies_[j], both);
-
-                if (!isJoined)
-                {
-                    ++j;
-                    continue;
-                }
-
-                removeNeedles(step_, both);
-                bodies_[i] = both;
-                boxes_[i] = PMP::bbox(both);
-                bodies_.erase(bodies_.begin() + j);
-                boxes_.erase(boxes_.begin() + j);
-                sound_.erase(sound_.begin() + j);
-                ++nJoined;
-
-                // What it has become may reach others
-                j = i + 1;
-            }
+            places = message;
+            continue;
         }
 
-        return nJoined;
+        IStringStream result(message, IOstream::BINARY);
+        label nSteps;
+        result >> surface.points >> surface.faces >> surface.patchIDs
+            >> nSteps;
+
+        for (label i = 0; i < nSteps; ++i)
+        {
+            string what;
+            label count;
+            result >> what >> count;
+            addStep(steps, what, count);
+        }
+
+        return true;
     }
-};
 
-
-//- Unites bodies unless they are apart or one is within the other
-static bool uniteOverlapping
-(
-    const unionMesh& a,
-    const unionMesh& b,
-    unionMesh& both
-)
-{
-    unionMesh rest;
-
-    return !subtract(a, b, rest) && !subtract(b, a, rest) && unite(a, b, both);
-}
-
-
-//- Subtracts a body from one within which it is, if they touch
-static bool subtractWithin
-(
-    const unionMesh& a,
-    const unionMesh& b,
-    unionMesh& rest
-)
-{
-    return
-        (subtract(a, b, rest) || subtract(b, a, rest)) && touched(a, b, rest);
+    return false;
 }
 
 
@@ -220,50 +125,25 @@ void uniteBodies
     repairSteps& steps
 )
 {
-    unionMesh mesh;
-    addFaces(surface, mesh);
+    string places;
+    const processEnd end = isolatedProcess
+    (
+        [&](std::FILE* out) { sendUnited(surface, fluidOutside, step, out); },
+        [&](std::FILE* in) { return readUnited(in, places, surface, steps); }
+    );
 
-    std::vector<unionMesh> bodies;
-    PMP::split_connected_components(mesh, bodies);
-    label nUntangled = 0;
-
-    for (unionMesh& body : bodies)
+    if (end != processEnd::complete)
     {
-        nUntangled += untangle(body);
-
-        if (CGAL::is_closed(body) && !PMP::is_outward_oriented(body))
-        {
-            PMP::reverse_face_orientations(body);
-        }
+        FatalErrorInFunction
+            << "The bodies of the surface cannot be united"
+            << (
+                   places.empty()
+                 ? string(": one of them intersects itself")
+                 : ": CGAL ended while it joined the bodies about " + places
+               ).c_str() << nl
+            << "Unite them in CAD, or go around them with surface.repair wrap"
+            << exit(FatalError);
     }
-
-    addStep(steps, "bodies freed of intersections with themselves", nUntangled);
-
-    bodyJoiner joiner(bodies, step);
-    if (fluidOutside)
-    {
-        addStep(steps, "bodies united with others", joiner.joinAll(unite));
-    }
-    else
-    {
-        addStep
-        (
-            steps, "bodies united with others",
-            joiner.joinAll(uniteOverlapping)
-        );
-        addStep
-        (
-            steps, "bodies cut out of the fluid",
-            joiner.joinAll(subtractWithin)
-        );
-    }
-
-    mesh.clear();
-    for (const unionMesh& body : joiner.bodies())
-    {
-        mesh += body;
-    }
-    setFaces(mesh, surface);
 }
 
 } // End namespace Foam
