@@ -10,6 +10,8 @@
 #include <cfenv>
 #include <csignal>
 #include <fcntl.h>
+#include <mutex>
+#include <set>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -18,6 +20,80 @@ namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- The ends from which this process reads what its children write. A child that
+//  had the end of another child would keep the latter from noticing that nobody
+//  reads any more.
+struct openEnds
+{
+    std::mutex lock;
+    std::set<int> reading;
+};
+
+
+static openEnds& ends()
+{
+    static openEnds all;
+
+    return all;
+}
+
+
+//- Makes a pipe and a child of this process. No other thread makes a child
+//  meanwhile, so that no child has the writing end of another. Returns the
+//  process, 0 in the child, and negative if there is none; and the end that
+//  this process uses.
+static pid_t forkWithPipe(int& own)
+{
+    openEnds& all = ends();
+    const std::lock_guard<std::mutex> guard(all.lock);
+    int pair[2];
+
+    if (::pipe(pair))
+    {
+        return -1;
+    }
+
+    // What other threads read is locked: nothing is flushed here, nor in the
+    // child, which ends without that
+    const pid_t child = ::fork();
+
+    if (child == 0)
+    {
+        ::close(pair[0]);
+        for (const int other : all.reading)
+        {
+            ::close(other);
+        }
+        own = pair[1];
+    }
+    else
+    {
+        ::close(pair[1]);
+        own = pair[0];
+
+        if (child > 0)
+        {
+            all.reading.insert(own);
+        }
+        else
+        {
+            ::close(own);
+        }
+    }
+
+    return child;
+}
+
+
+static void closeEnd(std::FILE* in)
+{
+    openEnds& all = ends();
+    const std::lock_guard<std::mutex> guard(all.lock);
+    all.reading.erase(::fileno(in));
+    std::fclose(in);
+}
+
 
 [[noreturn]] static void runChild
 (
@@ -74,30 +150,24 @@ processEnd isolatedProcess
     const unsigned cpuSeconds
 )
 {
-    int ends[2];
+    int end;
+    const pid_t child = forkWithPipe(end);
 
-    if (::pipe(ends))
+    if (child < 0)
     {
         return processEnd::failed;
     }
-
-    // What other threads read is locked: nothing is flushed here, nor in the
-    // child, which ends without that
-    const pid_t child = ::fork();
-
     if (child == 0)
     {
-        ::close(ends[0]);
-        runChild(work, cpuSeconds, ends[1]);
+        runChild(work, cpuSeconds, end);
     }
 
-    ::close(ends[1]);
-    std::FILE* in = ::fdopen(ends[0], "rb");
-    const bool complete = child > 0 && read(in);
-    std::fclose(in);
+    std::FILE* in = ::fdopen(end, "rb");
+    const bool complete = read(in);
+    closeEnd(in);
 
     int status = 1;
-    while (child > 0 && ::waitpid(child, &status, 0) < 0 && errno == EINTR)
+    while (::waitpid(child, &status, 0) < 0 && errno == EINTR)
     {}
 
     if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)

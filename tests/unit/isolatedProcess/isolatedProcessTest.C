@@ -12,6 +12,8 @@
 #include <stdexcept>
 #include <vector>
 
+#include <sys/stat.h>
+
 #include <gtest/gtest.h>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -178,6 +180,56 @@ TEST(isolatedProcess, readerThatRefusesIsAFailure)
         ),
         processEnd::failed
     );
+}
+
+
+//- How many pipes a process has open, of those beyond standard error
+static int nPipes()
+{
+    int n = 0;
+
+    for (int fd = 3; fd < 256; ++fd)
+    {
+        struct stat status;
+        n += ::fstat(fd, &status) == 0 && S_ISFIFO(status.st_mode);
+    }
+
+    return n;
+}
+
+
+static int nPipesOfChild(const std::function<void()>& whileReading)
+{
+    int n = -1;
+
+    isolatedProcess
+    (
+        [](std::FILE* out)
+        {
+            const int own = nPipes();
+            std::fwrite(&own, sizeof(own), 1, out);
+        },
+        [&](std::FILE* in)
+        {
+            whileReading();
+            return std::fread(&n, sizeof(n), 1, in) == 1;
+        }
+    );
+
+    return n;
+}
+
+
+TEST(isolatedProcess, childrenDoNotHaveThePipesOfOthers)
+{
+    int inside = -1;
+    const int alone = nPipesOfChild([&]()
+    {
+        inside = nPipesOfChild([]() {});
+    });
+
+    EXPECT_GE(alone, 1);
+    EXPECT_EQ(inside, alone);
 }
 
 
