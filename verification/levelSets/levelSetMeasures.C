@@ -238,7 +238,8 @@ int main(int argc, char *argv[])
         makeWallClearance
         (
             wall, search, visibility,
-            2*controls.envelope.scale*request.thickness
+            2*controls.envelope.scale*request.thickness,
+            controls.layers.maxStretch
         )
     );
     const offsetEnvelope envelope

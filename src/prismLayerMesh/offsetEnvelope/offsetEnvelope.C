@@ -17,11 +17,11 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Vector along the axis of a cone so long that all faces are one unit away
-static vector offsetVector(const visibilityCone& cone)
+//- Vector along the axis of a cone so long that all faces are one unit away, at
+//  most maxStretch
+static vector offsetVector(const visibilityCone& cone, const scalar maxStretch)
 {
-    return min(1/max(cone.cosine, SMALL), clearanceControls::maxStretch)
-       *cone.axis;
+    return min(1/max(cone.cosine, SMALL), maxStretch)*cone.axis;
 }
 
 
@@ -88,6 +88,9 @@ struct sheetMaker
 
     //- Factor on the distance between the points of each point of the wall
     const scalarField& closeness;
+
+    //- Length of stems over their height
+    const scalar maxStretch;
 
     DynamicList<stem> stems;
 
@@ -160,7 +163,7 @@ struct sheetMaker
     void addPoint(const label p, const scalar radius)
     {
         const visibilityCone& cone = visibility.cones[p];
-        stems.append(stem{p, offsetVector(cone), radius});
+        stems.append(stem{p, offsetVector(cone, maxStretch), radius});
 
         const scalar apart = sheetControls::apartCosine;
         DynamicList<vector> others;
@@ -204,7 +207,10 @@ struct sheetMaker
                     vectorField({normals[i], normals[normals.rcIndex(i)]})
                 );
 
-                const vector offset(normalised(along) + offsetVector(cone));
+                const vector offset
+                (
+                    normalised(along) + offsetVector(cone, maxStretch)
+                );
                 stems.append(stem{p, offset, radius, true});
             }
         }
@@ -283,7 +289,8 @@ offsetEnvelope makeOffsetEnvelope
     const List<pointKind>& kinds,
     const scalarField& radius,
     const scalarField& wanted,
-    const backgroundMeshControls& mesh
+    const backgroundMeshControls& mesh,
+    const scalar maxStretch
 )
 {
     const scalarField lengths(meanEdges(wall, addressing));
@@ -303,7 +310,10 @@ offsetEnvelope makeOffsetEnvelope
         }
     }
 
-    sheetMaker maker{wall, search, visibility, wanted, closeness, {}};
+    sheetMaker maker
+    {
+        wall, search, visibility, wanted, closeness, maxStretch, {}
+    };
     boolList atTip(wall.points.size());
     for (const label p : sweepOrder(wall, kinds))
     {

@@ -145,7 +145,8 @@ offsetEnvelope makeEnvelope
         makeOffsetEnvelope
         (
             wall, addressing, search, visibility, kinds,
-            min(wanted, clearance), wanted, controls.backgroundMesh
+            min(wanted, clearance), wanted, controls.backgroundMesh,
+            controls.layers.maxStretch
         )
     );
     observer.end(sizesOf(envelope));

@@ -130,7 +130,8 @@ void pipeline::makeFront(const scalar angle)
     m_.clearance = makeWallClearance
     (
         m_.front.surface, search_, m_.front.visibility,
-        2*controls_.envelope.scale*m_.front.ofColumns(thickness())
+        2*controls_.envelope.scale*m_.front.ofColumns(thickness()),
+        controls_.layers.maxStretch
     );
     observer_.end(text("room from ", min(m_.clearance), " m"));
 }

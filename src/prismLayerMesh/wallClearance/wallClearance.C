@@ -104,16 +104,16 @@ struct pointBalls
         // room beside them
         scalar radius = cosine < clearanceControls::nestedCosine
           ? reach*clearanceControls::lowestShare : reach;
-        ball b;
+        ball b(shrunken(radius, oppositeCosine));
 
-        for (; radius < (1 + SMALL)*reach; radius *= 2)
+        // One ball ends where the next one begins if it is (1 + cosine)/(1 -
+        // cosine) times as large
+        const scalar step = min(scalar(2), 1/(1 - min(cosine, scalar(0.5))));
+
+        while (b.bound < 0 && radius < reach)
         {
+            radius = min(step*radius, reach);
             b = shrunken(radius, oppositeCosine);
-
-            if (b.bound >= 0)
-            {
-                break;
-            }
         }
 
         return b;
@@ -149,7 +149,8 @@ scalarField makeWallClearance
     const wallSurface& wall,
     const wallSearch& search,
     const wallVisibility& visibility,
-    const scalarField& reach
+    const scalarField& reach,
+    const scalar maxStretch
 )
 {
     scalarField clearance(wall.points.size());
@@ -161,7 +162,7 @@ scalarField makeWallClearance
         const pointBalls balls
         {
             search, wall.points[p], cone.axis,
-            max(cone.cosine, 1/clearanceControls::maxStretch)
+            max(cone.cosine, 1/maxStretch)
         };
         clearance[p] = balls.room(reach[p]);
     }

@@ -6,6 +6,7 @@
 #include "wallClearance.H"
 #include "prismLayerControls.H"
 #include "testSurfaces.H"
+#include "unitConversion.H"
 
 #include <gtest/gtest.h>
 
@@ -232,9 +233,43 @@ TEST(wallClearance, scalesWithTheWall)
 }
 
 
-TEST(clearanceControls, agreeWithTheDefaultsOfColumns)
+TEST(wallClearance, columnsThatMayBeLongerHaveLessRoom)
 {
-    EXPECT_EQ(clearanceControls::maxStretch, layerControls().maxStretch);
+    // A tip of 30 degrees whose axis runs to a block at the distance 1: a ball
+    // around the end of a column of the length s*r reaches (s + 1)*r
+    const scalar half = ::tan(degToRad(scalar(15)));
+    const wallSurface wall
+    (
+        testSurfaces::merge
+        (
+            testSurfaces::extruded
+            (
+                {vector2D(0, 0), vector2D(2, -2*half), vector2D(2, 2*half)},
+                1, 0.25
+            ),
+            testSurfaces::translated
+            (
+                testSurfaces::cube(8, 4), vector(-5, -2, -1.5)
+            )
+        )
+    );
+    const wallAddressing addressing(makeWallAddressing(wall));
+    const wallVisibility visibility(makeWallVisibility(wall, addressing));
+    const label tip = wall.points.find(point(0, 0, 0.5));
+    ASSERT_GE(tip, 0);
+
+    const auto roomFor = [&](const scalar maxStretch)
+    {
+        return makeWallClearance
+        (
+            wall, wallSearch(wall), visibility,
+            scalarField(wall.points.size(), 1), maxStretch
+        )[tip];
+    };
+
+    EXPECT_NEAR(roomFor(2), 1.0/3, 1e-3);
+    EXPECT_NEAR(roomFor(3), 1.0/4, 1e-3);
+    EXPECT_NEAR(roomFor(10), 1/(1 + 1/::sin(degToRad(scalar(15)))), 1e-3);
 }
 
 
