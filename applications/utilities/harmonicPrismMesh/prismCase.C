@@ -13,6 +13,7 @@
 #include "prismPolyMesh.H"
 #include "replacedFiles.H"
 #include "returnMemory.H"
+#include "throwingErrors.H"
 #include "Time.H"
 #include "wallPointsError.H"
 #include "writeStageFields.H"
@@ -34,13 +35,6 @@ static IOobject dictObject(const argList& args, const Time& time)
         ),
         args.found("dict") ? fileName(args["dict"]) : fileName::null
     );
-}
-
-
-static void throwErrors(const bool on)
-{
-    FatalError.throwExceptions(on);
-    FatalIOError.throwExceptions(on);
 }
 
 } // End namespace Foam
@@ -170,7 +164,7 @@ bool Foam::prismCase::writePiece() const
     meshPiece piece(team_.receivePiece());
     replacedFiles files;
     string failure;
-    throwErrors(true);
+    const throwingErrors throwing(true);
     IOstream::defaultPrecision(17);
 
     try
@@ -191,7 +185,6 @@ bool Foam::prismCase::writePiece() const
     {
         files.removeScratch();
     }
-    throwErrors(false);
 
     return all;
 }
@@ -262,19 +255,18 @@ void Foam::prismCase::replace
 ) const
 {
     replacedFiles files;
-    throwErrors(true);
 
     // What was certified is what is written: no digit may be lost
     IOstream::defaultPrecision(17);
 
     try
     {
+        const throwingErrors throwing(true);
         write(files);
         files.replaceAll();
     }
     catch (const Foam::error& failure)
     {
-        throwErrors(false);
         files.removeScratch();
 
         FatalErrorInFunction
@@ -282,8 +274,6 @@ void Foam::prismCase::replace
             << failure.message().c_str() << nl
             << "All files of the case are as they were" << exit(FatalError);
     }
-
-    throwErrors(false);
 }
 
 
