@@ -65,6 +65,7 @@ static pid_t forkWithPipe(int& own)
         {
             ::close(other);
         }
+        all.reading.clear();
         own = pair[1];
     }
     else

@@ -183,6 +183,56 @@ TEST(isolatedProcess, readerThatRefusesIsAFailure)
 }
 
 
+//- Whether work completes while so many other processes are read from
+static bool completesBeside
+(
+    const int nOthers,
+    const std::function<void(std::FILE*)>& work
+)
+{
+    if (nOthers == 0)
+    {
+        return completes(work);
+    }
+
+    bool inner = false;
+    isolatedProcess
+    (
+        write42,
+        [&](std::FILE*)
+        {
+            inner = completesBeside(nOthers - 1, work);
+            return true;
+        }
+    );
+
+    return inner;
+}
+
+
+TEST(isolatedProcess, childrenHaveChildren)
+{
+    // A child uses the numbers of the pipes again that it has closed
+    for (int nOthers = 0; nOthers < 6; ++nOthers)
+    {
+        EXPECT_TRUE
+        (
+            completesBeside
+            (
+                nOthers,
+                [](std::FILE* out)
+                {
+                    if (completes(write42))
+                    {
+                        write42(out);
+                    }
+                }
+            )
+        ) << nOthers;
+    }
+}
+
+
 //- How many pipes a process has open, of those beyond standard error
 static int nPipes()
 {

@@ -191,6 +191,7 @@ TEST(pieceLines, areTheSameOnAnyNumberOfThreads)
         (
             makeColumnLines(wall, startsOf(s), fieldControls(), failure)
         );
+        EXPECT_EQ(failure, "");
     }
     omp_set_num_threads(nThreads);
 
