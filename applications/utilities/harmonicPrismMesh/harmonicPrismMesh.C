@@ -163,13 +163,23 @@ static farFieldDomain readFarField
             << exit(FatalError);
     }
 
+    domain.bounds = makeSizeBounds(controls, time);
+
+    if (controls.type == "mesh")
+    {
+        log.begin("readMesh");
+        domain.core = files.readCore(controls.region);
+        log.end(name(domain.core.nCells) + " cells");
+
+        return domain;
+    }
+
     log.begin("farBoundary");
     domain.boundary = makeFarBoundary
     (
         controls.boundary,
         [&](const fileName& file) { return files.surfaceFile(file); }
     );
-    domain.bounds = makeSizeBounds(controls, time);
 
     const wordList wallPatches(prismPatchNames(wall.patchNames));
     string names;
@@ -238,7 +248,7 @@ static void meshWall
 {
     const wallSurface& wall = given.wall;
     const localHeights local(readLocal(files, wall, controls, time, log));
-    const farFieldDomain domain
+    farFieldDomain domain
     (
         readFarField
         (
@@ -254,7 +264,10 @@ static void meshWall
 
     if (controls.farField.isWanted())
     {
-        addFarField(controls.farField, domain, log.observer(), result);
+        addFarField
+        (
+            controls.farField, std::move(domain), log.observer(), result
+        );
     }
 
     if (pictures)
@@ -312,7 +325,7 @@ int main(int argc, char *argv[])
         return 0;
     }
 
-    files.checkOverwrite(surfaceFiles);
+    files.checkOverwrite(surfaceFiles, controls.farField);
     meshWall(args, files, given, preparedFile, controls, runTime, log);
 
     Info<< "End" << nl << endl;

@@ -8,6 +8,7 @@
 #include "farFieldReport.H"
 #include "layerSurfaces.H"
 #include "OSspecific.H"
+#include "partsOfMesh.H"
 #include "polyMesh.H"
 #include "prepareSurface.H"
 #include "prismPolyMesh.H"
@@ -54,8 +55,16 @@ Foam::prismCase::prismCase(const argList& args, Time& time)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::prismCase::checkOverwrite(const UList<fileName>& surfaces) const
+void Foam::prismCase::checkOverwrite
+(
+    const UList<fileName>& surfaces,
+    const farFieldControls& farField
+) const
 {
+    const bool replaces =
+        args_.found("overwrite")
+     || (farField.type == "mesh" && farField.region.empty());
+
     for (const fileName& file : {outerFile(), sidesFile()})
     {
         if (surfaces.found(file))
@@ -76,13 +85,41 @@ void Foam::prismCase::checkOverwrite(const UList<fileName>& surfaces) const
           : polyMeshFolder()
         );
 
-        if (!args_.found("overwrite") && isDir(folder))
+        if (!replaces && isDir(folder))
         {
             FatalErrorInFunction
                 << "There is a mesh already: " << folder << nl
                 << "Use -overwrite to replace it" << exit(FatalError);
         }
     }
+}
+
+
+Foam::polyMeshParts Foam::prismCase::readCore(const word& region) const
+{
+    const word name(region.empty() ? region_ : region);
+    const fileName folder
+    (
+        name == polyMesh::defaultRegion
+      ? fileName(polyMesh::meshSubDir) : name/polyMesh::meshSubDir
+    );
+
+    if (!isFile(time_.path()/time_.constant()/folder/"faces"))
+    {
+        FatalErrorInFunction
+            << "There is no mesh for the layers to go into: "
+            << time_.path()/time_.constant()/folder << nl
+            << "Make it, with blockMesh or snappyHexMesh, or name its region:"
+            << " farField.region" << exit(FatalError);
+    }
+
+    return partsOf
+    (
+        polyMesh
+        (
+            IOobject(name, time_.constant(), time_, IOobject::MUST_READ)
+        )
+    );
 }
 
 
@@ -240,7 +277,7 @@ void Foam::prismCase::writeAll
     if (hasFarField)
     {
         const farFieldReport far(makeFarFieldReport(mesh(), bounds));
-        entries.add(farFieldName, toDictionary(far));
+        entries.add("farField", toDictionary(far));
         Foam::write(Info, far);
     }
 

@@ -17,6 +17,33 @@ namespace Foam
 //- The end of the last line of OpenFOAM's files
 static const char* const dividerEnd = "* //";
 
+
+//- Pieces have neither face zones nor patches with something on another side
+static void refuseCoupled(const polyMesh& mesh)
+{
+    string name;
+    for (const faceZone& zone : mesh.faceZones())
+    {
+        name = "faceZone " + zone.name();
+    }
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (patch.coupled())
+        {
+            name = "coupled patch " + patch.name();
+        }
+    }
+
+    if (name.size())
+    {
+        FatalErrorInFunction
+            << "The mesh has the " << name.c_str() << ", and pieces of a mesh"
+            << " have none" << nl
+            << "Make it in one process, and decompose it then"
+            << exit(FatalError);
+    }
+}
+
 } // End namespace Foam
 
 
@@ -79,6 +106,10 @@ Foam::autoPtr<Foam::polyMesh> Foam::prismCase::writeMesh
 
     if (team_.isParallel())
     {
+        if (mesh)
+        {
+            refuseCoupled(*mesh);
+        }
         meshPiece piece
         (
             mesh

@@ -4,12 +4,36 @@
 \*---------------------------------------------------------------------------*/
 
 #include "farBoundary.H"
+#include "edgeHashes.H"
 #include "labelledTriangle.H"
 #include "refineSurface.H"
 #include "wallSearch.H"
 
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- An edge with an odd number of faces; not valid if there is none
+static edge oddEdge(const faceList& faces)
+{
+    edgeHashSet odd(3*faces.size());
+    for (const face& f : faces)
+    {
+        for (const edge& e : f.edges())
+        {
+            if (!odd.insert(e))
+            {
+                odd.erase(e);
+            }
+        }
+    }
+
+    return odd.size() ? odd.begin().key() : edge();
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 void checkFarBoundary(const wallSurface& both, const label nOuter)
 {
@@ -37,6 +61,14 @@ void checkFarBoundary(const wallSurface& both, const label nOuter)
             << f.centre(both.points) << nl
             << "Move it away from the wall, or make the layers thinner"
             << exit(FatalError);
+    }
+
+    const edge open(oddEdge(both.faces));
+    if (open.valid())
+    {
+        FatalErrorInFunction
+            << "The far boundary is not around the wall: it is open at "
+            << open.centre(both.points) << exit(FatalError);
     }
 
     wallSurface far(both);

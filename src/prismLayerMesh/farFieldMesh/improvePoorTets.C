@@ -13,9 +13,9 @@ namespace Foam
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void improvePoorTets(const pointField& layerCentres, farFieldMesh& mesh)
+void improvePoorTets(const cellsBeyond& beyond, farFieldTets& mesh)
 {
-    tetImprover improver(layerCentres, mesh);
+    tetImprover improver(beyond, mesh);
     bool better = true;
 
     for (label pass = 0; better && pass < farFieldTuned.maxPasses; ++pass)

@@ -5,14 +5,12 @@
 
 #include "makeFarFieldMesh.H"
 #include "backgroundMesh.H"
+#include "coreBoundary.H"
+#include "coreNotes.H"
 #include "farFieldMeshControls.H"
 #include "improveTets.H"
 #include "limitGradient.H"
 #include "outerTriangles.H"
-#include "readWallSurface.H"
-#include "refineSurface.H"
-#include "sideRemainders.H"
-#include "sideShape.H"
 #include "tetrahedralize.H"
 #include "wallSearch.H"
 
@@ -35,45 +33,16 @@ static wallSurface outerSurface(const prismLayers& layers, labelList& faces)
 }
 
 
-//- The points and triangles of both, those of the first before the others. The
-//  first points of the second surface are points of the first.
-static wallSurface joined
-(
-    const wallSurface& a,
-    const wallSurface& b,
-    const labelUList& common
-)
-{
-    const label nCommon = common.size();
-    const label n = b.points.size() - nCommon;
-
-    wallSurface both;
-    both.points = a.points;
-    both.points.append(SubList<point>(b.points, n, nCommon));
-    both.faces = a.faces;
-    both.faces.append(b.faces);
-
-    for (label i = a.faces.size(); i < both.faces.size(); ++i)
-    {
-        for (label& p : both.faces[i])
-        {
-            p = p < nCommon ? common[p] : p - nCommon + a.points.size();
-        }
-    }
-
-    return both;
-}
-
-
-//- A point inside the layers of each body: the centre of a tetrahedron in the
-//  last cell on its largest outer face
-static pointField layerSeeds
+//- A point inside the layers of each body, the centre of a tetrahedron in the
+//  last cell on its largest outer face, and those in what stays of a core
+static pointField seedsOf
 (
     const prismLayers& layers,
-    const wallSurface& outer
+    const wallSurface& outer,
+    const tetBoundary& far
 )
 {
-    DynamicList<point> seeds;
+    DynamicList<point> seeds(far.seeds);
 
     for (const label i : largestFaces(outer))
     {
@@ -96,7 +65,7 @@ static pointField layerSeeds
 static pointField layerCentres
 (
     const prismLayers& layers,
-    const farFieldMesh& mesh
+    const farFieldTets& mesh
 )
 {
     pointField centres(mesh.outerFaces.size(), Zero);
@@ -118,7 +87,7 @@ static pointField layerCentres
 
 
 //- Leaves out the points that TetGen added and that are in no tetrahedron
-static void compact(farFieldMesh& mesh)
+static void compact(farFieldTets& mesh)
 {
     boolList used(mesh.nBoundaryPoints, true);
     used.setSize(mesh.points.size(), false);
@@ -181,12 +150,13 @@ static cellSizes makeSizes
 
 //- The tetrahedra between the surfaces, in front of them, refused if there are
 //  or would be too many
-static tetMesh fill
+static void fill
 (
     const wallSurface& both,
     const pointField& holes,
     const cellSizes& sizes,
-    const label maxCells
+    const label maxCells,
+    farFieldTets& mesh
 )
 {
     const wallSearch search(both);
@@ -215,15 +185,30 @@ static tetMesh fill
         refuse(filled.tets.size(), maxCells);
     }
 
-    return filled;
+    mesh.points.transfer(filled.points);
+    mesh.tets.transfer(filled.tets);
 }
 
 
 //- Makes the tetrahedra better; they remain positive
-static void improve(const prismLayers& layers, farFieldMesh& mesh)
+static void improve
+(
+    const prismLayers& layers,
+    const polyMeshParts& core,
+    farFieldTets& mesh
+)
 {
     splitCornerCells(mesh);
-    improvePoorTets(layerCentres(layers, mesh), mesh);
+
+    cellsBeyond beyond;
+    beyond.centres = layerCentres(layers, mesh);
+    beyond.volumes.setSize(beyond.centres.size(), 0);
+    pointField centres;
+    scalarField volumes;
+    setCentresAndVolumes(core, mesh.cutCells, centres, volumes);
+    beyond.centres.append(centres);
+    beyond.volumes.append(volumes);
+    improvePoorTets(beyond, mesh);
 
     if (!allPositive(mesh.points, mesh.tets))
     {
@@ -234,79 +219,102 @@ static void improve(const prismLayers& layers, farFieldMesh& mesh)
 }
 
 
-//- Puts the points whose triangles are of one curved side patch, or of sectors
-//  of one, on it; not those of the layers. Then merges patches of one name.
-static void putOnSides
+//- Sizes at the points of the layers
+static scalarField layerSizes
 (
-    const UList<sidePatch>& sides,
-    const endedBoundary& ended,
-    wallSurface& far
+    const wallSurface& outer,
+    const wallAddressing& addressing,
+    const scalar growthRate
 )
 {
-    labelList patches(far.points.size(), -1);
-    bitSet onSeveral(far.points.size());
+    scalarField sizes(meanEdges(outer, addressing));
+    limitGradient(outer, addressing, growthRate - 1, sizes);
 
-    forAll(far.faces, facei)
-    {
-        const label patchi = far.patchIDs[facei];
-
-        for (const label p : far.faces[facei])
-        {
-            const label other = patches[p];
-            if (other >= 0 && far.patchNames[other] != far.patchNames[patchi])
-            {
-                onSeveral.set(p);
-            }
-            patches[p] = patchi;
-        }
-    }
-
-    for (label p = ended.columns.size(); p < far.points.size(); ++p)
-    {
-        const label s = patches[p] - ended.firstSide;
-
-        if (s >= 0 && sides[s].isCurved() && !onSeveral.test(p))
-        {
-            far.points[p] = sides[s].shape->nearest(far.points[p]).rawPoint();
-        }
-    }
-
-    // In the order of the far boundary's patches: some of them are sides
-    for (label& patchi : far.patchIDs)
-    {
-        patchi = far.patchNames.find(far.patchNames[patchi]);
-    }
-    mergePatches(far);
+    return sizes;
 }
 
 
-//- The boundary of the far field with triangles of the given size [m], and the
-//  columns on whose outer points its first points are
-static wallSurface refinedBoundary
+//- Sizes at the points of the far boundary that are not on the layers
+static scalarField sizesOf(const tetBoundary& far)
+{
+    const label nCommon = far.columns.size();
+    const scalarField sizes
+    (
+        meanEdges(far.surface, makeWallAddressing(far.surface))
+    );
+
+    return scalarField
+    (
+        SubList<scalar>(sizes, sizes.size() - nCommon, nCommon)
+    );
+}
+
+
+//- Refuses a boundary that is not around the layers
+static void checkBoundary
 (
-    const prismLayers& layers,
-    const farBoundary& boundary,
-    const std::function<scalar(const point&)>& size,
-    labelList& columns
+    const wallSurface& both,
+    const label nOuter,
+    const polyMeshParts& core
 )
 {
-    wallSurface far(boundary.surface);
-    far.patchTypes = boundary.patchTypes;
-
-    if (layers.border.sides.empty())
+    if (both.faces.size() > nOuter)
     {
-        refineSurface(far, size, boundary.project);
+        checkFarBoundary(both, nOuter);
+    }
+    else if (core.nCells)
+    {
+        FatalErrorInFunction
+            << "The mesh is not around the layers: none of its cells is near to"
+            << " them, at " << both.points[0] << exit(FatalError);
+    }
+}
 
-        return far;
+
+static void setBoundary
+(
+    const wallSurface& outer,
+    const tetBoundary& far,
+    farFieldTets& mesh
+)
+{
+    const label nOuter = outer.points.size();
+    const wallSurface both(joined(outer, far));
+    const auto triangles = [&](const label n, const label start)
+    {
+        return faceList
+        (
+            SubList<face>(both.faces, n, outer.faces.size() + start)
+        );
+    };
+
+    mesh.nBoundaryPoints = both.points.size();
+    mesh.outerTriangles = outer.faces;
+    mesh.boundaryTriangles = triangles(far.nPatchFaces(), 0);
+    mesh.cutTriangles = triangles(far.cutFaces.size(), far.nPatchFaces());
+    mesh.patchIDs = SubList<label>(far.surface.patchIDs, far.nPatchFaces());
+    forAll(far.surface.patchNames, patchi)
+    {
+        mesh.patches.append
+        (
+            far.surface.patchNames[patchi], far.surface.patchTypes[patchi]
+        );
     }
 
-    const endedBoundary ended(makeEndedBoundary(layers, boundary, size));
-    columns = ended.columns;
-    far = ended.surface;
-    refineSurface(far, size, boundary.project);
-    putOnSides(layers.border.sides, ended, far);
-
-    return far;
+    mesh.cutFaces = far.cutFaces;
+    mesh.cutCells = far.cutCells;
+    if (far.corePoints.size())
+    {
+        const label nCommon = far.columns.size();
+        mesh.corePoints = labelList(nOuter, -1);
+        mesh.corePoints.append
+        (
+            SubList<label>
+            (
+                far.corePoints, far.corePoints.size() - nCommon, nCommon
+            )
+        );
+    }
 }
 
 
@@ -316,64 +324,56 @@ farFieldMesh makeFarFieldMesh
 (
     const prismLayers& layers,
     const wallAddressing& frontAddressing,
-    const farBoundary& boundary,
-    const farFieldControls& controls,
-    const sizeBounds& bounds
+    farFieldDomain domain,
+    const farFieldControls& controls
 )
 {
-    farFieldMesh mesh;
+    farFieldTets mesh;
     const wallSurface outer(outerSurface(layers, mesh.outerFaces));
+    scalarField sizes
+    (
+        layerSizes(outer, frontAddressing, controls.growthRate)
+    );
     boundBox box(outer.points, false);
-    box.add(boundary.surface.points);
-
-    // Sizes at the layers, then with those of the boundary
-    scalarField sizes(meanEdges(outer, frontAddressing));
-    limitGradient(outer, frontAddressing, controls.growthRate - 1, sizes);
+    box.add(domain.boundary.surface.points);
+    box.add(domain.core.points);
     const cellSizes fromLayers
     (
-        makeSizes(outer.points, sizes, box, controls, bounds)
+        makeSizes(outer.points, sizes, box, controls, domain.bounds)
     );
 
-    labelList columns;
-    const wallSurface far
+    coreCut cut;
+    const tetBoundary far
     (
-        refinedBoundary(layers, boundary, std::cref(fromLayers), columns)
-    );
-    const label nCommon = columns.size();
-    const scalarField farSizes(meanEdges(far, makeWallAddressing(far)));
-    sizes.append(SubList<scalar>(farSizes, farSizes.size() - nCommon, nCommon));
-
-    const wallSurface both(joined(outer, far, columns));
-    if (far.faces.size())
-    {
-        checkFarBoundary(both, outer.faces.size());
-    }
-    tetMesh filled
-    (
-        fill
+        controls.type == "tet"
+      ? makeTetBoundary(layers, domain.boundary, std::cref(fromLayers))
+      : makeCoreBoundary
         (
-            both,
-            layerSeeds(layers, outer),
-            makeSizes(both.points, sizes, box, controls, bounds),
-            controls.maxCells
+            layers, outer, controls, std::cref(fromLayers), domain, cut
         )
     );
+    const wallSurface both(joined(outer, far));
+    checkBoundary(both, outer.faces.size(), domain.core);
+    sizes.append(sizesOf(far));
 
-    mesh.points.transfer(filled.points);
-    mesh.tets.transfer(filled.tets);
-    mesh.nBoundaryPoints = both.points.size();
-    mesh.outerTriangles = outer.faces;
-    mesh.boundaryTriangles = faceList
+    fill
     (
-        SubList<face>(both.faces, far.faces.size(), outer.faces.size())
+        both, seedsOf(layers, outer, far),
+        makeSizes
+        (
+            both.points, sizes, boundBox(both.points, false), controls,
+            domain.bounds
+        ),
+        controls.maxCells, mesh
     );
-    mesh.patchIDs = far.patchIDs;
-    mesh.patchNames = far.patchNames;
-    mesh.patchTypes = far.patchTypes;
+    setBoundary(outer, far, mesh);
     compact(mesh);
-    improve(layers, mesh);
+    improve(layers, domain.core, mesh);
 
-    return mesh;
+    farFieldMesh made(joinCells(mesh, domain.core, cut.cells));
+    made.notes = coreNotes(domain.core, cut, made, std::cref(fromLayers));
+
+    return made;
 }
 
 } // End namespace Foam

@@ -42,13 +42,12 @@ class endedBoundaryMaker
 
     static boundBox boxOf(const prismLayers& layers, const farBoundary& far)
     {
-        if (far.surface.points.size())
+        boundBox box(far.surface.points, false);
+        if (box.empty())
         {
-            return boundBox(far.surface.points, false);
+            box = boundBox(layers.points, false);
+            box.inflate(1);
         }
-
-        boundBox box(layers.points, false);
-        box.inflate(1);
         return box;
     }
 
@@ -105,6 +104,12 @@ public:
     }
 
     endedBoundary make();
+
+    endedBoundary makeUpTo
+    (
+        const pointField& fencePoints,
+        const List<edgeList>& fences
+    );
 };
 
 void endedBoundaryMaker::addLayers()
@@ -207,14 +212,6 @@ convexPolyhedron endedBoundaryMaker::cutBoundary()
         }
     }
 
-    forAll(regions_, s)
-    {
-        regions_[s].fence = dividedEdges
-        (
-            points(), regions_[s].fence, border_.topsOn(s), tolerance_
-        );
-    }
-
     return cut;
 }
 
@@ -224,6 +221,10 @@ void endedBoundaryMaker::triangulate()
     forAll(sides_, s)
     {
         planeRegion& region = regions_[s];
+        region.fence = dividedEdges
+        (
+            points(), region.fence, border_.topsOn(s), tolerance_
+        );
         region.normal = -sides_[s].normal;
         region.isCurved = sides_[s].isCurved();
         const pointField inside
@@ -338,6 +339,30 @@ endedBoundary endedBoundaryMaker::make()
     return made_;
 }
 
+
+endedBoundary endedBoundaryMaker::makeUpTo
+(
+    const pointField& fencePoints,
+    const List<edgeList>& fences
+)
+{
+    addLayers();
+    const label first = points().size();
+    points().append(fencePoints);
+
+    forAll(fences, s)
+    {
+        for (const edge& e : fences[s])
+        {
+            const edge moved(e.start() + first, e.end() + first);
+            regions_[s].fence.append(moved);
+        }
+    }
+    triangulate();
+
+    return made_;
+}
+
 } // End anonymous namespace
 
 
@@ -354,6 +379,20 @@ endedBoundary makeEndedBoundary
     removeUnusedPoints(made.surface.faces, made.surface.points);
 
     return made;
+}
+
+
+endedBoundary makePlaneRemainders
+(
+    const prismLayers& layers,
+    const pointField& fencePoints,
+    const List<edgeList>& fences,
+    const std::function<scalar(const point&)>& size
+)
+{
+    const farBoundary none;
+    endedBoundaryMaker maker(layers, none, size);
+    return maker.makeUpTo(fencePoints, fences);
 }
 
 } // End namespace Foam

@@ -13,33 +13,33 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
+//- What cells may not be split at, or are to be split for
+struct cornerBounds
+{
+    //- Triangles of patches and of the layers, those of the cut, and the edges
+    //  of all
+    triangleIndex triangles;
+    triangleIndex cut;
+    edgeHashSet edges;
+};
+
+
 //- Returns the edge or face at which a tetrahedron with two or three faces on
 //  the boundary is to be split: the edge opposite to two such faces, or a face
-//  if there are three or the edge is on the boundary. The triangles and edges
-//  of the boundary are given. Other tetrahedra have no such simplex: its last
+//  if there are three or the edge is on the boundary. Other tetrahedra have no
+//  such simplex, nor have those between the boundary and the cut: its last
 //  point is -1.
-static simplex cornerSplit
-(
-    const tetCell& tet,
-    const triangleIndex& triangles,
-    const edgeHashSet& edges
-)
+static simplex cornerSplit(const tetCell& tet, const cornerBounds& bounds)
 {
+    // Points opposite to faces on the boundary, and the others
     DynamicList<label> opposite(4);
-    label other = -1;
+    DynamicList<label> others(4);
 
     for (label i = 0; i < 4; ++i)
     {
-        const triFace f(tet.face(i));
-
-        if (triangles.lookup(f, -1) >= 0)
-        {
-            opposite.append(tet[i]);
-        }
-        else
-        {
-            other = tet[i];
-        }
+        const bool isBoundary =
+            bounds.triangles.lookup(triFace(tet.face(i)), -1) >= 0;
+        (isBoundary ? opposite : others).append(tet[i]);
     }
 
     if (opposite.size() < 2)
@@ -47,28 +47,44 @@ static simplex cornerSplit
         return sortedSimplex(-1, -1, -1);
     }
 
-    if (opposite.size() > 2)
+    const label a = opposite[0];
+    const label b = opposite[1];
+    if (opposite.size() == 2 && !bounds.edges.found(edge(a, b)))
     {
-        return sortedSimplex(opposite[0], opposite[1], opposite[2]);
+        return sortedSimplex(-1, a, b);
     }
 
-    const bool onBoundary = edges.found(edge(opposite[0], opposite[1]));
+    // Points of the faces inside that have both
+    DynamicList<label> thirds
+    (
+        opposite.size() > 2
+      ? labelList(1, opposite[2]) : labelList({others[1], others[0]})
+    );
+    for (const label c : thirds)
+    {
+        if (bounds.cut.lookup(triFace(a, b, c), -1) < 0)
+        {
+            return sortedSimplex(c, a, b);
+        }
+    }
 
-    return sortedSimplex(onBoundary ? other : -1, opposite[0], opposite[1]);
+    return sortedSimplex(-1, -1, -1);
 }
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void splitCornerCells(farFieldMesh& mesh)
+void splitCornerCells(farFieldTets& mesh)
 {
     // Cells whose points are all on the far boundary may be beside the layers,
     // where these end on side patches
     faceList all(mesh.boundaryTriangles);
     all.append(mesh.outerTriangles);
-    const triangleIndex triangles(makeTriangleIndex(all));
+    cornerBounds bounds;
+    bounds.triangles = makeTriangleIndex(all);
+    bounds.cut = makeTriangleIndex(mesh.cutTriangles);
+    all.append(mesh.cutTriangles);
     boolList onBoundary(mesh.points.size(), false);
-    edgeHashSet edges(4*all.size());
 
     for (const face& f : mesh.boundaryTriangles)
     {
@@ -76,7 +92,7 @@ void splitCornerCells(farFieldMesh& mesh)
     }
     for (const face& f : all)
     {
-        edges.insert(f.edges());
+        bounds.edges.insert(f.edges());
     }
 
     simplexSet simplices;
@@ -88,7 +104,7 @@ void splitCornerCells(farFieldMesh& mesh)
          && onBoundary[tet[2]] && onBoundary[tet[3]]
         )
         {
-            const simplex s(cornerSplit(tet, triangles, edges));
+            const simplex s(cornerSplit(tet, bounds));
 
             if (s[2] >= 0)
             {

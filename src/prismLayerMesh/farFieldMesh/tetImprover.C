@@ -14,11 +14,20 @@ namespace Foam
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+faceList tetImprover::innerTriangles(const farFieldTets& mesh)
+{
+    faceList triangles(mesh.outerTriangles);
+    triangles.append(mesh.cutTriangles);
+
+    return triangles;
+}
+
+
 scalar tetImprover::lackOfFace(const label t, const label i) const
 {
     const triFace f(tets_[t].face(i));
     const label neighbour = tets_.neighbour(t, i);
-    const label triangle = neighbour < 0 ? outer_.lookup(f, -1) : -1;
+    const label triangle = neighbour < 0 ? inner_.lookup(f, -1) : -1;
 
     if (neighbour < 0 && triangle < 0)
     {
@@ -29,7 +38,7 @@ scalar tetImprover::lackOfFace(const label t, const label i) const
     const point beyond
     (
         neighbour < 0
-      ? layerCentres_[triangle]
+      ? beyond_.centres[triangle]
       : tets_[neighbour].tet(points_).centre()
     );
     const FixedList<point, 3> x({points_[f[0]], points_[f[1]], points_[f[2]]});
@@ -38,11 +47,14 @@ scalar tetImprover::lackOfFace(const label t, const label i) const
     const scalar toBeyond = mag((beyond - g.centre) & g.area);
     const scalar weight = min(toHere, toBeyond)/(toHere + toBeyond + VSMALL);
     const scalar aim = farFieldTuned.aimCosine;
+    const scalar volume = neighbour < 0 ? beyond_.volumes[triangle] : 0;
+    const scalar ratio = volume > 0 ? tets_[t].tet(points_).mag()/volume : 1;
 
     return
         pow3(cosineLack(g.area, beyond - here, aim)/aim)
       + pow3(skewnessExcess(g, x, here, beyond, farFieldTuned.aimSkewness))
-      + pow3(max(1 - weight/farFieldTuned.aimWeight, scalar(0)));
+      + pow3(max(1 - weight/farFieldTuned.aimWeight, scalar(0)))
+      + pow3(max(1 - ratio/farFieldTuned.aimVolumeRatio, scalar(0)));
 }
 
 

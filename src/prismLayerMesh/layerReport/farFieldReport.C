@@ -5,6 +5,7 @@
 
 #include "farFieldReport.H"
 #include "DynamicField.H"
+#include "makeFarFieldMesh.H"
 #include "prismPolyMesh.H"
 #include "UIndirectList.H"
 
@@ -27,6 +28,11 @@ farFieldReport makeFarFieldReport
     {
         return faceCell{mesh.cellCentres()[celli], volumes[celli]};
     };
+    const label nTets = mesh.cellZones()[farFieldName].size();
+    const auto isTet = [=](const label celli)
+    {
+        return celli < nLayerCells + nTets;
+    };
     DynamicField<scalar> volumeRatios;
     farFieldReport report;
 
@@ -44,7 +50,9 @@ farFieldReport makeFarFieldReport
         f.area = mesh.faceAreas()[facei];
         const UIndirectList<point> points(mesh.points(), mesh.faces()[facei]);
         facesBeyondBounds& faces =
-            owner < nLayerCells ? report.transition : report.farField;
+            owner < nLayerCells ? report.transition
+          : isTet(neighbour) ? report.farField
+          : isTet(owner) ? report.cut : report.core;
         faces.add(facei, f, points, cell(owner), cell(neighbour), bounds);
 
         if (owner < nLayerCells)
@@ -54,6 +62,7 @@ farFieldReport makeFarFieldReport
     }
 
     report.nCells = mesh.nCells() - nLayerCells;
+    report.nTets = nTets;
     report.volumeRatio = makePercentiles(volumeRatios);
 
     for (const polyPatch& patch : mesh.boundaryMesh())
@@ -79,9 +88,15 @@ dictionary toDictionary(const farFieldReport& report)
 
     dictionary dict;
     dict.add("cells", report.nCells);
+    dict.add("tetrahedra", report.nTets);
     dict.add("patchFaces", patches);
     dict.add("transition", toDictionary(report.transition));
     dict.add("inside", toDictionary(report.farField));
+    if (report.nCells > report.nTets)
+    {
+        dict.add("cut", toDictionary(report.cut));
+        dict.add("core", toDictionary(report.core));
+    }
     dict.add("volumeRatio", toDictionary(report.volumeRatio));
 
     return dict;
@@ -93,14 +108,19 @@ void write(Ostream& os, const farFieldReport& report)
     std::ostringstream volumes;
     volumes.precision(3);
     volumes
-        << "cells " << report.nCells
-        << "; their volume over that of the last layer: 1 % below "
+        << "cells " << report.nCells << ", tetrahedra " << report.nTets
+        << "; volumes over that of the last layer: 1 % below "
         << report.volumeRatio.p1 << ", median " << report.volumeRatio.p50
         << ", 99 % below " << report.volumeRatio.p99;
 
     os  << nl << "Far field: " << volumes.str().c_str() << nl;
     write(os, "between layers and far field", report.transition);
     write(os, "in the far field", report.farField);
+    if (report.nCells > report.nTets)
+    {
+        write(os, "between tetrahedra and cells that stay", report.cut);
+        write(os, "between cells that stay", report.core);
+    }
 }
 
 } // End namespace Foam

@@ -136,6 +136,35 @@ static sizeRegion readSizeRegion(const keyType&, const dictionary& dict)
 }
 
 
+//- Refuses the entries of other types of far field
+static void refuseOtherTypes(const dictionary& dict, const word& type)
+{
+    const auto refuse = [&](const word& key, const char* types)
+    {
+        if (dict.found(key, keyType::LITERAL))
+        {
+            entryError(dict, key)
+                << "The entry " << key << " is for a far field of type "
+                << types << ", and this one is of type " << type
+                << exit(FatalIOError);
+        }
+    };
+
+    if (type == "mesh")
+    {
+        refuse("boundary", "tet or hexCore");
+    }
+    if (type == "tet")
+    {
+        refuse("gap", "hexCore or mesh");
+    }
+    if (type == "tet" || type == "hexCore")
+    {
+        refuse("region", "mesh");
+    }
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 farFieldControls readFarFieldControls
@@ -149,19 +178,23 @@ farFieldControls readFarFieldControls
         dict,
         {
             "type", "boundary", "growthRate", "maxCellSize", "maxCells",
-            "regions"
+            "regions", "gap", "region"
         }
     );
 
     farFieldControls controls;
-    readChoice(dict, "type", {"none", "tet"}, controls.type);
+    readChoice(dict, "type", {"none", "tet", "hexCore", "mesh"}, controls.type);
 
     readBounded(dict, "growthRate", 1.01, 2, controls.growthRate);
     readBounded(dict, "maxCellSize", 1e-9, 1e9, controls.maxCellSize);
     readBounded(dict, "maxCells", 1, 200000000, controls.maxCells);
     controls.regions = readEntries<sizeRegion>(dict, "regions", readSizeRegion);
 
+    readBounded(dict, "gap", 0.1, 10, controls.gap);
+    dict.readIfPresent("region", controls.region);
+
     const bool hasBoundary = dict.found("boundary", keyType::LITERAL);
+    refuseOtherTypes(dict, controls.type);
 
     if (hasBoundary)
     {
@@ -172,7 +205,8 @@ farFieldControls readFarFieldControls
     const bool fluidOutside = surface.fluidOutside;
     if
     (
-        controls.type != "none" && hasBoundary != fluidOutside
+        controls.type != "none" && controls.type != "mesh"
+     && hasBoundary != fluidOutside
      && surface.sidePlanes.empty() && controls.boundary.type != "box"
     )
     {

@@ -5,7 +5,6 @@
 
 #include "prismLayerMesh.H"
 #include "levelSets.H"
-#include "makeFarFieldMesh.H"
 #include "nameCauses.H"
 #include "returnMemory.H"
 #include "stageText.H"
@@ -380,7 +379,7 @@ prismLayerMesh makePrismLayerMesh
 void addFarField
 (
     const farFieldControls& controls,
-    const farFieldDomain& domain,
+    farFieldDomain domain,
     const stageObserver& observer,
     prismLayerMesh& m
 )
@@ -388,8 +387,7 @@ void addFarField
     observer.begin("farFieldMesh");
     m.farField = makeFarFieldMesh
     (
-        m.made.layers, m.front.addressing, domain.boundary, controls,
-        domain.bounds
+        m.made.layers, m.front.addressing, std::move(domain), controls
     );
     observer.end(sizesOf(m.farField));
 }

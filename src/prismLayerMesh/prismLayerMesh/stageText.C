@@ -68,9 +68,21 @@ string sizesOf(const layerCertificate& certificate)
 
 string sizesOf(const farFieldMesh& far)
 {
-    return text(far.tets.size(), " tetrahedra on ", far.outerTriangles.size(),
-        " triangles of the layers and ", far.boundaryTriangles.size(),
-        " of the far boundary");
+    string sizes
+    (
+        text(far.nCells, " cells on ", far.frontFaces.size(),
+            " faces of the layers")
+    );
+    for (const cellZoneParts& zone : far.cellZones)
+    {
+        sizes += text(", ", zone.cells.size(), " in ", zone.name);
+    }
+    for (const string& note : far.notes)
+    {
+        sizes += '\n' + note;
+    }
+
+    return sizes;
 }
 
 } // End namespace Foam

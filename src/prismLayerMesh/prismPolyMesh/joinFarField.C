@@ -4,8 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "prismPolyMesh.H"
-#include "ListOps.H"
-#include "triangleIndex.H"
 
 #include <algorithm>
 
@@ -14,76 +12,46 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- The labels in the mesh of the points of the far field
-static labelList meshLabels
+//- Gives the faces of the far field the labels that its points have in the mesh
+static void setMeshPoints
 (
     const prismLayers& layers,
     const label nLayerPoints,
-    const farFieldMesh& far
+    farFieldMesh& far
 )
 {
     const label nColumns = layers.nColumns();
-    labelList labels(far.points.size());
 
-    forAll(labels, p)
+    for (face& f : far.topology.faces)
     {
-        labels[p] = p < nColumns
-          ? layers.pointLabel(p, layers.nLayers) : nLayerPoints + p - nColumns;
-    }
-
-    return labels;
-}
-
-
-//- A face of the far field with the labels of the mesh
-static face farFace(const labelList& labels, const labelUList& f)
-{
-    return face(UIndirectList<label>(labels, f)());
-}
-
-
-//- The tetrahedra on the outer triangles, then those on the far boundary's
-static labelList boundaryTets(const farFieldMesh& far)
-{
-    faceList triangles(far.outerTriangles);
-    triangles.append(far.boundaryTriangles);
-    const triangleIndex index(makeTriangleIndex(triangles));
-    labelList tets(triangles.size(), -1);
-
-    forAll(far.tets, t)
-    {
-        for (label i = 0; i < 4; ++i)
+        for (label& p : f)
         {
-            if (far.neighbours[t][i] < 0)
-            {
-                tets[index[far.tets[t].face(i)]] = t;
-            }
+            p = p < nColumns
+              ? layers.pointLabel(p, layers.nLayers)
+              : nLayerPoints + p - nColumns;
         }
     }
-
-    return tets;
 }
 
 
 //- Internal faces of the layers, and after those of each last cell those to the
-//  tetrahedra on it
+//  far field
 static void addLayerFaces
 (
     const prismLayers& layers,
     const polyMeshTopology& prisms,
-    const farFieldMesh& far,
-    const labelList& tets,
-    const labelList& labels,
+    const label firstFar,
+    farFieldMesh& far,
     polyMeshTopology& mesh
 )
 {
     const label n = layers.nLayers;
-    const label firstTet = layers.faces.size()*n;
     const label nInternal = prisms.neighbour.size();
+    const label start = far.topology.patchStarts[0];
     label facei = 0;
-    label trianglei = 0;
+    label outeri = 0;
 
-    // Tetrahedra on a last cell, with their triangles
+    // Cells of the far field on a last cell, with their faces
     DynamicList<labelPair> beyond;
 
     forAll(layers.faces, fronti)
@@ -104,59 +72,20 @@ static void addLayerFaces
         for
         (
             ;
-            trianglei < far.outerFaces.size()
-         && far.outerFaces[trianglei] == fronti;
-            ++trianglei
+            outeri < far.frontFaces.size() && far.frontFaces[outeri] == fronti;
+            ++outeri
         )
         {
-            beyond.append(labelPair(tets[trianglei], trianglei));
+            const label i = start + outeri;
+            beyond.append(labelPair(far.topology.owner[i], i));
         }
         std::sort(beyond.begin(), beyond.end());
 
         for (const labelPair& b : beyond)
         {
-            mesh.append
-            (
-                farFace(labels, far.outerTriangles[b.second()]),
-                last,
-                firstTet + b.first()
-            );
-        }
-    }
-}
-
-
-static void addTetFaces
-(
-    const farFieldMesh& far,
-    const label firstTet,
-    const labelList& labels,
-    polyMeshTopology& mesh
-)
-{
-    // Later tetrahedra, with the face to them
-    DynamicList<labelPair> beyond(4);
-
-    forAll(far.tets, t)
-    {
-        beyond.clear();
-        for (label i = 0; i < 4; ++i)
-        {
-            if (far.neighbours[t][i] > t)
-            {
-                beyond.append(labelPair(far.neighbours[t][i], i));
-            }
-        }
-        std::sort(beyond.begin(), beyond.end());
-
-        for (const labelPair& b : beyond)
-        {
-            mesh.append
-            (
-                farFace(labels, far.tets[t].face(b.second()).triFaceFace()),
-                firstTet + t,
-                firstTet + b.first()
-            );
+            face& f = far.topology.faces[b.second()];
+            f.flip();
+            mesh.append(std::move(f), last, firstFar + b.first());
         }
     }
 }
@@ -178,6 +107,30 @@ static void addPatchFaces
 }
 
 
+//- The zones with the labels of the mesh: those of cells are so many more,
+//  those of faces are given
+static void renumberZones
+(
+    const label nLayerCells,
+    const labelList& newFaces,
+    farFieldMesh& far
+)
+{
+    for (cellZoneParts& zone : far.cellZones)
+    {
+        for (label& celli : zone.cells)
+        {
+            celli += nLayerCells;
+        }
+    }
+
+    for (faceZoneParts& zone : far.faceZones)
+    {
+        inplaceRenumber(newFaces, zone.faces);
+    }
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 polyMeshTopology joinFarField
@@ -185,18 +138,35 @@ polyMeshTopology joinFarField
     const prismLayers& layers,
     const polyMeshTopology& prisms,
     const label nLayerPoints,
-    const farFieldMesh& far
+    farFieldMesh& far
 )
 {
-    const labelList labels(meshLabels(layers, nLayerPoints, far));
-    const labelList tets(boundaryTets(far));
-    const label firstTet = layers.faces.size()*layers.nLayers;
-    const label nFaces = prisms.faces.size() + 2*far.tets.size();
+    const label firstFar = layers.faces.size()*layers.nLayers;
+    const wordList sideNames(sidePatchNames(layers.border));
+    labelList newFaces(far.topology.faces.size(), -1);
 
     polyMeshTopology mesh;
-    mesh.reserve(nFaces, nFaces);
-    addLayerFaces(layers, prisms, far, tets, labels, mesh);
-    addTetFaces(far, firstTet, labels, mesh);
+    mesh.reserve
+    (
+        prisms.faces.size() + far.topology.faces.size(),
+        prisms.neighbour.size() + far.topology.neighbour.size()
+      + far.frontFaces.size()
+    );
+    const auto addFar = [&](const label facei)
+    {
+        newFaces[facei] = mesh.faces.size();
+        const label owner = firstFar + far.topology.owner[facei];
+        const label neighbour = facei < far.topology.neighbour.size()
+          ? firstFar + far.topology.neighbour[facei] : -1;
+        mesh.append(std::move(far.topology.faces[facei]), owner, neighbour);
+    };
+
+    setMeshPoints(layers, nLayerPoints, far);
+    addLayerFaces(layers, prisms, firstFar, far, mesh);
+    forAll(far.topology.neighbour, facei)
+    {
+        addFar(facei);
+    }
 
     forAll(layers.patchNames, patchi)
     {
@@ -204,35 +174,26 @@ polyMeshTopology joinFarField
         addPatchFaces(prisms, patchi, mesh);
     }
 
-    // Seen from inside, the normals of the boundary's triangles point at us
-    const labelListList farFaces
-    (
-        invertOneToMany(far.patchNames.size(), far.patchIDs)
-    );
-
-    const wordList sideNames(sidePatchNames(layers.border));
-
-    forAll(farFaces, patchi)
+    forAll(far.patches.names, patchi)
     {
         mesh.startPatch();
 
         // After those of the wall and the outer surface
-        const label side = sideNames.find(far.patchNames[patchi]);
+        const label side = sideNames.find(far.patches.names[patchi]);
         if (side >= 0)
         {
-            const label sidei = layers.patchNames.size() + 1 + side;
-            addPatchFaces(prisms, sidei, mesh);
+            addPatchFaces(prisms, layers.patchNames.size() + 1 + side, mesh);
         }
 
-        for (const label i : farFaces[patchi])
+        const label start = far.topology.patchStarts[1 + patchi];
+        const label size = far.topology.patchSizes[1 + patchi];
+        for (label i = start; i < start + size; ++i)
         {
-            mesh.append
-            (
-                farFace(labels, far.boundaryTriangles[i].reverseFace()),
-                firstTet + tets[far.outerTriangles.size() + i]
-            );
+            addFar(i);
         }
     }
+
+    renumberZones(firstFar, newFaces, far);
 
     return mesh;
 }

@@ -289,7 +289,7 @@ layersPiece layersDivider::piece
     some.layers = someOf(layers_, some.stacks, some.columns);
     some.nWallPoints = layers_.nWallPoints();
     some.patchNames = patches_.names;
-    some.patchTypes = patches_.types;
+    some.patchTypes = patches_.types();
     some.labels = labels_.subset(some.stacks);
     some.beyond = labelListList(UIndirectList<labelList>(beyond_, some.stacks));
     some.processors = some.beyond;

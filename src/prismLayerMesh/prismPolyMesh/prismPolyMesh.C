@@ -14,7 +14,6 @@ namespace Foam
 const word layerOuterName("layerOuter");
 const word layerSidesName("layerSides");
 const word boundaryLayerName("boundaryLayer");
-const word farFieldName("farField");
 
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -22,7 +21,7 @@ const word farFieldName("farField");
 static void addPatches
 (
     const polyMeshTopology& topology,
-    const layerPatches& all,
+    const meshPatches& all,
     polyMesh& mesh
 )
 {
@@ -30,17 +29,15 @@ static void addPatches
 
     forAll(patches, patchi)
     {
+        dictionary patch(all.entries[patchi]);
+        patch.set("nFaces", topology.patchSizes[patchi]);
+        patch.set("startFace", topology.patchStarts[patchi]);
         patches.set
         (
             patchi,
             polyPatch::New
             (
-                all.types[patchi],
-                all.names[patchi],
-                topology.patchSizes[patchi],
-                topology.patchStarts[patchi],
-                patchi,
-                mesh.boundaryMesh()
+                all.names[patchi], patch, patchi, mesh.boundaryMesh()
             )
         );
     }
@@ -63,18 +60,61 @@ static const word& typeOfSide(const wallBorder& border, const word& name)
 }
 
 
-static layerPatches patchesOfWall(const prismLayers& layers)
+static meshPatches patchesOfWall(const prismLayers& layers)
 {
-    layerPatches wall;
-    wall.names = prismPatchNames(layers.patchNames);
-    wall.types = wordList(wall.names.size(), word("wall"));
-    SubList<word>(wall.types, layers.patchTypes.size()) = layers.patchTypes;
+    const wordList names(prismPatchNames(layers.patchNames));
+    meshPatches wall;
+    forAll(names, patchi)
+    {
+        wall.append
+        (
+            names[patchi],
+            patchi < layers.patchTypes.size()
+          ? layers.patchTypes[patchi] : word("wall")
+        );
+    }
 
     return wall;
 }
 
 
-//- The points of the mesh, which leaves nothing of layers and far field
+//- Leaves out patches of an existing mesh that have lost all faces to the wall
+//  and whose names the wall has
+static void dropPatchesOfWall(const wordList& wallPatches, farFieldMesh& far)
+{
+    meshPatches kept;
+    labelList starts(1, far.topology.patchStarts[0]);
+    labelList sizes(1, far.topology.patchSizes[0]);
+
+    forAll(far.patches.names, patchi)
+    {
+        const word& name = far.patches.names[patchi];
+        const label size = far.topology.patchSizes[1 + patchi];
+
+        if (!wallPatches.found(name))
+        {
+            kept.names.append(name);
+            kept.entries.append(far.patches.entries[patchi]);
+            starts.append(far.topology.patchStarts[1 + patchi]);
+            sizes.append(size);
+        }
+        else if (size)
+        {
+            FatalErrorInFunction
+                << "The mesh around the layers has a patch " << name
+                << ", as the wall has, of which " << size << " faces stay"
+                << nl << "Name one of them otherwise" << exit(FatalError);
+        }
+    }
+
+    far.patches = kept;
+    far.topology.patchStarts = starts;
+    far.topology.patchSizes = sizes;
+}
+
+
+//- The points of the mesh, which leaves nothing of the layers' and the far
+//  field's
 static pointField takePoints(prismLayers& layers, farFieldMesh& far)
 {
     const label n = layers.nColumns();
@@ -90,33 +130,49 @@ static pointField takePoints(prismLayers& layers, farFieldMesh& far)
     }
 
     layers = prismLayers();
-    far = farFieldMesh();
+    far.points.clear();
 
     return points;
 }
 
 
 //- The first cells are those of the layers
-static void addCellZones(const label nLayerCells, polyMesh& mesh)
+static void addZones
+(
+    const label nLayerCells,
+    const farFieldMesh& far,
+    polyMesh& mesh
+)
 {
-    const label nFar = mesh.nCells() - nLayerCells;
+    List<cellZone*> cells
+    ({
+        new cellZone
+        (
+            boundaryLayerName, identity(nLayerCells), 0, mesh.cellZones()
+        )
+    });
+    List<faceZone*> faces;
 
-    mesh.addZones
-    (
-        List<pointZone*>(),
-        List<faceZone*>(),
-        List<cellZone*>
-        ({
-            new cellZone
+    for (const cellZoneParts& zone : far.cellZones)
+    {
+        cells.append
+        (
+            new cellZone(zone.name, zone.cells, cells.size(), mesh.cellZones())
+        );
+    }
+    for (const faceZoneParts& zone : far.faceZones)
+    {
+        faces.append
+        (
+            new faceZone
             (
-                boundaryLayerName, identity(nLayerCells), 0, mesh.cellZones()
-            ),
-            new cellZone
-            (
-                farFieldName, identity(nFar, nLayerCells), 1, mesh.cellZones()
+                zone.name, zone.faces, zone.flips, faces.size(),
+                mesh.faceZones()
             )
-        })
-    );
+        );
+    }
+
+    mesh.addZones(List<pointZone*>(), faces, cells);
 }
 
 
@@ -144,24 +200,19 @@ wordList prismPatchNames(const wordList& wallPatchNames)
 }
 
 
-layerPatches patchesOfLayers(const prismLayers& layers, const label nOpen)
+meshPatches patchesOfLayers(const prismLayers& layers, const label nOpen)
 {
-    layerPatches patches(patchesOfWall(layers));
-    const auto add = [&](const word& name, const word& type)
-    {
-        patches.names.append(name);
-        patches.types.append(type);
-    };
+    meshPatches patches(patchesOfWall(layers));
 
-    add(layerOuterName, "patch");
+    patches.append(layerOuterName, "patch");
     const wordList sides(sidePatchNames(layers.border));
     for (const word& name : sides)
     {
-        add(name, typeOfSide(layers.border, name));
+        patches.append(name, typeOfSide(layers.border, name));
     }
     if (nOpen > sides.size())
     {
-        add(layerSidesName, "patch");
+        patches.append(layerSidesName, "patch");
     }
 
     return patches;
@@ -178,17 +229,18 @@ autoPtr<polyMesh> makePrismPolyMesh
     const bool hasFarField = !far.empty();
     const label nLayerCells = layers.faces.size()*layers.nLayers;
     polyMeshTopology topology(makePrismTopology(layers));
-    layerPatches patches(patchesOfWall(layers));
+    meshPatches patches(patchesOfWall(layers));
 
     if (hasFarField)
     {
+        dropPatchesOfWall(patches.names, far);
         topology = joinFarField
         (
             layers, topology,
             layers.points.size() - layers.extraColumnPoints.size(), far
         );
-        patches.names.append(far.patchNames);
-        patches.types.append(far.patchTypes);
+        patches.names.append(far.patches.names);
+        patches.entries.append(far.patches.entries);
     }
     else
     {
@@ -216,7 +268,7 @@ autoPtr<polyMesh> makePrismPolyMesh
 
     if (hasFarField)
     {
-        addCellZones(nLayerCells, mesh());
+        addZones(nLayerCells, far, mesh());
     }
 
     return mesh;

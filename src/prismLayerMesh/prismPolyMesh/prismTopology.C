@@ -45,44 +45,6 @@ static void addInternalFaces
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void polyMeshTopology::reserve(const label nFaces, const label nInternal)
-{
-    faces.reserve(nFaces);
-    owner.reserve(nFaces);
-    neighbour.reserve(nInternal);
-}
-
-
-void polyMeshTopology::append
-(
-    face&& f,
-    const label ownerCell,
-    const label neighbourCell
-)
-{
-    faces.append(std::move(f));
-    owner.append(ownerCell);
-
-    if (neighbourCell >= 0)
-    {
-        neighbour.append(neighbourCell);
-    }
-    else
-    {
-        ++patchSizes.last();
-    }
-}
-
-
-void polyMeshTopology::startPatch()
-{
-    patchStarts.append(faces.size());
-    patchSizes.append(0);
-}
-
-
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 wordList sidePatchNames(const wallBorder& border)

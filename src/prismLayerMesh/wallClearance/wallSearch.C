@@ -194,6 +194,40 @@ pointIndexHit wallSearch::nearestOpposite
 }
 
 
+void wallSearch::prepareInFront() const
+{
+    surface_.meshPointMap();
+    surface_.localFaces();
+    surface_.localPoints();
+    surface_.edgeFaces();
+    surface_.faceEdges();
+    surface_.faceFaces();
+    surface_.pointFaces();
+    surface_.pointEdges();
+    surface_.faceCentres();
+    surface_.faceNormals();
+    surface_.pointNormals();
+    tree_.getVolumeType(tree_.bb().midpoint());
+}
+
+
+bool wallSearch::overlaps(const boundBox& box) const
+{
+    // The nearest point answers for most boxes; all triangles in a box are many
+    const point centre(box.midpoint());
+    const pointIndexHit nearest
+    (
+        tree_.findNearest(centre, 0.25*magSqr(box.span()))
+    );
+
+    return nearest.hit()
+     && (
+            box.contains(nearest.hitPoint())
+         || tree_.findBox(treeBoundBox(box)).size()
+        );
+}
+
+
 bool wallSearch::putOnSides
 (
     const point& from,

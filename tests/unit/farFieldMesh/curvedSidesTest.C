@@ -42,8 +42,8 @@ struct curvedCase
         controls.type = "tet";
         far = makeFarFieldMesh
         (
-            run.made.layers, run.front.addressing, farBoundary(), controls,
-            makeSizeBounds(controls, time())
+            run.made.layers, run.front.addressing,
+            farFieldDomain{{}, makeSizeBounds(controls, time()), {}}, controls
         );
         memory.reset(new memoryMesh(run.made.layers, far));
     }

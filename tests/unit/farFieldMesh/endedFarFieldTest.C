@@ -3,90 +3,16 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "makeFarFieldMesh.H"
-#include "makeSizeBounds.H"
-#include "memoryMesh.H"
+#include "endedFarField.H"
 #include "openSurfaces.H"
-#include "testStages.H"
 #include "thrownMessage.H"
 
-#include <memory>
 #include <vector>
 
 using namespace Foam;
 using namespace Foam::testSurfaces;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-static const label nLayers = 3;
-
-
-//- Layers that end on side patches, with a far field in a box, or without one
-struct endedFarField
-{
-    std::string name;
-    wallSurface wall;
-    boundBox box;
-    prismLayers layers;
-    farFieldMesh far;
-    std::unique_ptr<memoryMesh> memory;
-
-
-    endedFarField
-    (
-        const std::string& n,
-        const wallSurface& w,
-        const boundBox& b,
-        const word& type = "box"
-    )
-    :
-        name(n),
-        wall(w),
-        box(b)
-    {
-        const prismLayerMesh run(layeredMesh(wall, nLayers, 0.1));
-        layers = run.made.layers;
-        farFieldControls controls;
-        controls.type = "tet";
-        farBoundary boundary;
-        if (!box.empty())
-        {
-            controls.boundary.type = type;
-            controls.boundary.box = box;
-            controls.boundary.radius = 0.5*box.mag();
-            boundary = makeFarBoundary
-            (
-                controls.boundary, [](const fileName& file) { return file; }
-            );
-        }
-        const autoPtr<Time> time(Time::New());
-        far = makeFarFieldMesh
-        (
-            layers, run.front.addressing, boundary, controls,
-            makeSizeBounds(controls, time())
-        );
-        prismLayers copy(layers);
-        memory.reset(new memoryMesh(copy, far));
-    }
-
-
-    const polyMesh& mesh() const { return (*memory)(); }
-
-
-    //- Area of a patch of the mesh
-    scalar area(const word& patch) const
-    {
-        const polyPatch& faces = mesh().boundaryMesh()[patch];
-        scalar sum = 0;
-        for (const face& f : faces)
-        {
-            sum += f.mag(mesh().points());
-        }
-
-        return sum;
-    }
-};
-
 
 //- Made once: all tests look at the same
 static const std::vector<endedFarField>& cases()
@@ -95,28 +21,36 @@ static const std::vector<endedFarField>& cases()
 
     if (list.empty())
     {
-        list.reserve(5);
-        // The box ends on the planes, or goes on beyond them
-        list.emplace_back
-        (
-            "half sphere", endedOn(halfSphere(6), halfPlanes()),
-            boundBox(point(-3, -3, 0), point(3, 3, 3))
-        );
-        list.emplace_back
-        (
-            "half cube", endedOn(halfCube(4), halfPlanes()),
-            boundBox(point(-2, -2, -1), point(3, 3, 2))
-        );
-        list.emplace_back
-        (
-            "quarter cube", endedOn(quarterCube(4), quarterPlanes()),
-            boundBox(point(-2, 0, -1), point(3, 3, 2))
-        );
-        list.emplace_back
-        (
-            "duct", endedOn(duct(4), wordList({"inlet", "outlet"})), boundBox()
-        );
-        list.emplace_back("half duct", halfOf(duct(4)), boundBox());
+        list.reserve(10);
+        for (const word& type : {word("tet"), word("hexCore")})
+        {
+            const auto add = [&]
+            (
+                const std::string& name, const wallSurface& wall,
+                const boundBox& box
+            )
+            {
+                list.emplace_back(name + " in " + type, wall, box, "box", type);
+            };
+            const boundBox around(point(-2, -2, -1), point(3, 3, 2));
+            const boundBox aside(point(-2, 0, -1), point(3, 3, 2));
+
+            const wordList ends({"inlet", "outlet"});
+
+            // The box ends on the planes, or goes on beyond them
+            add
+            (
+                "half sphere", endedOn(halfSphere(6), halfPlanes()),
+                boundBox(point(-3, -3, 0), point(3, 3, 3))
+            );
+            add("half cube", endedOn(halfCube(4), halfPlanes()), around);
+            add
+            (
+                "quarter cube", endedOn(quarterCube(4), quarterPlanes()), aside
+            );
+            add("duct", endedOn(duct(4), ends), boundBox());
+            add("half duct", halfOf(duct(4)), boundBox());
+        }
     }
 
     return list;
@@ -128,7 +62,7 @@ static scalar volumeOf(const endedFarField& c)
 {
     if (c.box.empty())
     {
-        return c.name == "duct" ? 1 : 0.5;
+        return c.name.find("half") == std::string::npos ? 1 : 0.5;
     }
     const bool isQuarter = c.wall.border.sides.size() == 2;
     const vector size
@@ -177,7 +111,7 @@ TEST(endedFarField, meshIsConformalAndSound)
         EXPECT_EQ
         (
             c.mesh().nCells(),
-            nLayers*c.wall.faces.size() + c.far.tets.size()
+            nLayers*c.wall.faces.size() + c.far.nCells
         )   << c.name;
     }
 }
@@ -195,21 +129,28 @@ TEST(endedFarField, patchesAreThoseOfWallSidesAndBox)
         return list;
     };
 
-    for (const label i : {0, 1})
+    for (const label first : {0, 5})
     {
+        for (const label i : {first, first + 1})
+        {
+            EXPECT_EQ
+            (
+                sorted(names(i)),
+                wordList
+                ({"bottom", "wall", "xMax", "xMin", "yMax", "yMin", "zMax"})
+            );
+        }
         EXPECT_EQ
         (
-            sorted(names(i)),
+            sorted(names(first + 2)),
             wordList
-            ({"bottom", "wall", "xMax", "xMin", "yMax", "yMin", "zMax"})
+            ({"bottom", "side", "wall", "xMax", "xMin", "yMax", "zMax"})
+        );
+        EXPECT_EQ
+        (
+            sorted(names(first + 3)), wordList({"inlet", "outlet", "walls"})
         );
     }
-    EXPECT_EQ
-    (
-        sorted(names(2)),
-        wordList({"bottom", "side", "wall", "xMax", "xMin", "yMax", "zMax"})
-    );
-    EXPECT_EQ(sorted(names(3)), wordList({"inlet", "outlet", "walls"}));
 
     const polyBoundaryMesh& patches = cases()[0].mesh().boundaryMesh();
     EXPECT_EQ(patches["bottom"].type(), "symmetryPlane");
@@ -220,12 +161,39 @@ TEST(endedFarField, patchesAreThoseOfWallSidesAndBox)
 
 TEST(endedFarField, sidePatchesAreAllOfThePlaneButTheBody)
 {
-    EXPECT_NEAR(cases()[1].area("bottom"), 25 - 1, 1e-12);
-    EXPECT_NEAR(cases()[1].area("xMin"), 5*2, 1e-12);
-    EXPECT_NEAR(cases()[2].area("bottom"), 5*3 - 0.5, 1e-12);
-    EXPECT_NEAR(cases()[2].area("side"), 5*2 - 0.5, 1e-12);
-    EXPECT_NEAR(cases()[3].area("inlet"), 1, 1e-12);
-    EXPECT_NEAR(cases()[3].area("outlet"), 1, 1e-12);
+    for (const label first : {0, 5})
+    {
+        const auto area = [&](const label i, const word& patch)
+        {
+            return cases()[first + i].area(patch);
+        };
+        EXPECT_NEAR(area(1, "bottom"), 25 - 1, 1e-12);
+        EXPECT_NEAR(area(1, "xMin"), 5*2, 1e-12);
+        EXPECT_NEAR(area(2, "bottom"), 5*3 - 0.5, 1e-12);
+        EXPECT_NEAR(area(2, "side"), 5*2 - 0.5, 1e-12);
+        EXPECT_NEAR(area(3, "inlet"), 1, 1e-12);
+        EXPECT_NEAR(area(3, "outlet"), 1, 1e-12);
+    }
+}
+
+
+TEST(endedFarField, hexahedraStayOnPlanes)
+{
+    for (label i = 5; i < 8; ++i)
+    {
+        const endedFarField& c = cases()[i];
+        const cellZone& core = c.mesh().cellZones()["hexCore"];
+        const polyPatch& bottom = c.mesh().boundaryMesh()["bottom"];
+        scalar area = 0;
+        forAll(bottom, k)
+        {
+            if (core.whichCell(bottom.faceCells()[k]) >= 0)
+            {
+                area += bottom[k].mag(c.mesh().points());
+            }
+        }
+        EXPECT_GT(area, 0.5*c.area("bottom")) << c.name;
+    }
 }
 
 
@@ -251,20 +219,20 @@ TEST(endedFarField, sidePatchesArePlane)
 
 TEST(endedFarField, sidePatchesBeginWithTheSidesOfTheLayers)
 {
-    // Those are quadrilaterals, the others triangles
+    // Those are of cells of the layers, the others of the far field
     for (const endedFarField& c : cases())
     {
         forAll(c.wall.border.sides, s)
         {
             const polyPatch& patch =
                 c.mesh().boundaryMesh()[c.wall.border.sides[s].name];
-            label nQuads = 0;
-            for (const face& f : patch)
+            const label n = nLayers*nEdgesOn(c.wall.border, s);
+            const label nLayerCells = nLayers*c.wall.faces.size();
+            forAll(patch, i)
             {
-                nQuads += f.size() == 4;
+                EXPECT_EQ(patch.faceCells()[i] < nLayerCells, i < n) << c.name;
             }
-            EXPECT_EQ(nQuads, nLayers*nEdgesOn(c.wall.border, s)) << c.name;
-            EXPECT_GT(patch.size(), nQuads) << c.name;
+            EXPECT_GT(patch.size(), n) << c.name;
         }
     }
 }

@@ -19,7 +19,7 @@ using namespace Foam;
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- The unit cube of n^3 cubes, filled; its boundary is far
-static farFieldMesh filledCube(const label n)
+static farFieldTets filledCube(const label n)
 {
     const wallSurface cube(testSurfaces::cube(n));
 
@@ -28,7 +28,7 @@ static farFieldMesh filledCube(const label n)
     domain.facets = cube.faces;
     tetMesh filled(tetrahedralize(domain));
 
-    farFieldMesh mesh;
+    farFieldTets mesh;
     mesh.points = filled.points;
     mesh.tets = filled.tets;
     mesh.nBoundaryPoints = cube.points.size();
@@ -40,7 +40,7 @@ static farFieldMesh filledCube(const label n)
 
 
 //- Turns the tetrahedra that are not positive
-static void turnPositive(farFieldMesh& mesh)
+static void turnPositive(farFieldTets& mesh)
 {
     for (tetCell& tet : mesh.tets)
     {
@@ -53,7 +53,7 @@ static void turnPositive(farFieldMesh& mesh)
 
 
 //- The largest non-orthogonality [deg] of the faces inside
-static scalar worstAngle(const farFieldMesh& mesh)
+static scalar worstAngle(const farFieldTets& mesh)
 {
     scalar worst = 0;
     const List<FixedList<label, 4>> neighbours
@@ -91,7 +91,7 @@ static scalar worstAngle(const farFieldMesh& mesh)
 }
 
 
-static scalar volumeOf(const farFieldMesh& mesh)
+static scalar volumeOf(const farFieldTets& mesh)
 {
     scalar volume = 0;
 
@@ -106,7 +106,7 @@ static scalar volumeOf(const farFieldMesh& mesh)
 
 
 //- Most faces that a tetrahedron has on the boundary, and faces there of all
-static labelPair boundaryFaces(const farFieldMesh& mesh)
+static labelPair boundaryFaces(const farFieldTets& mesh)
 {
     labelPair most(0, 0);
 
@@ -133,7 +133,7 @@ static labelPair boundaryFaces(const farFieldMesh& mesh)
 
 TEST(splitCornerCells, leavesOneFaceOnTheBoundary)
 {
-    farFieldMesh mesh(filledCube(3));
+    farFieldTets mesh(filledCube(3));
     EXPECT_GT(boundaryFaces(mesh).first(), 1);
 
     splitCornerCells(mesh);
@@ -146,7 +146,7 @@ TEST(splitCornerCells, keepsTheLayersWhereTheyEndOnTheBoundary)
 {
     // Two tetrahedra with a common face. The layers are below both, whose other
     // faces are on the boundary, and so are all points.
-    farFieldMesh mesh;
+    farFieldTets mesh;
     mesh.points = pointField
     ({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {1, 1, 1}});
     mesh.tets = tetCellList({tetCell(0, 1, 2, 3), tetCell(1, 2, 3, 4)});
@@ -168,7 +168,7 @@ TEST(splitCornerCells, keepsTheLayersWhereTheyEndOnTheBoundary)
 TEST(improvePoorTets, movesAPoint)
 {
     // A point near to an end of a slender double pyramid
-    farFieldMesh mesh;
+    farFieldTets mesh;
     mesh.points = pointField
     ({
         point(0.3, 0, 0), point(0, 0.3, 0), point(-0.3, 0, 0),
@@ -185,7 +185,7 @@ TEST(improvePoorTets, movesAPoint)
     EXPECT_GT(worstAngle(mesh), 75);
 
     const pointField before(mesh.points);
-    improvePoorTets(pointField(), mesh);
+    improvePoorTets(cellsBeyond(), mesh);
 
     EXPECT_LT(worstAngle(mesh), 67);
     EXPECT_NEAR(volumeOf(mesh), 0.12, 1e-12);
@@ -200,7 +200,7 @@ TEST(improvePoorTets, movesAPoint)
 TEST(improvePoorTets, removesAnEdge)
 {
     // Three tetrahedra around an edge; their triangle is better without it
-    farFieldMesh mesh;
+    farFieldTets mesh;
     mesh.points = pointField
     ({
         point(0.3, 0.9, -0.5), point(-0.4, -0.2, 0.3),
@@ -215,7 +215,7 @@ TEST(improvePoorTets, removesAnEdge)
     EXPECT_GT(worstAngle(mesh), 80);
 
     const scalar volume = volumeOf(mesh);
-    improvePoorTets(pointField(), mesh);
+    improvePoorTets(cellsBeyond(), mesh);
 
     EXPECT_EQ(mesh.points.size(), 5);
     EXPECT_EQ(mesh.tets.size(), 2);
@@ -226,19 +226,19 @@ TEST(improvePoorTets, removesAnEdge)
 
 TEST(improvePoorTets, addsPoints)
 {
-    farFieldMesh mesh(filledCube(4));
+    farFieldTets mesh(filledCube(4));
     const label nPoints = mesh.points.size();
     EXPECT_GT(worstAngle(mesh), 75);
 
-    improvePoorTets(pointField(), mesh);
+    improvePoorTets(cellsBeyond(), mesh);
 
     EXPECT_GT(mesh.points.size(), nPoints);
     EXPECT_LT(worstAngle(mesh), 67);
     EXPECT_NEAR(volumeOf(mesh), 1, 1e-12);
 
     // What is good is left alone
-    const farFieldMesh before(mesh);
-    improvePoorTets(pointField(), mesh);
+    const farFieldTets before(mesh);
+    improvePoorTets(cellsBeyond(), mesh);
     EXPECT_EQ(mesh.points, before.points);
     EXPECT_EQ(mesh.tets, before.tets);
 }
@@ -246,7 +246,7 @@ TEST(improvePoorTets, addsPoints)
 
 TEST(splitTets, splitsAtEdgesAndFacesAlikeFromBothSides)
 {
-    farFieldMesh mesh(filledCube(2));
+    farFieldTets mesh(filledCube(2));
     const label n = mesh.points.size();
 
     // Every edge and face that is not on the boundary, of every third cell

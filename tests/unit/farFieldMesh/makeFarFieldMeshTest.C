@@ -7,6 +7,7 @@
 #include "makeFarFieldMesh.H"
 #include "makeSizeBounds.H"
 #include "memoryMesh.H"
+#include "soundMesh.H"
 #include "testLayers.H"
 #include "testStages.H"
 #include "testSurfaces.H"
@@ -50,8 +51,9 @@ struct farCase
         const autoPtr<Time> time(Time::New());
         mesh = makeFarFieldMesh
         (
-            layers, run.front.addressing, boundary, controls,
-            makeSizeBounds(controls, time())
+            layers, run.front.addressing,
+            farFieldDomain{boundary, makeSizeBounds(controls, time()), {}},
+            controls
         );
     }
 };
@@ -72,19 +74,6 @@ static std::string errorOf(const boundBox& box, const label maxCells)
 }
 
 
-//- What checkMesh looks at first
-static void expectSound(const polyMesh& mesh)
-{
-    EXPECT_FALSE(mesh.checkTopology(false));
-    EXPECT_FALSE(mesh.checkUpperTriangular(false));
-    EXPECT_FALSE(mesh.checkFacePyramids(false));
-    EXPECT_FALSE(mesh.checkClosedBoundary(false));
-    EXPECT_FALSE(mesh.checkClosedCells(false));
-    EXPECT_FALSE(mesh.checkFaceOrthogonality(false));
-    EXPECT_FALSE(mesh.checkFaceSkewness(false));
-}
-
-
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
 TEST(makeFarFieldMesh, joinsTheLayersWithoutAPatchBetween)
@@ -98,13 +87,13 @@ TEST(makeFarFieldMesh, joinsTheLayersWithoutAPatchBetween)
         mesh.boundaryMesh().names(),
         wordList({"wall", "xMin", "xMax", "yMin", "yMax", "zMin", "zMax"})
     );
-    EXPECT_EQ(mesh.nCells(), 3*300 + c.mesh.tets.size());
+    EXPECT_EQ(mesh.nCells(), 3*300 + c.mesh.nCells);
     EXPECT_EQ
     (
         mesh.cellZones().names(), wordList({"boundaryLayer", "farField"})
     );
     EXPECT_EQ(mesh.cellZones()[0].size(), 3*300);
-    EXPECT_EQ(mesh.cellZones()[1].size(), c.mesh.tets.size());
+    EXPECT_EQ(mesh.cellZones()[1].size(), c.mesh.nCells);
     expectSound(mesh);
 
     // All of the box is filled but the body
@@ -132,7 +121,7 @@ TEST(makeFarFieldMesh, takesQuadsAndSeveralBodies)
     );
     const memoryMesh memory(c.layers, c.mesh);
     expectSound(memory());
-    EXPECT_EQ(c.mesh.outerTriangles.size(), 2*(96 + 54));
+    EXPECT_EQ(c.mesh.frontFaces.size(), 2*(96 + 54));
 }
 
 
@@ -156,11 +145,10 @@ TEST(makeFarFieldMesh, sizesGrowByTheGivenRate)
     // Edges at a distance from the layers
     scalar sum = 0;
     label n = 0;
-    for (const tetCell& tet : c.mesh.tets)
+    for (const face& f : c.mesh.topology.faces)
     {
-        for (label i = 0; i < 6; ++i)
+        for (const edge& e : f.edges())
         {
-            const edge e(tet.tetEdge(i));
             const scalar r = mag(e.centre(c.mesh.points));
 
             if (r > 3 && r < 6)
@@ -185,7 +173,7 @@ TEST(makeFarFieldMesh, reportsTheTransition)
         makeFarFieldReport(memory(), qualityControls())
     );
 
-    EXPECT_EQ(report.nCells, c.mesh.tets.size());
+    EXPECT_EQ(report.nCells, c.mesh.nCells);
     EXPECT_EQ(report.transition.nFaces, 300);
     EXPECT_EQ(report.patches.size(), 6);
     EXPECT_LT(report.farField.maxNonOrtho, 70);

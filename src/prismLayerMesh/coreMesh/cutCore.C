@@ -1,0 +1,346 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "cutCore.H"
+#include "edgeHashes.H"
+#include "splitPolygon.H"
+#include "stayingCells.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+class coreCutter
+{
+    const polyMeshParts& core_;
+    const coreObstacles& obstacles_;
+    const UList<sidePatch>& planes_;
+
+    //- Points nearer to a plane [m] are in it
+    const scalar tolerance_;
+
+    const stayingCells stays_;
+
+    //- Of the surface of the cut, on points of the core
+    DynamicList<face> triangles_;
+    DynamicList<label> patchIDs_;
+
+    //- Of each plane
+    List<edgeHashSet> fences_;
+
+    label nInternal() const { return core_.topology.neighbour.size(); }
+
+    const face& faceOf(const label facei) const
+    {
+        return core_.topology.faces[facei];
+    }
+
+    void addCells(coreCut& cut) const;
+
+    pointField seedsOf(const labelUList& cells) const;
+
+    //- The distance of the obstacles is at most that
+    void refuseCoupled(label patchi, label facei) const;
+
+    //- The plane that a face is in, or -1
+    label planeOf(label facei) const;
+
+    void addPolygon(label facei, bool turned, label patchi);
+
+    //- A face whose cell is gone
+    void addBoundary(label facei, label patchi);
+
+    void addPatches();
+
+    void addCut(coreCut& cut);
+
+    void moveTriangles(coreCut& cut);
+
+public:
+
+    coreCutter
+    (
+        const polyMeshParts& core,
+        const coreObstacles& obstacles,
+        const scalar gap,
+        const UList<sidePatch>& planes
+    )
+    :
+        core_(core),
+        obstacles_(obstacles),
+        planes_(planes),
+        tolerance_(1e-9*boundBox(core.points, false).mag()),
+        stays_(core, obstacles, gap),
+        fences_(planes.size())
+    {}
+
+    coreCut cut();
+};
+
+
+void coreCutter::addCells(coreCut& cut) const
+{
+    disjointSets parts(stays_.parts());
+    DynamicList<label> cells;
+    DynamicList<label> first;
+
+    for (label celli = 0; celli < core_.nCells; ++celli)
+    {
+        if (stays_[celli])
+        {
+            cells.append(celli);
+            if (parts.find(celli) == celli)
+            {
+                first.append(celli);
+            }
+        }
+    }
+
+    cut.seeds = seedsOf(first);
+    cut.cells.transfer(cells);
+}
+
+
+pointField coreCutter::seedsOf(const labelUList& cells) const
+{
+    pointField centres;
+    scalarField volumes;
+    setCentresAndVolumes(core_, cells, centres, volumes);
+
+    return centres;
+}
+
+
+void coreCutter::refuseCoupled(const label patchi, const label facei) const
+{
+    if (stays_.isPlain(patchi))
+    {
+        return;
+    }
+
+    const point centre(core_.topology.faces[facei].centre(core_.points));
+    FatalErrorInFunction
+        << "The layers need room at the patch " << core_.patches.names[patchi]
+        << " of type " << core_.patches.entries[patchi].get<word>("type")
+        << ", at " << centre << ", "
+        << obstacles_.surface.footOf(centre).distance << " from them" << nl
+        << "Make the cells between the patch and the layers smaller, or"
+        << " farField.gap, or move the patch away" << exit(FatalError);
+}
+
+
+label coreCutter::planeOf(const label facei) const
+{
+    forAll(planes_, s)
+    {
+        bool isIn = true;
+        for (const label p : faceOf(facei))
+        {
+            isIn = isIn && mag(planes_[s].distance(core_.points[p]))
+                < tolerance_;
+        }
+        if (isIn)
+        {
+            return s;
+        }
+    }
+
+    return -1;
+}
+
+
+void coreCutter::addPolygon
+(
+    const label facei,
+    const bool turned,
+    const label patchi
+)
+{
+    for (const face& f : splitPolygon(core_.points, faceOf(facei)))
+    {
+        triangles_.append(turned ? f.reverseFace() : f);
+        patchIDs_.append(patchi);
+    }
+}
+
+
+void coreCutter::addBoundary(const label facei, const label patchi)
+{
+    const label plane = planeOf(facei);
+
+    if (plane < 0)
+    {
+        if (stays_.inFluid(facei))
+        {
+            refuseCoupled(patchi, facei);
+            addPolygon(facei, true, patchi);
+        }
+        return;
+    }
+
+    // Edges between two such faces of a plane bound nothing
+    for (const edge& e : faceOf(facei).edges())
+    {
+        if (!fences_[plane].insert(e))
+        {
+            fences_[plane].erase(e);
+        }
+    }
+}
+
+
+void coreCutter::addPatches()
+{
+    const polyMeshTopology& t = core_.topology;
+
+    forAll(t.patchStarts, patchi)
+    {
+        // Further patches without a name are behind the obstacles
+        const bool isWall =
+            patchi >= core_.patches.names.size()
+         || stays_.wallPatches().found(core_.patches.names[patchi]);
+        const label start = t.patchStarts[patchi];
+        const label end = isWall ? start : start + t.patchSizes[patchi];
+
+        for (label facei = start; facei < end; ++facei)
+        {
+            if (!stays_[t.owner[facei]])
+            {
+                addBoundary(facei, patchi);
+            }
+        }
+    }
+
+    forAll(fences_, s)
+    {
+        if (fences_[s].empty())
+        {
+            FatalErrorInFunction
+                << "The mesh around the layers has no faces at the layers on"
+                << " the plane of " << planes_[s].name << ", " << "through "
+                << planes_[s].origin << nl
+                << "It must end in that plane" << exit(FatalError);
+        }
+    }
+}
+
+
+void coreCutter::addCut(coreCut& cut)
+{
+    DynamicList<label> faces;
+    DynamicList<label> cells;
+    cut.nBoundary = triangles_.size();
+
+    for (label facei = 0; facei < nInternal(); ++facei)
+    {
+        const bool own = stays_[core_.topology.owner[facei]];
+        const bool nei = stays_[core_.topology.neighbour[facei]];
+
+        if (own != nei)
+        {
+            addPolygon(facei, nei, core_.patches.names.size());
+
+            const polyMeshTopology& t = core_.topology;
+            const label n = triangles_.size() - cut.nBoundary;
+            faces.setSize(n, facei);
+            cells.setSize(n, own ? t.owner[facei] : t.neighbour[facei]);
+        }
+    }
+
+    cut.cutFaces.transfer(faces);
+    cut.cutCells.transfer(cells);
+
+    DynamicList<boundBox> boxes;
+    for (const label celli : labelHashSet(cut.cutCells).sortedToc())
+    {
+        boxes.append(stays_.box(celli));
+    }
+    cut.cutBoxes.transfer(boxes);
+}
+
+
+void coreCutter::moveTriangles(coreCut& cut)
+{
+    labelList own(core_.points.size(), -1);
+    DynamicList<label> used;
+    const auto ownLabel = [&](const label p)
+    {
+        if (own[p] < 0)
+        {
+            own[p] = used.size();
+            used.append(p);
+        }
+        return own[p];
+    };
+
+    for (face& f : triangles_)
+    {
+        for (label& p : f)
+        {
+            p = ownLabel(p);
+        }
+    }
+
+    cut.fences.setSize(fences_.size());
+    forAll(fences_, s)
+    {
+        cut.fences[s] = fences_[s].sortedToc();
+        for (edge& e : cut.fences[s])
+        {
+            e = edge(ownLabel(e.start()), ownLabel(e.end()));
+        }
+    }
+
+    cut.surface.points = pointField(core_.points, used);
+    cut.surface.faces.transfer(triangles_);
+    cut.surface.patchIDs.transfer(patchIDs_);
+    cut.points.transfer(used);
+}
+
+
+coreCut coreCutter::cut()
+{
+    coreCut made;
+    made.wallPatches = stays_.wallPatches();
+    addCells(made);
+
+    if (made.cells.empty())
+    {
+        FatalErrorInFunction
+            << "No cell of the mesh around the layers stays: each is too near"
+            << " to them for farField.gap" << nl
+            << "Make the cells smaller, or the gap" << exit(FatalError);
+    }
+
+    addPatches();
+    addCut(made);
+    moveTriangles(made);
+
+    return made;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+coreCut cutCore
+(
+    const polyMeshParts& core,
+    const coreObstacles& obstacles,
+    const scalar gap,
+    const UList<sidePatch>& planes
+)
+{
+    return coreCutter(core, obstacles, gap, planes).cut();
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

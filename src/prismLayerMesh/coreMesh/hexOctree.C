@@ -1,0 +1,208 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "hexOctree.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+label hexOctree::child
+(
+    const node& n,
+    const labelVector& at,
+    const label level
+) const
+{
+    const label shift = level - n.level - 1;
+    label octant = 0;
+    for (direction d = 0; d < 3; ++d)
+    {
+        octant |= (at[d] >> shift & 1) << d;
+    }
+
+    return n.children + octant;
+}
+
+
+void hexOctree::divide(const label i)
+{
+    nodes_[i].children = nodes_.size();
+    const label level = nodes_[i].level + 1;
+
+    for (label octant = 0; octant < 8; ++octant)
+    {
+        labelVector at(2*nodes_[i].at);
+        for (direction d = 0; d < 3; ++d)
+        {
+            at[d] += octant >> d & 1;
+        }
+        nodes_.append(node{-1, level, at, false, nodes_[i].mark});
+    }
+    depth_ = max(depth_, level);
+}
+
+
+void hexOctree::divideAll(const division& parts, const label maxNodes)
+{
+    for (label first = 0; complete && first < nodes_.size();)
+    {
+        const label end = nodes_.size();
+        List<hexOctree::parts> wanted(end - first);
+
+        #pragma omp parallel for schedule(dynamic, 64)
+        forAll(wanted, i)
+        {
+            wanted[i] = parts(boxOf(first + i), nodes_[first + i].mark);
+        }
+
+        forAll(wanted, i)
+        {
+            const label level = nodes_[first + i].level + 1;
+            nodes_[first + i].outside = wanted[i] == parts::outside;
+
+            if (complete && wanted[i] == parts::eight)
+            {
+                complete =
+                    nodes_.size() + 8 <= maxNodes
+                 && cmptMax(nRoots_) < maxCounts >> level;
+                if (complete)
+                {
+                    divide(first + i);
+                }
+            }
+        }
+
+        first = end;
+    }
+}
+
+
+void hexOctree::balance()
+{
+    // Where a node has parts, all nodes around it are of its level at least
+    List<DynamicList<label>> divided(depth_ + 1);
+    forAll(nodes_, i)
+    {
+        if (!isLeaf(i))
+        {
+            divided[nodes_[i].level].append(i);
+        }
+    }
+
+    for (label level = depth_; level > 0; --level)
+    {
+        for (const label i : divided[level])
+        {
+            const labelVector centre(nodes_[i].at);
+
+            for (label k = 0; k < 27; ++k)
+            {
+                const labelVector at
+                (
+                    centre + labelVector(k % 3 - 1, k/3 % 3 - 1, k/9 - 1)
+                );
+                label n = find(at, level);
+
+                while (n >= 0 && isCell(n) && nodes_[n].level < level)
+                {
+                    divided[nodes_[n].level].append(n);
+                    divide(n);
+                    n = child(nodes_[n], at, level);
+                }
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+hexOctree::hexOctree
+(
+    const boundBox& box,
+    const labelVector& nRoots,
+    const division& parts,
+    const label maxNodes
+)
+:
+    box_(box),
+    nRoots_(nRoots)
+{
+    for (label i = 0; i < nRoots.x(); ++i)
+    {
+        for (label j = 0; j < nRoots.y(); ++j)
+        {
+            for (label k = 0; k < nRoots.z(); ++k)
+            {
+                nodes_.append(node{-1, 0, labelVector(i, j, k), false, false});
+            }
+        }
+    }
+
+    complete = nodes_.size() <= maxNodes;
+    divideAll(parts, maxNodes);
+    balance();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+label hexOctree::find(const labelVector& at, const label level) const
+{
+    labelVector root;
+    for (direction d = 0; d < 3; ++d)
+    {
+        if (at[d] < 0 || at[d] >= nRoots_[d] << level)
+        {
+            return -1;
+        }
+        root[d] = at[d] >> level;
+    }
+
+    label i = (root.x()*nRoots_.y() + root.y())*nRoots_.z() + root.z();
+    while (!isLeaf(i) && nodes_[i].level < level)
+    {
+        i = child(nodes_[i], at, level);
+    }
+
+    return i;
+}
+
+
+point hexOctree::pointAt(const labelVector& at) const
+{
+    point x(box_.max());
+    for (direction d = 0; d < 3; ++d)
+    {
+        const label n = nRoots_[d] << depth_;
+        if (at[d] < n)
+        {
+            x[d] = box_.min()[d] + box_.span()[d]*at[d]/n;
+        }
+    }
+
+    return x;
+}
+
+
+boundBox hexOctree::boxOf(const label i) const
+{
+    const node& n = nodes_[i];
+    point low, high;
+    for (direction d = 0; d < 3; ++d)
+    {
+        const scalar width = box_.span()[d]/(nRoots_[d] << n.level);
+        low[d] = box_.min()[d] + n.at[d]*width;
+        high[d] = box_.min()[d] + (n.at[d] + 1)*width;
+    }
+
+    return boundBox(low, high);
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

@@ -1,0 +1,116 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "partsOfMesh.H"
+#include "polyMesh.H"
+#include "StringStream.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+static void checkPatches(const polyMesh& mesh)
+{
+    const wordList refused({"empty", "wedge", "processor", "processorCyclic"});
+
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (refused.found(patch.type()))
+        {
+            FatalErrorInFunction
+                << "The patch " << patch.name() << " of the mesh around the"
+                << " layers is of type " << patch.type() << nl
+                << "Layers need a mesh in three dimensions, of one process"
+                << exit(FatalError);
+        }
+    }
+}
+
+
+//- Another run may have put layers there
+static void checkZones(const polyMesh& mesh)
+{
+    if (mesh.cellZones().names().found("boundaryLayer"))
+    {
+        FatalErrorInFunction
+            << "The mesh around the layers has layers already: its cellZone"
+            << " boundaryLayer" << nl
+            << "Make it anew, or keep it as a region: farField.region"
+            << exit(FatalError);
+    }
+}
+
+
+static void checkCells(const polyMesh& mesh)
+{
+    const scalarField& volumes = mesh.cellVolumes();
+    const label worst = findMin(volumes);
+
+    if (mesh.nCells() == 0 || volumes[worst] <= 0)
+    {
+        FatalErrorInFunction
+            << "The mesh around the layers has "
+            << (mesh.nCells() ? "a cell that is not positive" : "no cells");
+        if (mesh.nCells())
+        {
+            FatalError
+                << ": cell " << worst << " at " << mesh.cellCentres()[worst]
+                << ", volume " << volumes[worst];
+        }
+        FatalError << exit(FatalError);
+    }
+}
+
+
+static void addPatches(const polyMesh& mesh, polyMeshParts& parts)
+{
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        OStringStream text;
+        patch.write(text);
+        dictionary entries(IStringStream(text.str())());
+        entries.remove("nFaces");
+        entries.remove("startFace");
+
+        parts.patches.names.append(patch.name());
+        parts.patches.entries.append(entries);
+        parts.topology.patchStarts.append(patch.start());
+        parts.topology.patchSizes.append(patch.size());
+    }
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+polyMeshParts partsOf(const polyMesh& mesh)
+{
+    checkPatches(mesh);
+    checkZones(mesh);
+    checkCells(mesh);
+
+    polyMeshParts parts;
+    parts.points = mesh.points();
+    parts.nCells = mesh.nCells();
+    parts.topology.faces = mesh.faces();
+    parts.topology.owner = mesh.faceOwner();
+    parts.topology.neighbour = mesh.faceNeighbour();
+    addPatches(mesh, parts);
+
+    for (const cellZone& zone : mesh.cellZones())
+    {
+        parts.cellZones.append({zone.name(), zone});
+    }
+    for (const faceZone& zone : mesh.faceZones())
+    {
+        parts.faceZones.append({zone.name(), zone, zone.flipMap()});
+    }
+
+    return parts;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

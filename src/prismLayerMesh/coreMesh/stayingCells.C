@@ -1,0 +1,224 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "stayingCells.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Constants that were tuned
+const struct
+{
+    //- A cell is wider than another if it is by more than this factor
+    scalar wider = 1.5;
+
+    //- Faces of a patch on the wall are nearer to the obstacles than so many
+    //  widths of their cells
+    scalar onWall = 2;
+
+    //- Where the owner of a face begins: share of the way to its centre
+    scalar within = 0.1;
+
+} tuned;
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void stayingCells::setBoxes()
+{
+    const polyMeshTopology& t = core_.topology;
+
+    forAll(t.faces, facei)
+    {
+        for (const label p : t.faces[facei])
+        {
+            boxes_[t.owner[facei]].add(core_.points[p]);
+            if (facei < nInternal_)
+            {
+                boxes_[t.neighbour[facei]].add(core_.points[p]);
+            }
+        }
+    }
+}
+
+
+void stayingCells::removeNear()
+{
+    #pragma omp parallel for schedule(dynamic, 1024)
+    forAll(stays_, celli)
+    {
+        const vector margin(vector::uniform(gap_*width(celli)));
+        const boundBox& box = boxes_[celli];
+
+        stays_[celli] = !obstacles_.surface.overlaps
+        (
+            boundBox(box.min() - margin, box.max() + margin)
+        );
+    }
+}
+
+
+void stayingCells::removeBehind()
+{
+    disjointSets together(parts());
+
+    // Cells of a part follow the smallest
+    forAll(stays_, celli)
+    {
+        if (stays_[celli])
+        {
+            const label first = together.find(celli);
+            stays_[celli] = first == celli
+              ? obstacles_.fluid.inFront(boxes_[celli].midpoint())
+              : stays_[first];
+        }
+    }
+}
+
+
+bool stayingCells::liesOnWall(const label patchi) const
+{
+    const polyMeshTopology& t = core_.topology;
+    const label start = t.patchStarts[patchi];
+    const label size = t.patchSizes[patchi];
+    bool near = size > 0 && isPlain(patchi);
+
+    for (label facei = start; near && facei < start + size; ++facei)
+    {
+        const point centre(t.faces[facei].centre(core_.points));
+        near =
+            obstacles_.surface.nearer
+            (
+                centre, tuned.onWall*width(t.owner[facei])
+            )
+         || !inFluid(facei);
+    }
+
+    return near;
+}
+
+
+void stayingCells::removeOnWall()
+{
+    DynamicList<word> names;
+
+    forAll(core_.patches.names, patchi)
+    {
+        if (liesOnWall(patchi))
+        {
+            const label start = core_.topology.patchStarts[patchi];
+            const label size = core_.topology.patchSizes[patchi];
+            names.append(core_.patches.names[patchi]);
+            for (label i = start; i < start + size; ++i)
+            {
+                stays_[core_.topology.owner[i]] = 0;
+            }
+        }
+    }
+
+    wallPatches_.transfer(names);
+}
+
+
+void stayingCells::removeWide()
+{
+    bool more = true;
+    while (more)
+    {
+        more = false;
+        for (label facei = 0; facei < nInternal_; ++facei)
+        {
+            label a = core_.topology.owner[facei];
+            label b = core_.topology.neighbour[facei];
+            if (stays_[b])
+            {
+                std::swap(a, b);
+            }
+
+            if
+            (
+                stays_[a] && !stays_[b] && width(a) > tuned.wider*width(b)
+            )
+            {
+                stays_[a] = 0;
+                more = true;
+            }
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+stayingCells::stayingCells
+(
+    const polyMeshParts& core,
+    const coreObstacles& obstacles,
+    const scalar gap
+)
+:
+    core_(core),
+    obstacles_(obstacles),
+    gap_(gap),
+    nInternal_(core.topology.neighbour.size()),
+    boxes_(core.nCells, boundBox(boundBox::invertedBox)),
+    stays_(core.nCells, char(1))
+{
+    setBoxes();
+    removeNear();
+    removeBehind();
+    removeOnWall();
+    removeWide();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+disjointSets stayingCells::parts() const
+{
+    disjointSets together(core_.nCells);
+    for (label facei = 0; facei < nInternal_; ++facei)
+    {
+        const label own = core_.topology.owner[facei];
+        const label nei = core_.topology.neighbour[facei];
+        if (stays_[own] && stays_[nei])
+        {
+            together.join(own, nei);
+        }
+    }
+
+    return together;
+}
+
+
+bool stayingCells::isPlain(const label patchi) const
+{
+    const wordList plain({"patch", "wall", "symmetry", "symmetryPlane"});
+
+    return plain.found(core_.patches.entries[patchi].get<word>("type"));
+}
+
+
+bool stayingCells::inFluid(const label facei) const
+{
+    const label own = core_.topology.owner[facei];
+    const point centre(core_.topology.faces[facei].centre(core_.points));
+
+    return obstacles_.fluid.inFront
+    (
+        centre + tuned.within*(boxes_[own].midpoint() - centre)
+    );
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

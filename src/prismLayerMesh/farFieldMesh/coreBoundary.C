@@ -1,0 +1,338 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "coreBoundary.H"
+#include "convexPolyhedron.H"
+#include "makeHexCore.H"
+#include "sideRemainders.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- The label of a patch, which is appended if it is not there
+label patchOf(const word& name, const word& type, meshPatches& patches)
+{
+    const label patchi = patches.names.find(name);
+    if (patchi >= 0)
+    {
+        return patchi;
+    }
+    patches.append(name, type);
+
+    return patches.names.size() - 1;
+}
+
+
+class coreBoundaryMaker
+{
+    const prismLayers& layers_;
+    const wallSurface& outer_;
+    const farFieldControls& controls_;
+    const std::function<scalar(const point&)>& size_;
+    const List<sidePatch>& sides_;
+    farFieldDomain& domain_;
+    coreCut& cut_;
+
+    bool isHexCore() const { return controls_.type == "hexCore"; }
+
+    //- Whether cells of the core stay on all side patches
+    bool staysOnSides() const;
+
+    //- The box of the far boundary, or of the mesh, or one around the layers
+    boundBox box() const;
+
+    //- That box where it is in front of the planes
+    boundBox boxBehindPlanes() const;
+
+    //- The box of hexahedra, with patches on its sides
+    hexCoreBox hexBox() const;
+
+    //- Patches of the core for all side patches
+    void addSidePatches();
+
+    void setCore(const coreObstacles& obstacles);
+
+    tetBoundary makeOnPlanes();
+
+    tetBoundary makeAround();
+
+public:
+
+    coreBoundaryMaker
+    (
+        const prismLayers& layers,
+        const wallSurface& outer,
+        const farFieldControls& controls,
+        const std::function<scalar(const point&)>& size,
+        farFieldDomain& domain,
+        coreCut& cut
+    )
+    :
+        layers_(layers),
+        outer_(outer),
+        controls_(controls),
+        size_(size),
+        sides_(layers.border.sides),
+        domain_(domain),
+        cut_(cut)
+    {}
+
+    tetBoundary make()
+    {
+        return sides_.size() && staysOnSides() ? makeOnPlanes() : makeAround();
+    }
+};
+
+
+bool coreBoundaryMaker::staysOnSides() const
+{
+    for (const sidePatch& side : sides_)
+    {
+        const bool alongAxis = cmptMax(cmptMag(side.normal)) > 1 - 1e-12;
+
+        if (side.isPart() || (isHexCore() && !alongAxis))
+        {
+            return false;
+        }
+    }
+
+    return true;
+}
+
+
+boundBox coreBoundaryMaker::box() const
+{
+    boundBox box(domain_.boundary.surface.points, false);
+    box.add(domain_.core.points);
+
+    if (box.empty())
+    {
+        box = boundBox(layers_.points, false);
+        box.inflate(0.01);
+    }
+
+    return box;
+}
+
+
+boundBox coreBoundaryMaker::boxBehindPlanes() const
+{
+    boundBox box(this->box());
+
+    for (const sidePatch& side : sides_)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            if (side.normal[d] > 0.5)
+            {
+                box.max()[d] = min(box.max()[d], side.origin[d]);
+            }
+            else if (side.normal[d] < -0.5)
+            {
+                box.min()[d] = max(box.min()[d], side.origin[d]);
+            }
+        }
+    }
+
+    return box;
+}
+
+
+hexCoreBox coreBoundaryMaker::hexBox() const
+{
+    const farBoundary& boundary = domain_.boundary;
+    const bool onSides = sides_.empty() || staysOnSides();
+    hexCoreBox made;
+    made.box = onSides ? boxBehindPlanes() : box();
+
+    if (!onSides || (boundary.boxPatches.empty() && sides_.empty()))
+    {
+        return made;
+    }
+
+    labelList planeOn(6, -1);
+    forAll(sides_, s)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            if (mag(sides_[s].normal[d]) > 0.5)
+            {
+                planeOn[2*d + (sides_[s].normal[d] > 0)] = s;
+            }
+        }
+    }
+
+    // Patches of the far boundary with a side that is on no plane
+    forAll(boundary.patchTypes, patchi)
+    {
+        forAll(boundary.boxPatches, i)
+        {
+            if (planeOn[i] < 0 && boundary.boxPatches[i] == patchi)
+            {
+                const word& name = boundary.surface.patchNames[patchi];
+                patchOf(name, boundary.patchTypes[patchi], made.patches);
+            }
+        }
+    }
+    for (const sidePatch& side : sides_)
+    {
+        patchOf(side.name, side.type, made.patches);
+    }
+
+    // Beyond the layers there is no patch without a far boundary
+    made.sidePatches.setSize(6, made.patches.names.size());
+    forAll(planeOn, i)
+    {
+        if (planeOn[i] >= 0 || boundary.boxPatches.size())
+        {
+            made.sidePatches[i] = made.patches.names.find
+            (
+                planeOn[i] >= 0
+              ? sides_[planeOn[i]].name
+              : boundary.surface.patchNames[boundary.boxPatches[i]]
+            );
+        }
+    }
+
+    return made;
+}
+
+
+void coreBoundaryMaker::addSidePatches()
+{
+    polyMeshParts& core = domain_.core;
+    for (const sidePatch& side : sides_)
+    {
+        if (!core.patches.names.found(side.name))
+        {
+            // Before the faces of no patch, if there are any
+            const label n = core.patches.names.size();
+            const label end = n < core.topology.patchStarts.size()
+              ? core.topology.patchStarts[n] : core.topology.faces.size();
+            const label nNameless = core.topology.patchStarts.size() - n;
+            labelList starts(SubList<label>(core.topology.patchStarts, n));
+            labelList sizes(SubList<label>(core.topology.patchSizes, n));
+            starts.append(end);
+            sizes.append(0);
+            starts.append
+            (
+                SubList<label>(core.topology.patchStarts, nNameless, n)
+            );
+            sizes.append
+            (
+                SubList<label>(core.topology.patchSizes, nNameless, n)
+            );
+            core.topology.patchStarts = starts;
+            core.topology.patchSizes = sizes;
+            core.patches.append(side.name, side.type);
+        }
+    }
+}
+
+
+void coreBoundaryMaker::setCore(const coreObstacles& obstacles)
+{
+    if (isHexCore())
+    {
+        domain_.core =
+            makeHexCore(hexBox(), obstacles, size_, controls_.maxCells);
+    }
+}
+
+
+tetBoundary coreBoundaryMaker::makeOnPlanes()
+{
+    // Closed by coarse triangles of planes and box
+    farBoundary coarse(domain_.boundary);
+    if (coarse.boxPatches.empty() && domain_.core.nCells)
+    {
+        farBoundaryControls boxControls;
+        boxControls.type = "box";
+        boxControls.box = box();
+        coarse = makeFarBoundary(boxControls, nullptr);
+    }
+    const endedBoundary ended
+    (
+        makeEndedBoundary
+        (
+            layers_, coarse, [](const point&) { return GREAT; }
+        )
+    );
+    tetBoundary closing;
+    closing.surface = ended.surface;
+    closing.columns = ended.columns;
+
+    const wallSearch surface(outer_);
+    const wallSearch fluid(joined(outer_, closing));
+    const coreObstacles obstacles{surface, fluid};
+    setCore(obstacles);
+    addSidePatches();
+    cut_ = cutCore(domain_.core, obstacles, controls_.gap, sides_);
+
+    tetBoundary made
+    (
+        makePlaneBoundary(layers_, cut_, domain_.core.patches, size_)
+    );
+    addCut(cut_, domain_.core.patches, made);
+
+    return made;
+}
+
+
+tetBoundary coreBoundaryMaker::makeAround()
+{
+    if (!isHexCore() && sides_.size())
+    {
+        FatalErrorInFunction
+            << "The layers end on the side patch " << sides_[0].name
+            << ", which is no plane of surface.sidePlanes" << nl
+            << "Layers that end on other side patches need a far field of type"
+            << " tet or hexCore" << exit(FatalError);
+    }
+
+    tetBoundary made;
+    if (domain_.boundary.boxPatches.empty() || sides_.size())
+    {
+        made = makeTetBoundary(layers_, domain_.boundary, size_);
+    }
+
+    const wallSearch surface(joined(outer_, made));
+    const coreObstacles obstacles{surface, surface};
+    setCore(obstacles);
+    cut_ = cutCore(domain_.core, obstacles, controls_.gap);
+    addCut(cut_, domain_.core.patches, made);
+
+    return made;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+tetBoundary makeCoreBoundary
+(
+    const prismLayers& layers,
+    const wallSurface& outer,
+    const farFieldControls& controls,
+    const std::function<scalar(const point&)>& size,
+    farFieldDomain& domain,
+    coreCut& cut
+)
+{
+    return coreBoundaryMaker
+    (
+        layers, outer, controls, size, domain, cut
+    ).make();
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

@@ -1,0 +1,143 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "coreNotes.H"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+static scalar median(scalarField values)
+{
+    const auto middle = values.begin() + values.size()/2;
+    std::nth_element(values.begin(), middle, values.end());
+
+    return *middle;
+}
+
+
+static void addWidths
+(
+    const coreCut& cut,
+    const std::function<scalar(const point&)>& size,
+    DynamicList<string>& notes
+)
+{
+    if (cut.cutBoxes.empty())
+    {
+        return;
+    }
+
+    scalarField ratios(cut.cutBoxes.size());
+    scalar flattest = 1;
+    forAll(ratios, i)
+    {
+        const boundBox& box = cut.cutBoxes[i];
+        ratios[i] = cmptMax(box.span())/size(box.midpoint());
+        flattest = max(flattest, cmptMax(box.span())/cmptMin(box.span()));
+    }
+
+    const scalar middle = median(ratios);
+    std::ostringstream text;
+    text.precision(3);
+    text<< "cells at the cut " << ratios.size() << ", their width over the size"
+        << " that grows from the layers: median " << middle << ", largest "
+        << max(ratios);
+    notes.append(text.str());
+
+    // With twice the width faces are as poor as with half of the gap
+    if (middle > 2)
+    {
+        notes.append
+        (
+            "Advice: refine the mesh there by "
+          + name(label(std::ceil(std::log2(middle/1.2))))
+          + " levels, or make the triangles of the wall larger"
+        );
+    }
+    if (flattest > 2)
+    {
+        std::ostringstream advice;
+        advice.precision(3);
+        advice
+            << "Advice: cells at the cut are up to " << flattest
+            << " times as long as they are wide; above 2 faces beside them are"
+            << " poor";
+        notes.append(advice.str());
+    }
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+DynamicList<string> coreNotes
+(
+    const polyMeshParts& core,
+    const coreCut& cut,
+    const farFieldMesh& far,
+    const std::function<scalar(const point&)>& size
+)
+{
+    DynamicList<string> notes;
+    addWidths(cut, size, notes);
+
+    forAll(core.patches.names, patchi)
+    {
+        const word& patch = core.patches.names[patchi];
+        const label i = far.patches.names.find(patch);
+
+        if
+        (
+            core.topology.patchSizes[patchi]
+         && far.topology.patchSizes[1 + i] == 0
+        )
+        {
+            notes.append
+            (
+                "The patch " + patch + " has lost all its faces"
+              + (cut.wallPatches.found(patch) ? ": it lies on the wall" : "")
+            );
+        }
+    }
+
+    const label firstZone = far.cellZones.size() - core.cellZones.size();
+    forAll(core.cellZones, i)
+    {
+        if
+        (
+            core.cellZones[i].cells.size()
+         && far.cellZones[firstZone + i].cells.empty()
+        )
+        {
+            notes.append
+            (
+                "The cellZone " + core.cellZones[i].name
+              + " has lost all its cells"
+            );
+        }
+    }
+    forAll(core.faceZones, i)
+    {
+        if (core.faceZones[i].faces.size() && far.faceZones[i].faces.empty())
+        {
+            notes.append
+            (
+                "The faceZone " + core.faceZones[i].name
+              + " has lost all its faces"
+            );
+        }
+    }
+
+    return notes;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

@@ -1,0 +1,396 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "makeFarFieldMesh.H"
+#include "Map.H"
+#include "triangleIndex.H"
+
+#include <algorithm>
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * * Static Data * * * * * * * * * * * * * * * //
+
+const word farFieldName("farField");
+
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+class cellJoiner
+{
+    const farFieldTets& tets_;
+    const polyMeshParts& core_;
+
+    //- Of the core: cells that stay, with their labels here, or -1
+    const labelList cells_;
+
+    //- Tetrahedra on the triangles of the layers, of patches, and of the cut
+    labelList outerTets_;
+    labelList boundaryTets_;
+    labelList cutTets_;
+
+    //- Labels here of the core's points and faces, and of faces that are
+    //  several triangles
+    labelList points_;
+    labelList faces_;
+    Map<DynamicList<label>> cutFaces_;
+
+    //- The patches of the core are the last
+    label firstCorePatch_;
+
+    farFieldMesh mesh_;
+
+    label nTets() const { return tets_.tets.size(); }
+
+    label nCoreInternal() const { return core_.topology.neighbour.size(); }
+
+    void findTets();
+
+    void addPoints();
+
+    face coreFace(label facei) const;
+
+    //- Internal faces of tetrahedra, with those to cells of the core
+    void addTetFaces();
+
+    void addCoreFaces();
+
+    void addOuterFaces();
+
+    void addPatches();
+
+    void addCellZones();
+
+    void addFaceZones();
+
+public:
+
+    cellJoiner
+    (
+        const farFieldTets& tets,
+        const polyMeshParts& core,
+        const labelUList& coreCells
+    );
+
+    farFieldMesh join();
+};
+
+
+cellJoiner::cellJoiner
+(
+    const farFieldTets& tets,
+    const polyMeshParts& core,
+    const labelUList& coreCells
+)
+:
+    tets_(tets),
+    core_(core),
+    cells_(invert(core.nCells, coreCells)),
+    points_(core.points.size(), -1),
+    faces_(core.topology.faces.size(), -1)
+{
+    mesh_.nCells = tets.tets.size() + coreCells.size();
+    firstCorePatch_ = tets.patches.names.size() - core.patches.names.size();
+    mesh_.patches = tets.patches;
+    forAll(core.patches.entries, patchi)
+    {
+        mesh_.patches.entries[firstCorePatch_ + patchi] =
+            core.patches.entries[patchi];
+    }
+}
+
+
+void cellJoiner::findTets()
+{
+    faceList triangles(tets_.outerTriangles);
+    triangles.append(tets_.boundaryTriangles);
+    triangles.append(tets_.cutTriangles);
+    const triangleIndex index(makeTriangleIndex(triangles));
+    labelList found(triangles.size(), -1);
+
+    forAll(tets_.tets, t)
+    {
+        for (label i = 0; i < 4; ++i)
+        {
+            if (tets_.neighbours[t][i] < 0)
+            {
+                found[index[tets_.tets[t].face(i)]] = t;
+            }
+        }
+    }
+
+    const label nOuter = tets_.outerTriangles.size();
+    const label nBoundary = tets_.boundaryTriangles.size();
+    const label nCut = tets_.cutTriangles.size();
+    outerTets_ = SubList<label>(found, nOuter);
+    boundaryTets_ = SubList<label>(found, nBoundary, nOuter);
+    cutTets_ = SubList<label>(found, nCut, nOuter + nBoundary);
+}
+
+
+void cellJoiner::addPoints()
+{
+    forAll(tets_.corePoints, p)
+    {
+        if (tets_.corePoints[p] >= 0)
+        {
+            points_[tets_.corePoints[p]] = p;
+        }
+    }
+
+    // Further points of cells that stay
+    const polyMeshTopology& t = core_.topology;
+    DynamicList<point> points(tets_.points);
+    forAll(t.faces, facei)
+    {
+        const bool stays =
+            cells_[t.owner[facei]] >= 0
+         || (facei < nCoreInternal() && cells_[t.neighbour[facei]] >= 0);
+
+        for (const label p : t.faces[facei])
+        {
+            if (stays && points_[p] < 0)
+            {
+                points_[p] = points.size();
+                points.append(core_.points[p]);
+            }
+        }
+    }
+
+    mesh_.points.transfer(points);
+}
+
+
+face cellJoiner::coreFace(const label facei) const
+{
+    face f(core_.topology.faces[facei]);
+    for (label& p : f)
+    {
+        p = points_[p];
+    }
+
+    return f;
+}
+
+
+void cellJoiner::addTetFaces()
+{
+    // Triangles of the cut on each tetrahedron: few have any
+    Map<DynamicList<label>> cutOf(2*cutTets_.size());
+    forAll(cutTets_, i)
+    {
+        cutOf(cutTets_[i]).append(i);
+    }
+
+    // Cells beyond, with the face of the tetrahedron, or less than 0 the
+    // triangle of the cut
+    DynamicList<labelPair> beyond(4);
+
+    forAll(tets_.tets, t)
+    {
+        beyond.clear();
+        for (label i = 0; i < 4; ++i)
+        {
+            if (tets_.neighbours[t][i] > t)
+            {
+                beyond.append(labelPair(tets_.neighbours[t][i], i));
+            }
+        }
+        if (cutOf.found(t))
+        {
+            for (const label i : cutOf[t])
+            {
+                const label celli = cells_[tets_.cutCells[i]];
+                beyond.append(labelPair(nTets() + celli, -1 - i));
+            }
+        }
+        std::sort(beyond.begin(), beyond.end());
+
+        for (const labelPair& b : beyond)
+        {
+            const label i = b.second();
+            if (i < 0)
+            {
+                cutFaces_(tets_.cutFaces[-1 - i]).append
+                (
+                    mesh_.topology.faces.size()
+                );
+            }
+            mesh_.topology.append
+            (
+                i < 0
+              ? tets_.cutTriangles[-1 - i].reverseFace()
+              : tets_.tets[t].face(i).triFaceFace(),
+                t,
+                b.first()
+            );
+        }
+    }
+}
+
+
+void cellJoiner::addCoreFaces()
+{
+    const polyMeshTopology& t = core_.topology;
+    for (label facei = 0; facei < nCoreInternal(); ++facei)
+    {
+        const label own = cells_[t.owner[facei]];
+        const label nei = cells_[t.neighbour[facei]];
+
+        if (own >= 0 && nei >= 0)
+        {
+            faces_[facei] = mesh_.topology.faces.size();
+            mesh_.topology.append
+            (
+                coreFace(facei), nTets() + own, nTets() + nei
+            );
+        }
+    }
+}
+
+
+void cellJoiner::addOuterFaces()
+{
+    mesh_.topology.startPatch();
+    forAll(tets_.outerTriangles, i)
+    {
+        mesh_.topology.append
+        (
+            tets_.outerTriangles[i].reverseFace(), outerTets_[i]
+        );
+    }
+    mesh_.frontFaces = tets_.outerFaces;
+}
+
+
+void cellJoiner::addPatches()
+{
+    // Seen from inside, the normals of the boundary's triangles point at us
+    const labelListList triangles
+    (
+        invertOneToMany(tets_.patches.names.size(), tets_.patchIDs)
+    );
+
+    forAll(mesh_.patches.names, patchi)
+    {
+        mesh_.topology.startPatch();
+        for (const label i : triangles[patchi])
+        {
+            mesh_.topology.append
+            (
+                tets_.boundaryTriangles[i].reverseFace(), boundaryTets_[i]
+            );
+        }
+
+        const label corePatch = patchi - firstCorePatch_;
+        if (corePatch < 0)
+        {
+            continue;
+        }
+        const label start = core_.topology.patchStarts[corePatch];
+        const label end = start + core_.topology.patchSizes[corePatch];
+        for (label facei = start; facei < end; ++facei)
+        {
+            const label own = cells_[core_.topology.owner[facei]];
+            if (own >= 0)
+            {
+                faces_[facei] = mesh_.topology.faces.size();
+                mesh_.topology.append(coreFace(facei), nTets() + own);
+            }
+        }
+    }
+}
+
+
+void cellJoiner::addCellZones()
+{
+    mesh_.cellZones.append({farFieldName, identity(nTets())});
+
+    for (const cellZoneParts& zone : core_.cellZones)
+    {
+        DynamicList<label> cells;
+        for (const label celli : zone.cells)
+        {
+            if (cells_[celli] >= 0)
+            {
+                cells.append(nTets() + cells_[celli]);
+            }
+        }
+        mesh_.cellZones.append({zone.name, labelList(std::move(cells))});
+    }
+}
+
+
+void cellJoiner::addFaceZones()
+{
+    for (const faceZoneParts& zone : core_.faceZones)
+    {
+        DynamicList<label> faces;
+        DynamicList<bool> flips;
+        forAll(zone.faces, i)
+        {
+            const label facei = zone.faces[i];
+            if (faces_[facei] >= 0)
+            {
+                faces.append(faces_[facei]);
+                flips.append(zone.flips[i]);
+            }
+
+            // Triangles of the cut point from tetrahedra to the cell that stays
+            const bool turned = cells_[core_.topology.owner[facei]] >= 0;
+            const labelList triangles
+            (
+                cutFaces_.found(facei)
+              ? labelList(cutFaces_[facei]) : labelList()
+            );
+            faces.append(triangles);
+            flips.append(boolList(triangles.size(), zone.flips[i] != turned));
+        }
+        mesh_.faceZones.append
+        ({
+            zone.name, labelList(std::move(faces)), boolList(std::move(flips))
+        });
+    }
+}
+
+
+farFieldMesh cellJoiner::join()
+{
+    const label nFaces = 2*nTets() + core_.topology.faces.size();
+    findTets();
+    addPoints();
+    mesh_.topology.reserve(nFaces, nFaces);
+    addTetFaces();
+    addCoreFaces();
+    addOuterFaces();
+    addPatches();
+    addCellZones();
+    addFaceZones();
+
+    return std::move(mesh_);
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+farFieldMesh joinCells
+(
+    const farFieldTets& tets,
+    const polyMeshParts& core,
+    const labelUList& coreCells
+)
+{
+    return cellJoiner(tets, core, coreCells).join();
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

@@ -1,0 +1,254 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "tetBoundary.H"
+#include "readWallSurface.H"
+#include "refineSurface.H"
+#include "sideRemainders.H"
+#include "sideShape.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Puts the points whose triangles are of one curved side patch, or of sectors
+//  of one, on it; not those of the layers. Then merges patches of one name.
+static void putOnSides
+(
+    const UList<sidePatch>& sides,
+    const endedBoundary& ended,
+    wallSurface& far
+)
+{
+    labelList patches(far.points.size(), -1);
+    bitSet onSeveral(far.points.size());
+
+    forAll(far.faces, facei)
+    {
+        const label patchi = far.patchIDs[facei];
+
+        for (const label p : far.faces[facei])
+        {
+            const label other = patches[p];
+            if (other >= 0 && far.patchNames[other] != far.patchNames[patchi])
+            {
+                onSeveral.set(p);
+            }
+            patches[p] = patchi;
+        }
+    }
+
+    for (label p = ended.columns.size(); p < far.points.size(); ++p)
+    {
+        const label s = patches[p] - ended.firstSide;
+
+        if (s >= 0 && sides[s].isCurved() && !onSeveral.test(p))
+        {
+            far.points[p] = sides[s].shape->nearest(far.points[p]).rawPoint();
+        }
+    }
+
+    // In the order of the far boundary's patches: some of them are sides
+    for (label& patchi : far.patchIDs)
+    {
+        patchi = far.patchNames.find(far.patchNames[patchi]);
+    }
+    mergePatches(far);
+}
+
+
+//- Leaves out points that no triangle uses, but for those of columns
+static void leaveOutUnused(tetBoundary& boundary)
+{
+    wallSurface& surface = boundary.surface;
+    boolList isUsed(boundary.columns.size(), true);
+    isUsed.setSize(surface.points.size(), false);
+    for (const face& f : surface.faces)
+    {
+        UIndirectList<bool>(isUsed, f) = true;
+    }
+
+    const labelList used(findIndices(isUsed, true));
+    const labelList newLabels(invert(surface.points.size(), used));
+    surface.points = pointField(surface.points, used);
+    boundary.corePoints = UIndirectList<label>(boundary.corePoints, used)();
+    for (face& f : surface.faces)
+    {
+        inplaceRenumber(newLabels, f);
+    }
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+tetBoundary makeTetBoundary
+(
+    const prismLayers& layers,
+    const farBoundary& boundary,
+    const std::function<scalar(const point&)>& size
+)
+{
+    tetBoundary made;
+
+    if (layers.border.sides.empty())
+    {
+        made.surface = boundary.surface;
+        made.surface.patchTypes = boundary.patchTypes;
+        refineSurface(made.surface, size, boundary.project);
+
+        return made;
+    }
+
+    const endedBoundary ended(makeEndedBoundary(layers, boundary, size));
+    made.columns = ended.columns;
+    made.surface = ended.surface;
+    refineSurface(made.surface, size, boundary.project);
+    putOnSides(layers.border.sides, ended, made.surface);
+
+    return made;
+}
+
+
+tetBoundary makePlaneBoundary
+(
+    const prismLayers& layers,
+    const coreCut& cut,
+    const meshPatches& patches,
+    const std::function<scalar(const point&)>& size
+)
+{
+    const endedBoundary ended
+    (
+        makePlaneRemainders(layers, cut.surface.points, cut.fences, size)
+    );
+    tetBoundary made;
+    made.columns = ended.columns;
+
+    // Better triangles, of the points that are used, then with all points
+    const label nKept = ended.columns.size() + cut.surface.points.size();
+    wallSurface planes(ended.surface);
+    boolList isUsed(planes.points.size(), false);
+    for (const face& f : planes.faces)
+    {
+        UIndirectList<bool>(isUsed, f) = true;
+    }
+    const labelList used(findIndices(isUsed, true));
+    const labelList newLabels(invert(planes.points.size(), used));
+    planes.points = pointField(planes.points, used);
+    for (face& f : planes.faces)
+    {
+        inplaceRenumber(newLabels, f);
+    }
+    refineSurface(planes, size, nullptr);
+
+    made.surface = ended.surface;
+    made.surface.points.setSize(nKept);
+    const label nUsedKept = std::count_if
+    (
+        used.begin(), used.end(), [=](const label p) { return p < nKept; }
+    );
+    made.surface.points.append
+    (
+        SubList<point>
+        (
+            planes.points, planes.points.size() - nUsedKept, nUsedKept
+        )
+    );
+    made.surface.faces = planes.faces;
+    made.surface.patchIDs = planes.patchIDs;
+    for (face& f : made.surface.faces)
+    {
+        for (label& p : f)
+        {
+            p = p < nUsedKept ? used[p] : p - nUsedKept + nKept;
+        }
+    }
+
+    // By the names of the core's patches
+    for (label& patchi : made.surface.patchIDs)
+    {
+        patchi = patches.names.find(ended.surface.patchNames[patchi]);
+    }
+    made.surface.patchNames.clear();
+    made.surface.patchTypes.clear();
+    made.nCutPoints = cut.surface.points.size();
+
+    return made;
+}
+
+
+void addCut
+(
+    const coreCut& cut,
+    const meshPatches& patches,
+    tetBoundary& boundary
+)
+{
+    wallSurface& surface = boundary.surface;
+    const label nPatches = surface.patchNames.size();
+    const label nFaces = surface.faces.size();
+    label first = boundary.columns.size();
+    boundary.corePoints = labelList(surface.points.size(), -1);
+
+    if (boundary.nCutPoints == 0)
+    {
+        first = surface.points.size();
+        surface.points.append(cut.surface.points);
+        boundary.corePoints.append(cut.points);
+    }
+    else
+    {
+        SubList<label>(boundary.corePoints, cut.points.size(), first) =
+            cut.points;
+    }
+
+    surface.patchNames.append(patches.names);
+    surface.patchTypes.append(patches.types());
+    surface.faces.append(cut.surface.faces);
+    surface.patchIDs.append(cut.surface.patchIDs);
+    for (label i = nFaces; i < surface.faces.size(); ++i)
+    {
+        surface.patchIDs[i] += nPatches;
+        for (label& p : surface.faces[i])
+        {
+            p += first;
+        }
+    }
+
+    boundary.cutFaces = cut.cutFaces;
+    boundary.cutCells = cut.cutCells;
+    boundary.seeds = cut.seeds;
+    leaveOutUnused(boundary);
+}
+
+
+wallSurface joined(const wallSurface& outer, const tetBoundary& boundary)
+{
+    const wallSurface& far = boundary.surface;
+    const labelList& common = boundary.columns;
+    const label nCommon = common.size();
+    const label n = far.points.size() - nCommon;
+
+    wallSurface both;
+    both.points = outer.points;
+    both.points.append(SubList<point>(far.points, n, nCommon));
+    both.faces = outer.faces;
+    both.faces.append(far.faces);
+
+    for (label i = outer.faces.size(); i < both.faces.size(); ++i)
+    {
+        for (label& p : both.faces[i])
+        {
+            p = p < nCommon ? common[p] : p - nCommon + outer.points.size();
+        }
+    }
+
+    return both;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

@@ -1,0 +1,119 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "polyMeshParts.H"
+#include "cell.H"
+#include "Map.H"
+#include "UIndirectList.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void polyMeshTopology::reserve(const label nFaces, const label nInternal)
+{
+    faces.reserve(nFaces);
+    owner.reserve(nFaces);
+    neighbour.reserve(nInternal);
+}
+
+
+void polyMeshTopology::append
+(
+    face&& f,
+    const label ownerCell,
+    const label neighbourCell
+)
+{
+    faces.append(std::move(f));
+    owner.append(ownerCell);
+
+    if (neighbourCell >= 0)
+    {
+        neighbour.append(neighbourCell);
+    }
+    else
+    {
+        ++patchSizes.last();
+    }
+}
+
+
+void polyMeshTopology::startPatch()
+{
+    patchStarts.append(faces.size());
+    patchSizes.append(0);
+}
+
+
+void meshPatches::append(const word& name, const word& type)
+{
+    names.append(name);
+
+    dictionary patch;
+    patch.add("type", type);
+    entries.append(patch);
+}
+
+
+wordList meshPatches::types() const
+{
+    wordList all(entries.size());
+
+    forAll(all, patchi)
+    {
+        all[patchi] = entries[patchi].get<word>("type");
+    }
+
+    return all;
+}
+
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void setCentresAndVolumes
+(
+    const polyMeshParts& mesh,
+    const labelUList& cells,
+    pointField& centres,
+    scalarField& volumes
+)
+{
+    // Faces of the cells that are asked for
+    const label nInternal = mesh.topology.neighbour.size();
+    boolList wanted(mesh.nCells, false);
+    UIndirectList<bool>(wanted, cells) = true;
+    Map<DynamicList<label>> facesOf(2*cells.size());
+
+    forAll(mesh.topology.faces, facei)
+    {
+        const label own = mesh.topology.owner[facei];
+        const label nei =
+            facei < nInternal ? mesh.topology.neighbour[facei] : own;
+        if (wanted[own])
+        {
+            facesOf(own).append(facei);
+        }
+        if (nei != own && wanted[nei])
+        {
+            facesOf(nei).append(facei);
+        }
+    }
+
+    centres.setSize(cells.size());
+    volumes.setSize(cells.size());
+    forAll(cells, i)
+    {
+        const cell c(facesOf[cells[i]]);
+        centres[i] = c.centre(mesh.points, mesh.topology.faces);
+        volumes[i] = c.mag(mesh.points, mesh.topology.faces);
+    }
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
