@@ -88,6 +88,7 @@ void coreCutter::addCells(coreCut& cut) const
 {
     disjointSets parts(stays_.parts());
     DynamicList<label> cells;
+    DynamicList<label> room;
     DynamicList<label> first;
 
     for (label celli = 0; celli < core_.nCells; ++celli)
@@ -100,10 +101,15 @@ void coreCutter::addCells(coreCut& cut) const
                 first.append(celli);
             }
         }
+        else if (stays_.makesRoom(celli))
+        {
+            room.append(celli);
+        }
     }
 
     cut.seeds = seedsOf(first);
     cut.cells.transfer(cells);
+    cut.room.transfer(room);
 }
 
 

@@ -306,7 +306,10 @@ hexFaceMaker::hexFaceMaker(const hexOctree& tree, const hexCoreBox& box)
     }
     addPatches();
     mesh_.patches = box.patches;
-    mesh_.cellZones.append({hexCoreName, identity(mesh_.nCells)});
+    mesh_.cellZones.append
+    (
+        cellZoneParts(hexCoreName, identity(mesh_.nCells))
+    );
 }
 
 } // End anonymous namespace

@@ -101,7 +101,7 @@ polyMeshParts partsOf(const polyMesh& mesh)
 
     for (const cellZone& zone : mesh.cellZones())
     {
-        parts.cellZones.append({zone.name(), zone});
+        parts.cellZones.append(cellZoneParts(zone.name(), zone));
     }
     for (const faceZone& zone : mesh.faceZones())
     {

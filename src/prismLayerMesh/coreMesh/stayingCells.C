@@ -54,15 +54,16 @@ void stayingCells::setBoxes()
 void stayingCells::removeNear()
 {
     #pragma omp parallel for schedule(dynamic, 1024)
-    forAll(stays_, celli)
+    forAll(states_, celli)
     {
         const vector margin(vector::uniform(gap_*width(celli)));
         const boundBox& box = boxes_[celli];
+        const boundBox grown(box.min() - margin, box.max() + margin);
 
-        stays_[celli] = !obstacles_.surface.overlaps
-        (
-            boundBox(box.min() - margin, box.max() + margin)
-        );
+        if (obstacles_.surface.overlaps(grown))
+        {
+            states_[celli] = states::makesRoom;
+        }
     }
 }
 
@@ -72,14 +73,15 @@ void stayingCells::removeBehind()
     disjointSets together(parts());
 
     // Cells of a part follow the smallest
-    forAll(stays_, celli)
+    forAll(states_, celli)
     {
-        if (stays_[celli])
+        if ((*this)[celli])
         {
             const label first = together.find(celli);
-            stays_[celli] = first == celli
+            const bool isInFront = first == celli
               ? obstacles_.fluid.inFront(boxes_[celli].midpoint())
-              : stays_[first];
+              : (*this)[first];
+            states_[celli] = isInFront ? states::stays : states::isBehind;
         }
     }
 }
@@ -120,7 +122,7 @@ void stayingCells::removeOnWall()
             names.append(core_.patches.names[patchi]);
             for (label i = start; i < start + size; ++i)
             {
-                stays_[core_.topology.owner[i]] = 0;
+                leave(core_.topology.owner[i]);
             }
         }
     }
@@ -139,17 +141,17 @@ void stayingCells::removeWide()
         {
             label a = core_.topology.owner[facei];
             label b = core_.topology.neighbour[facei];
-            if (stays_[b])
+            if ((*this)[b])
             {
                 std::swap(a, b);
             }
 
             if
             (
-                stays_[a] && !stays_[b] && width(a) > tuned.wider*width(b)
+                (*this)[a] && !(*this)[b] && width(a) > tuned.wider*width(b)
             )
             {
-                stays_[a] = 0;
+                leave(a);
                 more = true;
             }
         }
@@ -171,7 +173,7 @@ stayingCells::stayingCells
     gap_(gap),
     nInternal_(core.topology.neighbour.size()),
     boxes_(core.nCells, boundBox(boundBox::invertedBox)),
-    stays_(core.nCells, char(1))
+    states_(core.nCells, states::stays)
 {
     setBoxes();
     removeNear();
@@ -190,7 +192,7 @@ disjointSets stayingCells::parts() const
     {
         const label own = core_.topology.owner[facei];
         const label nei = core_.topology.neighbour[facei];
-        if (stays_[own] && stays_[nei])
+        if ((*this)[own] && (*this)[nei])
         {
             together.join(own, nei);
         }

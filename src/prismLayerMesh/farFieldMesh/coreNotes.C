@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "coreNotes.H"
+#include "hexFaces.H"
 
 #include <algorithm>
 #include <cmath>
@@ -75,6 +76,37 @@ static void addWidths
 }
 
 
+//- Zones of some of the cells that make room
+static void addPartZones
+(
+    const polyMeshParts& core,
+    const coreCut& cut,
+    DynamicList<string>& notes
+)
+{
+    for (const cellZoneParts& zone : core.cellZones)
+    {
+        boolList isIn(core.nCells, false);
+        UIndirectList<bool>(isIn, zone.cells) = true;
+        label n = 0;
+        for (const label celli : cut.room)
+        {
+            n += isIn[celli];
+        }
+
+        if (n > 0 && n < cut.room.size() && zone.name != hexCoreName)
+        {
+            notes.append
+            (
+                "The cellZone " + zone.name + " has lost " + name(n)
+              + " of the " + name(cut.room.size()) + " cells that make room:"
+                " layers and tetrahedra there are not in it"
+            );
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 DynamicList<string> coreNotes
@@ -107,6 +139,7 @@ DynamicList<string> coreNotes
         }
     }
 
+    addPartZones(core, cut, notes);
     const label firstZone = far.cellZones.size() - core.cellZones.size();
     forAll(core.cellZones, i)
     {

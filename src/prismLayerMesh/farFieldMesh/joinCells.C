@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "makeFarFieldMesh.H"
+#include "hexFaces.H"
 #include "Map.H"
 #include "triangleIndex.H"
 
@@ -26,6 +27,7 @@ class cellJoiner
 {
     const farFieldTets& tets_;
     const polyMeshParts& core_;
+    const coreCut& cut_;
 
     //- Of the core: cells that stay, with their labels here, or -1
     const labelList cells_;
@@ -75,7 +77,7 @@ public:
     (
         const farFieldTets& tets,
         const polyMeshParts& core,
-        const labelUList& coreCells
+        const coreCut& cut
     );
 
     farFieldMesh join();
@@ -86,16 +88,17 @@ cellJoiner::cellJoiner
 (
     const farFieldTets& tets,
     const polyMeshParts& core,
-    const labelUList& coreCells
+    const coreCut& cut
 )
 :
     tets_(tets),
     core_(core),
-    cells_(invert(core.nCells, coreCells)),
+    cut_(cut),
+    cells_(invert(core.nCells, cut.cells)),
     points_(core.points.size(), -1),
     faces_(core.topology.faces.size(), -1)
 {
-    mesh_.nCells = tets.tets.size() + coreCells.size();
+    mesh_.nCells = tets.tets.size() + cut.cells.size();
     firstCorePatch_ = tets.patches.names.size() - core.patches.names.size();
     mesh_.patches = tets.patches;
     forAll(core.patches.entries, patchi)
@@ -310,11 +313,20 @@ void cellJoiner::addPatches()
 
 void cellJoiner::addCellZones()
 {
-    mesh_.cellZones.append({farFieldName, identity(nTets())});
+    mesh_.cellZones.append(cellZoneParts(farFieldName, identity(nTets())));
 
     for (const cellZoneParts& zone : core_.cellZones)
     {
-        DynamicList<label> cells;
+        boolList isIn(core_.nCells, false);
+        UIndirectList<bool>(isIn, zone.cells) = true;
+        const auto makesRoom = [&](const label celli) { return isIn[celli]; };
+
+        // In place of cells of the zone alone there are cells of the zone
+        const bool isAround = zone.name != hexCoreName && std::all_of
+        (
+            cut_.room.begin(), cut_.room.end(), makesRoom
+        );
+        DynamicList<label> cells(isAround ? identity(nTets()) : labelList());
         for (const label celli : zone.cells)
         {
             if (cells_[celli] >= 0)
@@ -322,7 +334,8 @@ void cellJoiner::addCellZones()
                 cells.append(nTets() + cells_[celli]);
             }
         }
-        mesh_.cellZones.append({zone.name, labelList(std::move(cells))});
+        mesh_.cellZones.append(cellZoneParts(zone.name, cells));
+        mesh_.cellZones.last().hasLayers = isAround;
     }
 }
 
@@ -385,10 +398,10 @@ farFieldMesh joinCells
 (
     const farFieldTets& tets,
     const polyMeshParts& core,
-    const labelUList& coreCells
+    const coreCut& cut
 )
 {
-    return cellJoiner(tets, core, coreCells).join();
+    return cellJoiner(tets, core, cut).join();
 }
 
 } // End namespace Foam

@@ -370,7 +370,7 @@ farFieldMesh makeFarFieldMesh
     compact(mesh);
     improve(layers, domain.core, mesh);
 
-    farFieldMesh made(joinCells(mesh, domain.core, cut.cells));
+    farFieldMesh made(joinCells(mesh, domain.core, cut));
     made.notes = coreNotes(domain.core, cut, made, std::cref(fromLayers));
 
     return made;

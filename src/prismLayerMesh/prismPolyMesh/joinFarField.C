@@ -122,6 +122,12 @@ static void renumberZones
         {
             celli += nLayerCells;
         }
+        if (zone.hasLayers)
+        {
+            labelList cells(identity(nLayerCells));
+            cells.append(zone.cells);
+            zone.cells.transfer(cells);
+        }
     }
 
     for (faceZoneParts& zone : far.faceZones)

@@ -115,7 +115,11 @@ static polyMeshParts cubes(const scalar halfWidth, const point& centre = Zero)
             plane.append(facei);
         }
     }
-    parts.cellZones = List<cellZoneParts>({{"right", right}});
+    parts.cellZones = List<cellZoneParts>
+    ({
+        cellZoneParts("right", right),
+        cellZoneParts("rotor", identity(parts.nCells))
+    });
     parts.faceZones = List<faceZoneParts>
     ({
         {"plane", plane, boolList(plane.size(), false)}
@@ -226,6 +230,14 @@ TEST(coreFarField, patchesAndZonesOfAMeshSurvive)
     {
         EXPECT_GT(mesh.cellCentres()[celli].x(), 0);
     }
+    // All cells that made room were in it
+    EXPECT_EQ(mesh.cellZones()["rotor"].size(), mesh.nCells());
+    ASSERT_GT(c.far.notes.size(), 0);
+    EXPECT_NE
+    (
+        c.far.notes[1].find("The cellZone right has lost "), std::string::npos
+    )   << c.far.notes[1];
+
     const faceZone& plane = mesh.faceZones()["plane"];
     EXPECT_GT(plane.size(), 24*24 - 50);
     forAll(plane, i)
