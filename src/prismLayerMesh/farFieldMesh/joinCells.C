@@ -128,12 +128,11 @@ void cellJoiner::findTets()
         }
     }
 
-    const label nOuter = tets_.outerTriangles.size();
-    const label nBoundary = tets_.boundaryTriangles.size();
-    const label nCut = tets_.cutTriangles.size();
-    outerTets_ = SubList<label>(found, nOuter);
-    boundaryTets_ = SubList<label>(found, nBoundary, nOuter);
-    cutTets_ = SubList<label>(found, nCut, nOuter + nBoundary);
+    const label n = tets_.outerTriangles.size();
+    const label m = tets_.boundaryTriangles.size();
+    outerTets_ = SubList<label>(found, n);
+    boundaryTets_ = SubList<label>(found, m, n);
+    cutTets_ = SubList<label>(found, tets_.cutTriangles.size(), n + m);
 }
 
 
@@ -249,10 +248,8 @@ void cellJoiner::addCoreFaces()
         if (own >= 0 && nei >= 0)
         {
             faces_[facei] = mesh_.topology.faces.size();
-            mesh_.topology.append
-            (
-                coreFace(facei), nTets() + own, nTets() + nei
-            );
+            const label first = nTets();
+            mesh_.topology.append(coreFace(facei), first + own, first + nei);
         }
     }
 }
@@ -263,10 +260,8 @@ void cellJoiner::addOuterFaces()
     mesh_.topology.startPatch();
     forAll(tets_.outerTriangles, i)
     {
-        mesh_.topology.append
-        (
-            tets_.outerTriangles[i].reverseFace(), outerTets_[i]
-        );
+        face f(tets_.outerTriangles[i].reverseFace());
+        mesh_.topology.append(std::move(f), outerTets_[i]);
     }
     mesh_.frontFaces = tets_.outerFaces;
 }
@@ -285,10 +280,8 @@ void cellJoiner::addPatches()
         mesh_.topology.startPatch();
         for (const label i : triangles[patchi])
         {
-            mesh_.topology.append
-            (
-                tets_.boundaryTriangles[i].reverseFace(), boundaryTets_[i]
-            );
+            face f(tets_.boundaryTriangles[i].reverseFace());
+            mesh_.topology.append(std::move(f), boundaryTets_[i]);
         }
 
         const label corePatch = patchi - firstCorePatch_;
@@ -365,10 +358,7 @@ void cellJoiner::addFaceZones()
             faces.append(triangles);
             flips.append(boolList(triangles.size(), zone.flips[i] != turned));
         }
-        mesh_.faceZones.append
-        ({
-            zone.name, labelList(std::move(faces)), boolList(std::move(flips))
-        });
+        mesh_.faceZones.append({zone.name, faces, flips});
     }
 }
 
