@@ -55,6 +55,8 @@ class hexFaceMaker
     //- Numbers cells along the curve of the octree
     void number(label node);
 
+    //- Of all leaves: a face of a cell is a side of a leaf that is no cell where
+    //  that is smaller
     void addPoints();
 
     label find(const labelVector& at) const
@@ -103,8 +105,12 @@ void hexFaceMaker::addPoints()
     DynamicList<point> points(leaves_.size() + leaves_.size()/8);
     labels_.reserve(points.capacity());
 
-    for (const label leaf : leaves_)
+    for (label leaf = 0; leaf < tree_.size(); ++leaf)
     {
+        if (!tree_.isLeaf(leaf))
+        {
+            continue;
+        }
         const label width = 1 << (depth_ - tree_.level(leaf));
 
         for (label octant = 0; octant < 8; ++octant)

@@ -140,6 +140,29 @@ TEST(makeHexCore, whatIsBehindTheBodyIsLeftOut)
 }
 
 
+TEST(makeHexCore, facesOnSmallerPartsBehindTheBodyHaveTheirPoints)
+{
+    // Finer inside of the body, where parts of it are left out
+    const polyMeshParts parts
+    (
+        filled
+        (
+            boxTo(point::uniform(1)),
+            [](const point& x) { return mag(x) < 0.25 ? 0.05 : 0.2; }
+        )
+    );
+
+    label nBehind = 0;
+    forAll(parts.topology.faces, facei)
+    {
+        const face& f = parts.topology.faces[facei];
+        EXPECT_GE(min(f), 0) << facei;
+        nBehind += facei >= parts.topology.patchStarts[2];
+    }
+    EXPECT_GT(nBehind, 0);
+}
+
+
 TEST(makeHexCore, cellsAreNoWiderThanTheSizes)
 {
     const auto size = [](const point& x) { return 0.1 + 0.2*mag(x); };
