@@ -75,8 +75,6 @@ polyMeshParts makeHexCore
     const label maxCells
 )
 {
-    obstacles.fluid.prepareInFront();
-
     // Parts of what is clear of the obstacles, and in front, are so
     const auto partsOf = [&](const boundBox& b, bool& isClear)
     {
