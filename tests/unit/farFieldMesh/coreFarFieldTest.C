@@ -4,11 +4,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "farFieldReport.H"
-#include "makeFarFieldMesh.H"
 #include "makeHexCore.H"
-#include "makeSizeBounds.H"
 #include "memoryMesh.H"
 #include "soundMesh.H"
+#include "testFarField.H"
 #include "testStages.H"
 #include "testSurfaces.H"
 #include "thrownMessage.H"
@@ -26,27 +25,13 @@ struct coreCase
     coreCase
     (
         const wallSurface& wall,
-        farFieldControls controls,
+        const farFieldControls& controls,
         const polyMeshParts& core = polyMeshParts()
     )
     {
         const prismLayerMesh run(testSurfaces::layeredMesh(wall, 3, 0.1));
-        const autoPtr<Time> time(Time::New());
-        farBoundary boundary;
-        if (controls.boundary.type.size())
-        {
-            boundary = makeFarBoundary
-            (
-                controls.boundary, [](const fileName& file) { return file; }
-            );
-        }
         layers = run.made.layers;
-        far = makeFarFieldMesh
-        (
-            layers, run.front.addressing,
-            farFieldDomain{boundary, makeSizeBounds(controls, time()), core},
-            controls
-        );
+        far = farFieldOf(run, controls, core);
     }
 };
 

@@ -3,12 +3,11 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "makeFarFieldMesh.H"
-#include "makeSizeBounds.H"
 #include "memoryMesh.H"
 #include "openSurfaces.H"
 #include "sideShape.H"
 #include "surfaceMeasures.H"
+#include "testFarField.H"
 #include "testStages.H"
 
 #include <gtest/gtest.h>
@@ -37,14 +36,9 @@ struct curvedCase
         volume(v),
         run(layeredMesh(wall, nLayers, thickness))
     {
-        const autoPtr<Time> time(Time::New());
         farFieldControls controls;
         controls.type = "tet";
-        far = makeFarFieldMesh
-        (
-            run.made.layers, run.front.addressing,
-            farFieldDomain{{}, makeSizeBounds(controls, time()), {}}, controls
-        );
+        far = farFieldOf(run, controls);
         memory.reset(new memoryMesh(run.made.layers, far));
     }
 

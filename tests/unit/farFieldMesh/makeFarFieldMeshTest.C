@@ -4,10 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "farFieldReport.H"
-#include "makeFarFieldMesh.H"
-#include "makeSizeBounds.H"
 #include "memoryMesh.H"
 #include "soundMesh.H"
+#include "testFarField.H"
 #include "testLayers.H"
 #include "testStages.H"
 #include "testSurfaces.H"
@@ -37,24 +36,12 @@ struct farCase
         controls.type = "tet";
         controls.maxCells = maxCells;
 
-        farBoundary boundary;
         if (!box.empty())
         {
             controls.boundary.type = "box";
             controls.boundary.box = box;
-            boundary = makeFarBoundary
-            (
-                controls.boundary, [](const fileName& file) { return file; }
-            );
         }
-
-        const autoPtr<Time> time(Time::New());
-        mesh = makeFarFieldMesh
-        (
-            layers, run.front.addressing,
-            farFieldDomain{boundary, makeSizeBounds(controls, time()), {}},
-            controls
-        );
+        mesh = farFieldOf(run, controls);
     }
 };
 
