@@ -4,9 +4,12 @@
 \*---------------------------------------------------------------------------*/
 
 #include "cutCore.H"
-#include "edgeHashes.H"
+#include "bitSet.H"
+#include "HashSet.H"
 #include "splitPolygon.H"
 #include "stayingCells.H"
+
+#include <algorithm>
 
 namespace Foam
 {
@@ -31,8 +34,8 @@ class coreCutter
     DynamicList<face> triangles_;
     DynamicList<label> patchIDs_;
 
-    //- Of each plane
-    List<edgeHashSet> fences_;
+    //- Of each plane, the faces there whose cells are gone
+    List<DynamicList<face>> onPlanes_;
 
     label nInternal() const { return core_.topology.neighbour.size(); }
 
@@ -77,7 +80,7 @@ public:
         planes_(planes),
         tolerance_(1e-9*boundBox(core.points, false).mag()),
         stays_(core, obstacles, gap),
-        fences_(planes.size())
+        onPlanes_(planes.size())
     {}
 
     coreCut cut();
@@ -190,14 +193,7 @@ void coreCutter::addBoundary(const label facei, const label patchi)
         return;
     }
 
-    // Edges between two such faces of a plane bound nothing
-    for (const edge& e : faceOf(facei).edges())
-    {
-        if (!fences_[plane].insert(e))
-        {
-            fences_[plane].erase(e);
-        }
-    }
+    onPlanes_[plane].append(faceOf(facei));
 }
 
 
@@ -223,13 +219,13 @@ void coreCutter::addPatches()
         }
     }
 
-    forAll(fences_, s)
+    forAll(onPlanes_, s)
     {
-        if (fences_[s].empty())
+        if (onPlanes_[s].empty())
         {
             FatalErrorInFunction
                 << "The mesh around the layers has no faces at the layers on"
-                << " the plane of " << planes_[s].name << ", " << "through "
+                << " the plane of " << planes_[s].name << ", through "
                 << planes_[s].origin << nl
                 << "It must end in that plane" << exit(FatalError);
         }
@@ -293,10 +289,10 @@ void coreCutter::moveTriangles(coreCut& cut)
         }
     }
 
-    cut.fences.setSize(fences_.size());
-    forAll(fences_, s)
+    cut.fences.setSize(onPlanes_.size());
+    forAll(onPlanes_, s)
     {
-        cut.fences[s] = fences_[s].sortedToc();
+        cut.fences[s] = outline(onPlanes_[s]);
         for (edge& e : cut.fences[s])
         {
             e = edge(ownLabel(e.start()), ownLabel(e.end()));
@@ -335,6 +331,19 @@ coreCut coreCutter::cut()
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+label nRoomIn(const cellZoneParts& zone, const coreCut& cut)
+{
+    bitSet isIn;
+    isIn.set(zone.cells);
+
+    return std::count_if
+    (
+        cut.room.begin(), cut.room.end(),
+        [&](const label celli) { return isIn.test(celli); }
+    );
+}
+
 
 coreCut cutCore
 (

@@ -55,8 +55,8 @@ class hexFaceMaker
     //- Numbers cells along the curve of the octree
     void number(label node);
 
-    //- Of all leaves: a face of a cell is a side of a leaf that is no cell where
-    //  that is smaller
+    //- Of all leaves: a face of a cell is the side of the leaf beyond it, if
+    //  that is smaller, be it a cell or not
     void addPoints();
 
     label find(const labelVector& at) const

@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "coreBoundary.H"
-#include "convexPolyhedron.H"
 #include "makeHexCore.H"
 #include "sideRemainders.H"
 
@@ -16,7 +15,7 @@ namespace Foam
 namespace
 {
 
-//- The label of a patch, which is appended if it is not there
+//- Appends a patch if there is none of that name. Returns its label.
 label patchOf(const word& name, const word& type, meshPatches& patches)
 {
     const label patchi = patches.names.find(name);

@@ -86,13 +86,7 @@ static void addPartZones
 {
     for (const cellZoneParts& zone : core.cellZones)
     {
-        boolList isIn(core.nCells, false);
-        UIndirectList<bool>(isIn, zone.cells) = true;
-        label n = 0;
-        for (const label celli : cut.room)
-        {
-            n += isIn[celli];
-        }
+        const label n = nRoomIn(zone, cut);
 
         if (n > 0 && n < cut.room.size() && zone.name != hexCoreName)
         {

@@ -310,15 +310,10 @@ void cellJoiner::addCellZones()
 
     for (const cellZoneParts& zone : core_.cellZones)
     {
-        boolList isIn(core_.nCells, false);
-        UIndirectList<bool>(isIn, zone.cells) = true;
-        const auto makesRoom = [&](const label celli) { return isIn[celli]; };
-
         // In place of cells of the zone alone there are cells of the zone
-        const bool isAround = zone.name != hexCoreName && std::all_of
-        (
-            cut_.room.begin(), cut_.room.end(), makesRoom
-        );
+        const bool isAround =
+            zone.name != hexCoreName
+         && nRoomIn(zone, cut_) == cut_.room.size();
         DynamicList<label> cells(isAround ? identity(nTets()) : labelList());
         for (const label celli : zone.cells)
         {

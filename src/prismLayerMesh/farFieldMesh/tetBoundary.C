@@ -60,28 +60,6 @@ static void putOnSides
 }
 
 
-//- Leaves out points that no triangle uses, but for those of columns
-static void leaveOutUnused(tetBoundary& boundary)
-{
-    wallSurface& surface = boundary.surface;
-    boolList isUsed(boundary.columns.size(), true);
-    isUsed.setSize(surface.points.size(), false);
-    for (const face& f : surface.faces)
-    {
-        UIndirectList<bool>(isUsed, f) = true;
-    }
-
-    const labelList used(findIndices(isUsed, true));
-    const labelList newLabels(invert(surface.points.size(), used));
-    surface.points = pointField(surface.points, used);
-    boundary.corePoints = UIndirectList<label>(boundary.corePoints, used)();
-    for (face& f : surface.faces)
-    {
-        inplaceRenumber(newLabels, f);
-    }
-}
-
-
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 tetBoundary makeTetBoundary
@@ -130,26 +108,17 @@ tetBoundary makePlaneBoundary
     // Better triangles, of the points that are used, then with all points
     const label nKept = ended.columns.size() + cut.surface.points.size();
     wallSurface planes(ended.surface);
-    boolList isUsed(planes.points.size(), false);
-    for (const face& f : planes.faces)
-    {
-        UIndirectList<bool>(isUsed, f) = true;
-    }
-    const labelList used(findIndices(isUsed, true));
-    const labelList newLabels(invert(planes.points.size(), used));
-    planes.points = pointField(planes.points, used);
-    for (face& f : planes.faces)
-    {
-        inplaceRenumber(newLabels, f);
-    }
+    const labelList newLabels(removeUnusedPoints(planes.faces, planes.points));
+    const labelList used(invert(planes.points.size(), newLabels));
+    const label nUsedKept = std::count_if
+    (
+        newLabels.begin(), newLabels.begin() + nKept,
+        [](const label p) { return p >= 0; }
+    );
     refineSurface(planes, size, nullptr);
 
     made.surface = ended.surface;
     made.surface.points.setSize(nKept);
-    const label nUsedKept = std::count_if
-    (
-        used.begin(), used.end(), [=](const label p) { return p < nKept; }
-    );
     made.surface.points.append
     (
         SubList<point>
@@ -221,7 +190,13 @@ void addCut
     boundary.cutFaces = cut.cutFaces;
     boundary.cutCells = cut.cutCells;
     boundary.seeds = cut.seeds;
-    leaveOutUnused(boundary);
+
+    // Triangles use all points of columns
+    const labelList newLabels
+    (
+        removeUnusedPoints(surface.faces, surface.points)
+    );
+    inplaceReorder(newLabels, boundary.corePoints, true);
 }
 
 

@@ -72,7 +72,6 @@ wordList meshPatches::types() const
 }
 
 
-
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 void setCentresAndVolumes
