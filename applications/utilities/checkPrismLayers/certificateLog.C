@@ -147,6 +147,29 @@ void Foam::writeIntersections
 }
 
 
+void Foam::writeWhole
+(
+    const meshCertificate& certificate,
+    const polyMesh& mesh
+)
+{
+    const List<labelPair>& pairs = certificate.doubleFaces;
+    Info<< nl << "Mesh" << nl
+        << "    pairs of faces with the same points: " << pairs.size() << nl;
+
+    for (label i = 0; i < min(pairs.size(), nExamples); ++i)
+    {
+        Info<< "    the same points: faces " << pairs[i].first() << " and "
+            << pairs[i].second() << ", at "
+            << mesh.faces()[pairs[i].first()].centre(mesh.points()) << nl;
+    }
+
+    writeRest(pairs.size());
+    Info<< "    volume of the cells: " << certificate.cellVolume
+        << ", inside of the boundary: " << certificate.boundaryVolume << nl;
+}
+
+
 bool Foam::writeLayers
 (
     const meshCertificate& certificate,

@@ -11,9 +11,11 @@ Group
 Description
     The certificate of harmonicPrismMesh for a mesh that any program has made.
 
-    A mesh is certified if all cells are positive by exact predicates, wall and
-    outer surface together do not intersect themselves, and every face of the
-    wall has as many layers as are asked for. Otherwise the exit status is 1.
+    A mesh is certified if all cells are closed and positive, wall and outer
+    surface together do not intersect themselves, every face of the wall has as
+    many layers as are asked for, no two faces have the same points, and the
+    cells fill the boundary. Predicates are exact, but for polyhedra beside
+    refined cells. Otherwise the exit status is 1.
 
 Usage
     \b checkPrismLayers [OPTIONS]
@@ -57,7 +59,7 @@ static void addOptions()
         "Check the prism layers of a mesh, whoever made it, by exact"
         " predicates:\n"
         "cells are positive, wall and outer surface do not intersect, layers"
-        " are complete."
+        " are complete, the cells fill the boundary."
     );
     argList::addOption("region", "name", "Check the mesh of that region");
     argList::addOption
@@ -250,6 +252,7 @@ int main(int argc, char *argv[])
 
     writeCells(certificate, cells);
     writeIntersections(certificate, mesh, outer);
+    writeWhole(certificate, mesh);
     const bool complete = writeLayers(certificate, mesh, walls, asked);
 
     if (args.found("writeSets"))
@@ -261,6 +264,8 @@ int main(int argc, char *argv[])
     (
         certificate.invalidCells.empty()
      && certificate.intersections.empty()
+     && certificate.doubleFaces.empty()
+     && certificate.fillsBoundary()
      && complete
     );
 

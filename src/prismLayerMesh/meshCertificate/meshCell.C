@@ -5,9 +5,6 @@
 
 #include "meshCell.H"
 #include "cellPredicates.H"
-#include "tetSigns.H"
-
-#include <algorithm>
 
 namespace Foam
 {
@@ -49,27 +46,6 @@ void meshCell::set(const label celli)
 }
 
 
-bool meshCell::closes(const faceCorner* c, const label n)
-{
-    for (label i = 0; i < n; ++i)
-    {
-        label nBeside = 0;
-
-        for (label j = 0; j < n; ++j)
-        {
-            nBeside += c[j].prev == c[i].next;
-        }
-
-        if (nBeside != 1)
-        {
-            return false;
-        }
-    }
-
-    return n > 1;
-}
-
-
 bool meshCell::lies(const label* p) const
 {
     bool onSide = false;
@@ -85,103 +61,6 @@ bool meshCell::lies(const label* p) const
 }
 
 
-void meshCell::collectCorners()
-{
-    corners_.clear();
-    points_.clear();
-
-    for (label i = 0; i < nFaces(); ++i)
-    {
-        const label n = nPoints(i);
-
-        for (label k = 0; k < n; ++k)
-        {
-            corners_.append
-            (
-                faceCorner
-                {
-                    corner(i, k), corner(i, k + 1), corner(i, k + n - 1)
-                }
-            );
-        }
-    }
-
-    std::sort
-    (
-        corners_.begin(), corners_.end(),
-        [](const faceCorner& a, const faceCorner& b) { return a.at < b.at; }
-    );
-
-    for (const faceCorner& c : corners_)
-    {
-        points_.append(&mesh_.points()[c.at]);
-    }
-}
-
-
-bool meshCell::isPositiveAt
-(
-    const tetSigns& positive,
-    const faceCorner* c,
-    const label n
-) const
-{
-    if (!closes(c, n))
-    {
-        return false;
-    }
-    if (n > 3)
-    {
-        return true;
-    }
-
-    const pointField& x = mesh_.points();
-    const label third = c[1].prev == c->next ? c[1].next : c[2].next;
-
-    return positive(x[c->at], x[c->prev], x[c->next], x[third]);
-}
-
-
-meshCellVerdict meshCell::cornersVerdict()
-{
-    collectCorners();
-
-    if (points_.empty())
-    {
-        return {meshCellShape::other, false};
-    }
-
-    const tetSigns positive(points_.begin(), points_.size());
-    bool valid = true;
-    bool simple = true;
-    label nPoints = 0;
-
-    for (label i = 0, n = 0; i < corners_.size(); i += n, ++nPoints)
-    {
-        const faceCorner* c = &corners_[i];
-
-        for (n = 1; i + n < corners_.size() && c[n].at == c->at; ++n)
-        {}
-
-        simple = simple && n == 3;
-        valid = valid && isPositiveAt(positive, c, n);
-    }
-
-    const auto is = [&](const label nFacesOfShape, const label nPointsOfShape)
-    {
-        return simple && nFaces() == nFacesOfShape && nPoints == nPointsOfShape;
-    };
-
-    return
-    {
-        is(4, 4) && nTriangles_ == 4 ? meshCellShape::tetrahedron
-      : is(6, 8) && nQuads_ == 6 ? meshCellShape::hexahedron
-      : meshCellShape::other,
-        valid
-    };
-}
-
-
 meshCellVerdict meshCell::operator()(const label celli)
 {
     set(celli);
@@ -191,7 +70,7 @@ meshCellVerdict meshCell::operator()(const label celli)
 
     if (!isPrism && !asWedge(p))
     {
-        return cornersVerdict();
+        return cornersVerdict(celli);
     }
 
     const point* points[6];

@@ -17,7 +17,9 @@ const Enum<meshCellShape> meshCellShapeName
     {meshCellShape::hexahedron, "hexahedron"},
     {meshCellShape::wedge, "wedge"},
     {meshCellShape::tetrahedron, "tetrahedron"},
-    {meshCellShape::other, "other"}
+    {meshCellShape::box, "box"},
+    {meshCellShape::other, "other"},
+    {meshCellShape::polyhedron, "polyhedron"}
 });
 
 

@@ -5,7 +5,9 @@
 
 #include "meshCertificate.H"
 #include "labelledTriangle.H"
+#include "ListOps.H"
 
+#include <algorithm>
 #include <cmath>
 
 namespace Foam
@@ -127,7 +129,89 @@ static boolList pointsOf(const polyhedralMesh& mesh, const labelUList& faces)
 }
 
 
+//- The volume [m3] of the pyramid below a face, from a point
+static scalar pyramidVolume
+(
+    const polyhedralMesh& mesh,
+    const label facei,
+    const point& apex
+)
+{
+    const face& f = mesh.faces()[facei];
+
+    return (f.areaNormal(mesh.points()) & (f.centre(mesh.points()) - apex))/3;
+}
+
+
+static void addVolumes(const polyhedralMesh& mesh, meshCertificate& certificate)
+{
+    // Apices nearby: differences of large volumes are not precise
+    const point middle(boundBox(mesh.points(), false).midpoint());
+
+    for (label celli = 0; celli < mesh.nCells(); ++celli)
+    {
+        const UList<label> faces(mesh.cellFaces(celli));
+        const point& own = mesh.points()[mesh.faces()[faces[0]][0]];
+        for (const label facei : faces)
+        {
+            const bool outwards = mesh.owner(facei) == celli;
+            certificate.cellVolume +=
+                (outwards ? 1 : -1)*pyramidVolume(mesh, facei, own);
+        }
+    }
+
+    forAll(mesh.faces(), facei)
+    {
+        if (mesh.beyond(facei, mesh.owner(facei)) < 0)
+        {
+            certificate.boundaryVolume += pyramidVolume(mesh, facei, middle);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool meshCertificate::fillsBoundary() const
+{
+    return mag(cellVolume - boundaryVolume) < 1e-9*mag(boundaryVolume);
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+List<labelPair> findDoubleFaces(const faceList& faces)
+{
+    // Faces of the same points have the same smallest point
+    label nPoints = 0;
+    labelList smallest(faces.size());
+    forAll(faces, facei)
+    {
+        smallest[facei] = min(faces[facei]);
+        nPoints = max(nPoints, smallest[facei] + 1);
+    }
+    const labelListList facesAt(invertOneToMany(nPoints, smallest));
+
+    DynamicList<labelPair> pairs;
+    for (const labelList& candidates : facesAt)
+    {
+        forAll(candidates, i)
+        {
+            for (label j = i + 1; j < candidates.size(); ++j)
+            {
+                const labelPair pair(candidates[i], candidates[j]);
+                if (face::sameVertices(faces[pair[0]], faces[pair[1]]))
+                {
+                    pairs.append(pair);
+                }
+            }
+        }
+    }
+    std::sort(pairs.begin(), pairs.end());
+
+    return List<labelPair>(std::move(pairs));
+}
+
 
 List<labelPair> findIntersections
 (
@@ -187,6 +271,8 @@ meshCertificate certifyMesh
     certificate.invalidCells.transfer(cells);
     certificate.invalidShapes.transfer(shapes);
     certificate.nLayers = countLayers(mesh, wallFaces, positive);
+    certificate.doubleFaces = findDoubleFaces(mesh.faces());
+    addVolumes(mesh, certificate);
 
     if (outerFaces.size())
     {

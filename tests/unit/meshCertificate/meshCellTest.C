@@ -112,6 +112,44 @@ static oneCell wedge()
 }
 
 
+//- A cube of which one side is four faces, as beside smaller cubes
+static oneCell refinedCube()
+{
+    return oneCell
+    {
+        pointField
+        ({
+            point(0, 0, 0), point(2, 0, 0), point(2, 2, 0), point(0, 2, 0),
+            point(0, 0, 2), point(2, 0, 2), point(2, 2, 2), point(0, 2, 2),
+            point(1, 0, 2), point(2, 1, 2), point(1, 2, 2), point(0, 1, 2),
+            point(1, 1, 2)
+        }),
+        faceList
+        ({
+            face({0, 3, 2, 1}), face({0, 1, 5, 8, 4}), face({1, 2, 6, 9, 5}),
+            face({2, 3, 7, 10, 6}), face({3, 0, 4, 11, 7}),
+            face({4, 8, 12, 11}), face({8, 5, 9, 12}), face({12, 9, 6, 10}),
+            face({11, 12, 10, 7})
+        })
+    };
+}
+
+
+//- A cube with a point within one edge
+static oneCell cubeWithPoint()
+{
+    oneCell cell(refinedCube());
+    cell.points.setSize(9);
+    cell.faces = faceList
+    ({
+        face({0, 3, 2, 1}), face({0, 1, 5, 8, 4}), face({1, 2, 6, 5}),
+        face({2, 3, 7, 6}), face({3, 0, 4, 7}), face({4, 8, 5, 6, 7})
+    });
+
+    return cell;
+}
+
+
 static std::vector<oneCell> shapes()
 {
     return
@@ -180,7 +218,12 @@ TEST(meshCell, mirrorImagesAreNotPositive)
             p.z() = -p.z();
         }
 
-        EXPECT_EQ(cell.shape(), shape);
+        // Cells with as many points may be beside refined ones
+        EXPECT_EQ
+        (
+            cell.shape(),
+            cell.points.size() > 8 ? meshCellShape::polyhedron : shape
+        );
         EXPECT_FALSE(cell.positive()) << cell.faces.size() << " faces";
     }
 }
@@ -222,6 +265,57 @@ TEST(meshCell, whereverTheFacesBegin)
             EXPECT_TRUE(turned.positive()) << n << " faces";
         }
     }
+}
+
+
+TEST(meshCell, cellsBesideRefinedOnes)
+{
+    for (oneCell cell : {refinedCube(), cubeWithPoint()})
+    {
+        EXPECT_EQ(cell.shape(), meshCellShape::box);
+        EXPECT_TRUE(cell.positive());
+
+        oneCell mirrored(cell);
+        for (point& p : mirrored.points)
+        {
+            p.x() = -p.x();
+        }
+        EXPECT_EQ(mirrored.shape(), meshCellShape::box);
+        EXPECT_FALSE(mirrored.positive());
+
+        for (point& p : cell.points)
+        {
+            p = testSurfaces::rotation() & p;
+        }
+        EXPECT_EQ(cell.shape(), meshCellShape::polyhedron);
+        EXPECT_TRUE(cell.positive());
+
+        for (point& p : cell.points)
+        {
+            p = -p;
+        }
+        EXPECT_FALSE(cell.positive());
+    }
+}
+
+
+TEST(meshCell, foldedSidesAreNotPositive)
+{
+    // The point in the middle of the side is far beyond one of its edges
+    oneCell cell(refinedCube());
+    cell.points[12] = point(1, 3.5, 2);
+    EXPECT_FALSE(cell.positive());
+
+    cell.points[12] = point(1.9, 0.05, 2);
+    EXPECT_TRUE(cell.positive());
+}
+
+
+TEST(meshCell, openCellsBesideRefinedOnesAreNotPositive)
+{
+    oneCell cell(refinedCube());
+    cell.faces.setSize(cell.faces.size() - 1);
+    EXPECT_FALSE(cell.positive());
 }
 
 

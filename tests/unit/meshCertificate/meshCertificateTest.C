@@ -274,4 +274,33 @@ TEST(meshCertificate, aLastFaceThatIsCutCountsAsOne)
 }
 
 
+TEST(meshCertificate, cellsFillTheBoundary)
+{
+    // Straight layers on a cube of width 1: slabs on the sides, and what is
+    // between their sides
+    const meshCertificate certificate(layersMesh(cubeLayers(4)).certificate());
+
+    EXPECT_TRUE(certificate.fillsBoundary());
+    EXPECT_GT(certificate.cellVolume, 6*0.0475);
+    EXPECT_LT(certificate.cellVolume, pow3(1.095) - 1);
+    EXPECT_TRUE(certificate.doubleFaces.empty());
+}
+
+
+TEST(meshCertificate, doubleFacesAreFound)
+{
+    const faceList faces
+    ({
+        face({3, 1, 2}), face({1, 2, 4}), face({4, 2, 1}), face({1, 2, 3, 4}),
+        face({2, 3, 1})
+    });
+
+    EXPECT_EQ
+    (
+        findDoubleFaces(faces),
+        List<labelPair>({labelPair(0, 4), labelPair(1, 2)})
+    );
+}
+
+
 // ************************************************************************* //
