@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "partsOfMesh.H"
+#include "overlappingCells.H"
 #include "polyMesh.H"
 #include "StringStream.H"
 
@@ -30,16 +31,25 @@ static void checkPatches(const polyMesh& mesh)
 }
 
 
-//- Another run may have put layers there
+//- Another run may have put layers there, and the tetrahedra need a name
 static void checkZones(const polyMesh& mesh)
 {
-    if (mesh.cellZones().names().found("boundaryLayer"))
+    const wordList names(mesh.cellZones().names());
+
+    if (names.found("boundaryLayer"))
     {
         FatalErrorInFunction
             << "The mesh around the layers has layers already: its cellZone"
             << " boundaryLayer" << nl
             << "Make it anew, or keep it as a region: farField.region"
             << exit(FatalError);
+    }
+    if (names.found("farField"))
+    {
+        FatalErrorInFunction
+            << "The mesh around the layers has a cellZone farField, which is"
+            << " the name of the zone of the tetrahedra" << nl
+            << "Name it otherwise" << exit(FatalError);
     }
 }
 
@@ -61,6 +71,22 @@ static void checkCells(const polyMesh& mesh)
                 << ", volume " << volumes[worst];
         }
         FatalError << exit(FatalError);
+    }
+}
+
+
+static void checkOverlap(const polyMesh& mesh)
+{
+    const labelPair cells(overlappingCells(mesh));
+
+    if (cells.first() >= 0)
+    {
+        FatalErrorInFunction
+            << "Cells of the mesh around the layers overlap: cell "
+            << cells.first() << " at " << mesh.cellCentres()[cells.first()]
+            << " is in cell " << cells.second() << " of another region" << nl
+            << "It must be one mesh: take the cells out of one region where"
+            << " the other one is" << exit(FatalError);
     }
 }
 
@@ -90,6 +116,7 @@ polyMeshParts partsOf(const polyMesh& mesh)
     checkPatches(mesh);
     checkZones(mesh);
     checkCells(mesh);
+    checkOverlap(mesh);
 
     polyMeshParts parts;
     parts.points = mesh.points();

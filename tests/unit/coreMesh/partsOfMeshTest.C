@@ -13,6 +13,45 @@ using namespace Foam;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
+//- Two cubes of width 1, the second so far behind the first, which they share
+//  no face with
+static autoPtr<polyMesh> apart(const Time& time, const vector& shift)
+{
+    const wallSurface cube(testSurfaces::quadCube(1));
+    pointField points(cube.points);
+    points.append(pointField(cube.points + shift));
+    faceList faces(cube.faces);
+    for (face f : cube.faces)
+    {
+        for (label& p : f)
+        {
+            p += cube.points.size();
+        }
+        faces.append(f);
+    }
+    labelList owner(cube.faces.size(), Zero);
+    owner.append(labelList(cube.faces.size(), 1));
+    const label n = faces.size();
+
+    autoPtr<polyMesh> mesh
+    (
+        new polyMesh
+        (
+            IOobject("apart", time.constant(), time),
+            std::move(points), std::move(faces), std::move(owner), labelList()
+        )
+    );
+    PtrList<polyPatch> patches(1);
+    patches.set
+    (
+        0, polyPatch::New("patch", "sides", n, 0, 0, mesh->boundaryMesh())
+    );
+    mesh->addPatches(patches);
+
+    return mesh;
+}
+
+
 //- Two hexahedra in a box, with patches of a type
 static autoPtr<polyMesh> twoCells(const Time& time, const word& type)
 {
@@ -100,6 +139,22 @@ TEST(partsOfMesh, meshesOfOneLayerOfCellsAreRefused)
     );
 
     expectWords(message, {"The patch sides", "type empty"});
+}
+
+
+TEST(partsOfMesh, cellsThatOverlapAreRefused)
+{
+    const autoPtr<Time> time(Time::New());
+    const std::string message
+    (
+        thrownMessage<error>
+        (
+            [&]() { partsOf(apart(*time, vector(0.3, 0.3, 0.3))()); }
+        )
+    );
+
+    expectWords(message, {"overlap", "cell 1 at", "in cell 0"});
+    EXPECT_EQ(partsOf(apart(*time, vector(1, 0, 0))()).nCells, 2);
 }
 
 
