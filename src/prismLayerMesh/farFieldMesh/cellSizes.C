@@ -55,6 +55,72 @@ static autoPtr<indexedOctree<treeDataPoint>> searchTree
 }
 
 
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+scalarField cellSizes::boundsAt
+(
+    const UList<place>& places,
+    const sizeBounds& bounds
+) const
+{
+    if (!bounds.atPoints)
+    {
+        return scalarField(places.size(), GREAT);
+    }
+
+    pointField centres(places.size());
+    forAll(places, i)
+    {
+        centres[i] = places[i].centre;
+    }
+
+    return bounds.atPoints(centres);
+}
+
+
+void cellSizes::setSource
+(
+    const indexedOctree<treeDataPoint>& tree,
+    const scalar width,
+    const scalar bound,
+    cube& c,
+    place& at
+) const
+{
+    c.source = at.source;
+
+    // Where the bound is smaller all over the cube, any point will do
+    if (at.least - change(width) > bound + change(width))
+    {
+        return;
+    }
+
+    const scalar distance =
+        c.source < 0 ? GREAT : mag(points_[c.source] - at.centre);
+    const label nearer = tree.findNearest
+    (
+        at.centre, sqr((1 - farFieldTuned.nearerShare)*distance)
+    ).index();
+    c.source = nearer < 0 ? c.source : nearer;
+    at.source = c.source;
+    at.least = fromPoint(c.source, at.centre)
+      - slope_*farFieldTuned.nearerShare*mag(points_[c.source] - at.centre);
+}
+
+
+bool cellSizes::isDivided
+(
+    const cube& c,
+    const place& at,
+    const scalar width,
+    const scalar bound
+) const
+{
+    return min(bound, at.least) - change(width) < c.bound
+     && width > farFieldTuned.maxWidth*sizeAt(c, at.centre);
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 cellSizes::cellSizes
@@ -78,41 +144,49 @@ cellSizes::cellSizes
     const auto tree(searchTree(points_, box));
 
     // One generation of cubes after the other
-    pointField centres(1, box.midpoint());
+    DynamicList<place> places(1, place{box.midpoint(), -1, -GREAT});
     scalar width = width_;
 
     for (label first = 0; first < cubes_.size(); width /= 2)
     {
-        const scalarField limits(bounds(centres));
-        const label end = cubes_.size();
-        DynamicList<point> parts;
+        const scalarField limits(boundsAt(places, bounds));
 
-        for (label cubei = first; cubei < end; ++cubei)
+        #pragma omp parallel for schedule(dynamic, 64)
+        forAll(places, i)
         {
-            cube& c = cubes_[cubei];
-            const point& centre = centres[cubei - first];
-            c.source = tree->findNearest(centre, sqr(GREAT)).index();
-            c.bound = limits[cubei - first];
+            cubes_[first + i].bound = min(bounds.largest, limits[i]);
+            setSource(tree, width, limits[i], cubes_[first + i], places[i]);
+        }
 
+        const label end = cubes_.size();
+        DynamicList<place> parts;
+        forAll(places, i)
+        {
+            cube& c = cubes_[first + i];
+            const place& at = places[i];
             complete_ = complete_ && end + parts.size() <= maxCubes;
 
-            if
-            (
-                complete_ && width > farFieldTuned.maxWidth*sizeAt(c, centre)
-            )
+            if (complete_ && isDivided(c, at, width, limits[i]))
             {
                 c.children = end + parts.size();
-
+                const scalar least = at.least - 0.5*change(width);
                 for (label octant = 0; octant < 8; ++octant)
                 {
-                    parts.append(partCentre(centre, width, octant));
+                    parts.append
+                    (
+                        place
+                        {
+                            partCentre(at.centre, width, octant), c.source,
+                            least
+                        }
+                    );
                 }
             }
         }
 
         first = end;
         cubes_.append(List<cube>(parts.size(), cube{-1, -1, GREAT}));
-        centres.transfer(parts);
+        places.transfer(parts);
     }
 }
 

@@ -13,7 +13,14 @@ namespace Foam
 
 sizeBounds makeSizeBounds(const farFieldControls& controls, const Time& time)
 {
+    sizeBounds bounds;
+    bounds.largest = controls.maxCellSize;
     const label n = controls.regions.size();
+    if (!n)
+    {
+        return bounds;
+    }
+
     const auto searches = std::make_shared<PtrList<regionSearch>>(n);
 
     forAll(controls.regions, i)
@@ -21,9 +28,9 @@ sizeBounds makeSizeBounds(const farFieldControls& controls, const Time& time)
         searches->set(i, new regionSearch(controls.regions[i], time));
     }
 
-    return [=](const pointField& points)
+    bounds.atPoints = [=](const pointField& points)
     {
-        scalarField sizes(points.size(), controls.maxCellSize);
+        scalarField sizes(points.size(), GREAT);
 
         forAll(*searches, i)
         {
@@ -39,6 +46,8 @@ sizeBounds makeSizeBounds(const farFieldControls& controls, const Time& time)
 
         return sizes;
     };
+
+    return bounds;
 }
 
 } // End namespace Foam

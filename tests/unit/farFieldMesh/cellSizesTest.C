@@ -14,10 +14,7 @@ using namespace Foam;
 
 static const boundBox box(point(-1, -1, -1), point(3, 1, 1));
 
-static scalarField unbounded(const pointField& points)
-{
-    return scalarField(points.size(), GREAT);
-}
+static const sizeBounds unbounded;
 
 
 //- Sizes from two points
@@ -64,17 +61,9 @@ TEST(cellSizes, growFromTheNearestPoint)
 
 TEST(cellSizes, areBounded)
 {
-    const cellSizes sizes
-    (
-        twoPoints
-        (
-            [](const pointField& points)
-            {
-                return scalarField(points.size(), 0.15);
-            },
-            1000000
-        )
-    );
+    sizeBounds bounds;
+    bounds.largest = 0.15;
+    const cellSizes sizes(twoPoints(bounds, 1000000));
 
     EXPECT_DOUBLE_EQ(sizes(point(0, 0, 0)), 0.1);
     EXPECT_DOUBLE_EQ(sizes(point(-1, 1, 1)), 0.15);
