@@ -262,6 +262,7 @@ void Foam::prismCase::writeAll
 
     const label nLayerCells = layers.faces.size()*layers.nLayers;
     const autoPtr<polyMesh> mesh(writeMesh(layers, farField, files));
+    farField = farFieldMesh();
     log.end
     (
         mesh

@@ -13,11 +13,6 @@
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * * Static Data * * * * * * * * * * * * * * * //
-
-const word hexCoreName("hexCore");
-
-
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace
@@ -312,10 +307,6 @@ hexFaceMaker::hexFaceMaker(const hexOctree& tree, const hexCoreBox& box)
     }
     addPatches();
     mesh_.patches = box.patches;
-    mesh_.cellZones.append
-    (
-        cellZoneParts(hexCoreName, identity(mesh_.nCells))
-    );
 }
 
 } // End anonymous namespace

@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "coreNotes.H"
-#include "hexFaces.H"
 
 #include <algorithm>
 #include <cmath>
@@ -88,7 +87,7 @@ static void addPartZones
     {
         const label n = nRoomIn(zone, cut);
 
-        if (n > 0 && n < cut.room.size() && zone.name != hexCoreName)
+        if (n > 0 && n < cut.room.size())
         {
             notes.append
             (

@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "makeFarFieldMesh.H"
-#include "hexFaces.H"
 #include "Map.H"
 #include "triangleIndex.H"
 
@@ -26,7 +25,7 @@ namespace
 class cellJoiner
 {
     const farFieldTets& tets_;
-    const polyMeshParts& core_;
+    polyMeshParts& core_;
     const coreCut& cut_;
 
     //- Of the core: cells that stay, with their labels here, or -1
@@ -56,7 +55,8 @@ class cellJoiner
 
     void addPoints();
 
-    face coreFace(label facei) const;
+    //- Takes a face out of the core
+    face takeFace(label facei);
 
     //- Internal faces of tetrahedra, with those to cells of the core
     void addTetFaces();
@@ -76,7 +76,7 @@ public:
     cellJoiner
     (
         const farFieldTets& tets,
-        const polyMeshParts& core,
+        polyMeshParts& core,
         const coreCut& cut
     );
 
@@ -87,7 +87,7 @@ public:
 cellJoiner::cellJoiner
 (
     const farFieldTets& tets,
-    const polyMeshParts& core,
+    polyMeshParts& core,
     const coreCut& cut
 )
 :
@@ -148,7 +148,8 @@ void cellJoiner::addPoints()
 
     // Further points of cells that stay
     const polyMeshTopology& t = core_.topology;
-    DynamicList<point> points(tets_.points);
+    DynamicList<point> points(tets_.points.size() + core_.points.size());
+    points.append(tets_.points);
     forAll(t.faces, facei)
     {
         const bool stays =
@@ -169,9 +170,9 @@ void cellJoiner::addPoints()
 }
 
 
-face cellJoiner::coreFace(const label facei) const
+face cellJoiner::takeFace(const label facei)
 {
-    face f(core_.topology.faces[facei]);
+    face f(std::move(core_.topology.faces[facei]));
     for (label& p : f)
     {
         p = points_[p];
@@ -249,7 +250,7 @@ void cellJoiner::addCoreFaces()
         {
             faces_[facei] = mesh_.topology.faces.size();
             const label first = nTets();
-            mesh_.topology.append(coreFace(facei), first + own, first + nei);
+            mesh_.topology.append(takeFace(facei), first + own, first + nei);
         }
     }
 }
@@ -297,7 +298,7 @@ void cellJoiner::addPatches()
             if (own >= 0)
             {
                 faces_[facei] = mesh_.topology.faces.size();
-                mesh_.topology.append(coreFace(facei), nTets() + own);
+                mesh_.topology.append(takeFace(facei), nTets() + own);
             }
         }
     }
@@ -311,9 +312,7 @@ void cellJoiner::addCellZones()
     for (const cellZoneParts& zone : core_.cellZones)
     {
         // In place of cells of the zone alone there are cells of the zone
-        const bool isAround =
-            zone.name != hexCoreName
-         && nRoomIn(zone, cut_) == cut_.room.size();
+        const bool isAround = nRoomIn(zone, cut_) == cut_.room.size();
         DynamicList<label> cells(isAround ? identity(nTets()) : labelList());
         for (const label celli : zone.cells)
         {
@@ -382,7 +381,7 @@ farFieldMesh cellJoiner::join()
 farFieldMesh joinCells
 (
     const farFieldTets& tets,
-    const polyMeshParts& core,
+    polyMeshParts& core,
     const coreCut& cut
 )
 {

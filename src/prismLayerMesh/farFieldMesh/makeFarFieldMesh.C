@@ -7,17 +7,21 @@
 #include "backgroundMesh.H"
 #include "coreBoundary.H"
 #include "coreNotes.H"
-#include "farFieldMeshControls.H"
+#include "fillWithTets.H"
 #include "improveTets.H"
 #include "limitGradient.H"
 #include "outerTriangles.H"
 #include "tetrahedralize.H"
-#include "wallSearch.H"
 
 #include <functional>
 
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * * Static Data * * * * * * * * * * * * * * * //
+
+const word hexCoreName("hexCore");
+
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -86,110 +90,6 @@ static pointField layerCentres
 }
 
 
-//- Leaves out the points that TetGen added and that are in no tetrahedron
-static void compact(farFieldTets& mesh)
-{
-    boolList used(mesh.nBoundaryPoints, true);
-    used.setSize(mesh.points.size(), false);
-
-    for (const tetCell& tet : mesh.tets)
-    {
-        for (const label p : tet)
-        {
-            used[p] = true;
-        }
-    }
-
-    const labelList kept(findIndices(used, true));
-    const labelList newLabels(invert(used.size(), kept));
-    mesh.points = pointField(mesh.points, kept);
-
-    for (tetCell& tet : mesh.tets)
-    {
-        inplaceRenumber(newLabels, tet);
-    }
-}
-
-
-//- The number of cells that it needs is 0 if it is not known
-static void refuse(const label nCells, const label maxCells)
-{
-    FatalErrorInFunction
-        << "The far field needs "
-        << (nCells ? "about " + name(nCells) : word("many more")).c_str()
-        << " cells, more than farField.maxCells " << maxCells << nl
-        << "Raise that, growthRate or the cell sizes, or make the wall coarser"
-        << exit(FatalError);
-}
-
-
-//- The sizes from those at the points, refused if they are not complete
-static cellSizes makeSizes
-(
-    const pointField& points,
-    const scalarField& sizes,
-    const boundBox& box,
-    const farFieldControls& controls,
-    const sizeBounds& bounds
-)
-{
-    const cellSizes made
-    (
-        points, sizes, controls.growthRate, box, bounds,
-        farFieldTuned.cubesPerTet*controls.maxCells
-    );
-
-    if (!made.complete())
-    {
-        refuse(0, controls.maxCells);
-    }
-
-    return made;
-}
-
-
-//- The tetrahedra between the surfaces, in front of them, refused if there are
-//  or would be too many
-static void fill
-(
-    const wallSurface& both,
-    const pointField& holes,
-    const cellSizes& sizes,
-    const label maxCells,
-    farFieldTets& mesh
-)
-{
-    const wallSearch search(both);
-    const scalar nCells = farFieldTuned.tetsPerCube*sizes.nCubes
-    (
-        [&](const point& x) { return search.inFront(x); }
-    );
-
-    if (nCells > maxCells)
-    {
-        refuse(nCells, maxCells);
-    }
-
-    // What TetGen may take, in cells and in time, is for a mesh of that size
-    const label mostCells = min
-    (
-        scalar(maxCells),
-        farFieldTuned.cellsPerEstimated*nCells
-      + farFieldTuned.cellsPerTriangle*both.faces.size()
-    );
-    const tetDomain domain{both.points, both.faces, holes};
-    tetMesh filled(tetrahedralize(domain, std::cref(sizes), mostCells));
-
-    if (filled.tets.size() > maxCells)
-    {
-        refuse(filled.tets.size(), maxCells);
-    }
-
-    mesh.points.transfer(filled.points);
-    mesh.tets.transfer(filled.tets);
-}
-
-
 //- Makes the tetrahedra better; they remain positive
 static void improve
 (
@@ -234,6 +134,27 @@ static scalarField layerSizes
 }
 
 
+//- The sizes that grow from the layers
+static cellSizes sizesFromLayers
+(
+    const wallSurface& outer,
+    const wallAddressing& addressing,
+    const farFieldDomain& domain,
+    const farFieldControls& controls
+)
+{
+    boundBox box(outer.points, false);
+    box.add(domain.boundary.surface.points);
+    box.add(domain.core.points);
+
+    return makeSizes
+    (
+        outer.points, layerSizes(outer, addressing, controls.growthRate), box,
+        controls, domain.bounds
+    );
+}
+
+
 //- Sizes at the points of the far boundary that are not on the layers
 static scalarField sizesOf(const tetBoundary& far)
 {
@@ -246,6 +167,36 @@ static scalarField sizesOf(const tetBoundary& far)
     return scalarField
     (
         SubList<scalar>(sizes, sizes.size() - nCommon, nCommon)
+    );
+}
+
+
+//- Whether the far boundary is as the user has made it. Other far boundaries
+//  follow the sizes that grow from the layers.
+static bool hasOwnSizes(const farFieldControls& controls)
+{
+    return controls.type == "mesh" || controls.boundary.type == "surface";
+}
+
+
+//- The sizes that grow from the layers and from the far boundary
+static cellSizes sizesFromBoth
+(
+    const wallSurface& outer,
+    const wallAddressing& addressing,
+    const tetBoundary& far,
+    const farFieldDomain& domain,
+    const farFieldControls& controls
+)
+{
+    const wallSurface both(joined(outer, far));
+    scalarField sizes(layerSizes(outer, addressing, controls.growthRate));
+    sizes.append(sizesOf(far));
+
+    return makeSizes
+    (
+        both.points, sizes, boundBox(both.points, false), controls,
+        domain.bounds
     );
 }
 
@@ -330,16 +281,9 @@ farFieldMesh makeFarFieldMesh
 {
     farFieldTets mesh;
     const wallSurface outer(outerSurface(layers, mesh.outerFaces));
-    scalarField sizes
-    (
-        layerSizes(outer, frontAddressing, controls.growthRate)
-    );
-    boundBox box(outer.points, false);
-    box.add(domain.boundary.surface.points);
-    box.add(domain.core.points);
     const cellSizes fromLayers
     (
-        makeSizes(outer.points, sizes, box, controls, domain.bounds)
+        sizesFromLayers(outer, frontAddressing, domain, controls)
     );
 
     coreCut cut;
@@ -354,24 +298,34 @@ farFieldMesh makeFarFieldMesh
     );
     const wallSurface both(joined(outer, far));
     checkBoundary(both, outer.faces.size(), domain.core);
-    sizes.append(sizesOf(far));
-
-    fill
+    setBoundary(outer, far, mesh);
+    const cellSizes sizes
     (
-        both, seedsOf(layers, outer, far),
-        makeSizes
-        (
-            both.points, sizes, boundBox(both.points, false), controls,
-            domain.bounds
-        ),
+        hasOwnSizes(controls)
+      ? sizesFromBoth(outer, frontAddressing, far, domain, controls)
+      : fromLayers
+    );
+    fillWithTets
+    (
+        both, seedsOf(layers, outer, far), sizes,
+        domain.core.nCells
+      ? nTetsIn(domain.core, cut.room, sizes) : nTetsBetween(both, sizes),
         controls.maxCells, mesh
     );
-    setBoundary(outer, far, mesh);
-    compact(mesh);
     improve(layers, domain.core, mesh);
 
     farFieldMesh made(joinCells(mesh, domain.core, cut));
     made.notes = coreNotes(domain.core, cut, made, std::cref(fromLayers));
+    if (controls.type == "hexCore")
+    {
+        made.cellZones.append
+        (
+            cellZoneParts
+            (
+                hexCoreName, identity(cut.cells.size(), mesh.tets.size())
+            )
+        );
+    }
 
     return made;
 }

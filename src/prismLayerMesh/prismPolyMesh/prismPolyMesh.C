@@ -239,6 +239,7 @@ autoPtr<polyMesh> makePrismPolyMesh
             layers, topology,
             layers.points.size() - layers.extraColumnPoints.size(), far
         );
+        far.topology = polyMeshTopology();
         patches.names.append(far.patches.names);
         patches.entries.append(far.patches.entries);
     }

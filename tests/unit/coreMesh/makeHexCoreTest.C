@@ -69,8 +69,7 @@ TEST(makeHexCore, oneHexahedronFillsACube)
     EXPECT_EQ(parts.points.size(), 8);
     EXPECT_EQ(parts.topology.faces.size(), 6);
     EXPECT_EQ(parts.topology.patchSizes, labelList({3, 3, 0}));
-    ASSERT_EQ(parts.cellZones.size(), 1);
-    EXPECT_EQ(parts.cellZones[0].name, "hexCore");
+    EXPECT_TRUE(parts.cellZones.empty());
     expectSound(partsMesh(parts)());
 }
 
