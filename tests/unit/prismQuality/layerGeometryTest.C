@@ -126,6 +126,19 @@ TEST(layerGeometry, skewnessFromEitherSideIsTheSame)
 }
 
 
+TEST(layerGeometry, skewnessIsBoundedIfCentresAreBesideEachOther)
+{
+    // Its powers are numbers, too
+    const pointField points({{0, 0, 0}, {2e4, 0, 0}, {0, 1e4, 0}});
+    const point a(0, 0, 1e4);
+    const point b(1e4, 0, 1e4);
+    const scalar excess = skewnessExcess(faceGeometry(points), points, a, b, 3);
+
+    EXPECT_GT(excess, 1e9);
+    EXPECT_LT(excess, 1e20);
+}
+
+
 //- What a square with a corner that is raised, between centres above and below
 //  it, lacks of an aim
 static scalar lackOfRaised
