@@ -23,6 +23,10 @@ const struct
     //  widths of their cells
     scalar onWall = 2;
 
+    //- The mean cosine of the angle between their area vectors and the way to
+    //  the obstacles, at least: a side of the domain looks away
+    scalar towardsWall = 0.1;
+
     //- Where the owner of a face begins: share of the way to its centre
     scalar within = 0.1;
 
@@ -93,19 +97,25 @@ bool stayingCells::liesOnWall(const label patchi) const
     const label start = t.patchStarts[patchi];
     const label size = t.patchSizes[patchi];
     bool near = size > 0 && isPlain(patchi);
+    scalar area = 0;
+    scalar towards = 0;
 
     for (label facei = start; near && facei < start + size; ++facei)
     {
         const point centre(t.faces[facei].centre(core_.points));
-        near =
-            obstacles_.surface.nearer
+        if (inFluid(facei))
+        {
+            near = obstacles_.surface.nearer
             (
                 centre, tuned.onWall*width(t.owner[facei])
-            )
-         || !inFluid(facei);
+            );
+            const vector normal(t.faces[facei].areaNormal(core_.points));
+            area += mag(normal);
+            towards -= obstacles_.surface.footOf(centre).direction & normal;
+        }
     }
 
-    return near;
+    return near && towards >= tuned.towardsWall*area;
 }
 
 
