@@ -5,6 +5,7 @@
 
 #include "cutCore.H"
 #include "bitSet.H"
+#include "edgeHashes.H"
 #include "HashSet.H"
 #include "splitPolygon.H"
 #include "stayingCells.H"
@@ -37,6 +38,10 @@ class coreCutter
     //- Of each plane, the faces there whose cells are gone
     List<DynamicList<face>> onPlanes_;
 
+    //- Edges of faces on planes whose cells stay, and of patches on the wall
+    edgeHashSet stayingEdges_;
+    edgeHashSet wallEdges_;
+
     label nInternal() const { return core_.topology.neighbour.size(); }
 
     const face& faceOf(const label facei) const
@@ -60,6 +65,9 @@ class coreCutter
     void addBoundary(label facei, label patchi);
 
     void addPatches();
+
+    //- Sets border and fence of each plane, on points of the core
+    void addFences(coreCut& cut) const;
 
     void addCut(coreCut& cut);
 
@@ -209,12 +217,19 @@ void coreCutter::addPatches()
          || stays_.wallPatches().found(core_.patches.names[patchi]);
         const label start = t.patchStarts[patchi];
         const label end = isWall ? start : start + t.patchSizes[patchi];
-
+        for (label i = end; i < start + t.patchSizes[patchi]; ++i)
+        {
+            wallEdges_.insert(faceOf(i).edges());
+        }
         for (label facei = start; facei < end; ++facei)
         {
             if (!stays_[t.owner[facei]])
             {
                 addBoundary(facei, patchi);
+            }
+            else if (planes_.size() && planeOf(facei) >= 0)
+            {
+                stayingEdges_.insert(faceOf(facei).edges());
             }
         }
     }
@@ -228,6 +243,28 @@ void coreCutter::addPatches()
                 << " the plane of " << planes_[s].name << ", through "
                 << planes_[s].origin << nl
                 << "It must end in that plane" << exit(FatalError);
+        }
+    }
+}
+
+
+void coreCutter::addFences(coreCut& cut) const
+{
+    cut.borders.setSize(onPlanes_.size());
+    cut.fences.setSize(onPlanes_.size());
+
+    forAll(onPlanes_, s)
+    {
+        for (const edge& e : outline(onPlanes_[s]))
+        {
+            if (stayingEdges_.found(e))
+            {
+                cut.borders[s].append(e);
+            }
+            else if (!wallEdges_.found(e))
+            {
+                cut.fences[s].append(e);
+            }
         }
     }
 }
@@ -289,13 +326,15 @@ void coreCutter::moveTriangles(coreCut& cut)
         }
     }
 
-    cut.fences.setSize(onPlanes_.size());
-    forAll(onPlanes_, s)
+    addFences(cut);
+    for (List<edgeList>* edges : {&cut.borders, &cut.fences})
     {
-        cut.fences[s] = outline(onPlanes_[s]);
-        for (edge& e : cut.fences[s])
+        for (edgeList& ofPlane : *edges)
         {
-            e = edge(ownLabel(e.start()), ownLabel(e.end()));
+            for (edge& e : ofPlane)
+            {
+                e = edge(ownLabel(e.start()), ownLabel(e.end()));
+            }
         }
     }
 

@@ -105,11 +105,7 @@ public:
 
     endedBoundary make();
 
-    endedBoundary makeUpTo
-    (
-        const pointField& fencePoints,
-        const List<edgeList>& fences
-    );
+    endedBoundary makeUpTo(const coreCut& cut);
 };
 
 void endedBoundaryMaker::addLayers()
@@ -340,22 +336,22 @@ endedBoundary endedBoundaryMaker::make()
 }
 
 
-endedBoundary endedBoundaryMaker::makeUpTo
-(
-    const pointField& fencePoints,
-    const List<edgeList>& fences
-)
+endedBoundary endedBoundaryMaker::makeUpTo(const coreCut& cut)
 {
     addLayers();
     const label first = points().size();
-    points().append(fencePoints);
-
-    forAll(fences, s)
+    points().append(cut.surface.points);
+    forAll(sides_, s)
     {
-        for (const edge& e : fences[s])
+        // Faces that are gone are to the left seen from outside
+        for (const edge& e : cut.borders[s])
         {
-            const edge moved(e.start() + first, e.end() + first);
-            regions_[s].fence.append(moved);
+            const edge reversed(e.end() + first, e.start() + first);
+            regions_[s].boundary.append(reversed);
+        }
+        for (const edge& e : cut.fences[s])
+        {
+            regions_[s].fence.append(edge(e[0] + first, e[1] + first));
         }
     }
     triangulate();
@@ -385,14 +381,14 @@ endedBoundary makeEndedBoundary
 endedBoundary makePlaneRemainders
 (
     const prismLayers& layers,
-    const pointField& fencePoints,
-    const List<edgeList>& fences,
+    const coreCut& cut,
     const std::function<scalar(const point&)>& size
 )
 {
     const farBoundary none;
     endedBoundaryMaker maker(layers, none, size);
-    return maker.makeUpTo(fencePoints, fences);
+
+    return maker.makeUpTo(cut);
 }
 
 } // End namespace Foam

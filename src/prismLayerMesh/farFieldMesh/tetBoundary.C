@@ -100,7 +100,7 @@ tetBoundary makePlaneBoundary
 {
     const endedBoundary ended
     (
-        makePlaneRemainders(layers, cut.surface.points, cut.fences, size)
+        makePlaneRemainders(layers, cut, size)
     );
     tetBoundary made;
     made.columns = ended.columns;

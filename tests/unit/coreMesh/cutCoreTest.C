@@ -187,65 +187,120 @@ TEST(cutCore, coupledPatchesAreNotReached)
 }
 
 
-TEST(cutCore, cellsOnAPatchOfTheWallGo)
+//- The core without the cells that do not stay: the faces beside these are a
+//  patch, body, as in a castellated mesh
+static polyMeshParts castellated
+(
+    const polyMeshParts& core,
+    const labelUList& stays
+)
 {
-    // Cells that the cube touches are left out, as in a castellated mesh: their
-    // faces, 6 x 4 of them, are a patch, and all cells there go whatever the
-    // gap
-    const cubeInBox c(0.5, 0.8);
-    const coreCut around(c.cut(0.1));
-    EXPECT_EQ(around.cells.size(), 8*8*8 - 2*2*2);
-    const labelList newCells(invert(c.core.nCells, around.cells));
+    const labelList newCells(invert(core.nCells, stays));
+    polyMeshParts made;
+    made.points = core.points;
+    made.nCells = stays.size();
+    made.patches = core.patches;
+    made.patches.append("body", "wall");
+    const polyMeshTopology& t = core.topology;
+    DynamicList<face> body;
+    DynamicList<label> bodyCells;
 
-    polyMeshParts castellated;
-    castellated.points = c.core.points;
-    castellated.nCells = around.cells.size();
-    castellated.patches = c.core.patches;
-    castellated.patches.append("body", "wall");
-    const polyMeshTopology& t = c.core.topology;
-    DynamicList<labelPair> body;
-    const auto newCell = [&](const label facei, const labelUList& cells)
-    {
-        return facei < cells.size() ? newCells[cells[facei]] : -1;
-    };
     forAll(t.neighbour, facei)
     {
-        const label own = newCell(facei, t.owner);
-        const label nei = newCell(facei, t.neighbour);
+        const label own = newCells[t.owner[facei]];
+        const label nei = newCells[t.neighbour[facei]];
+        const face& f = t.faces[facei];
         if (own >= 0 && nei >= 0)
         {
-            castellated.topology.append(face(t.faces[facei]), own, nei);
+            made.topology.append(face(f), own, nei);
         }
         else if (own >= 0 || nei >= 0)
         {
-            body.append(labelPair(facei, max(own, nei)));
+            body.append(own < 0 ? f.reverseFace() : f);
+            bodyCells.append(max(own, nei));
         }
     }
     for (label patchi = 0; patchi < 2; ++patchi)
     {
-        castellated.topology.startPatch();
+        made.topology.startPatch();
         for (label i = 0; i < t.patchSizes[patchi]; ++i)
         {
             const label facei = t.patchStarts[patchi] + i;
-            castellated.topology.append
-            (
-                face(t.faces[facei]), newCell(facei, t.owner)
-            );
+            const label own = newCells[t.owner[facei]];
+            if (own >= 0)
+            {
+                made.topology.append(face(t.faces[facei]), own);
+            }
         }
     }
-    castellated.topology.startPatch();
-    for (const labelPair& f : body)
+    made.topology.startPatch();
+    forAll(body, i)
     {
-        castellated.topology.append(face(t.faces[f.first()]), f.second());
+        made.topology.append(face(body[i]), bodyCells[i]);
     }
+
+    return made;
+}
+
+
+TEST(cutCore, cellsOnAPatchOfTheWallGo)
+{
+    // Cells that the cube touches are left out: all cells on the 6 x 4 faces
+    // beside these go, whatever the gap
+    const cubeInBox c(0.5, 0.8);
+    const coreCut around(c.cut(0.1));
+    EXPECT_EQ(around.cells.size(), 8*8*8 - 2*2*2);
 
     const coreCut cut
     (
-        cutCore(castellated, coreObstacles{c.search, c.search}, 0.1)
+        cutCore
+        (
+            castellated(c.core, around.cells),
+            coreObstacles{c.search, c.search}, 0.1
+        )
     );
     EXPECT_EQ(cut.wallPatches, wordList({"body"}));
     EXPECT_EQ(cut.cells.size(), 8*8*8 - 2*2*2 - 6*4);
     EXPECT_EQ(cut.nBoundary, 0);
+}
+
+
+TEST(cutCore, noFenceGoesAroundAPatchOfTheWall)
+{
+    // Of the cells on the low side 2 x 2 are left out, and the 12 around these
+    // go: there are 16 edges around them
+    const cubeInBox c(0.5, 0.8, point(0, 0, -2));
+    const coreCut around(c.cut(0.1));
+    EXPECT_EQ(around.cells.size(), 8*8*8 - 2*2);
+    List<sidePatch> planes(1);
+    planes[0].name = "low";
+    planes[0].origin = point(0, 0, -2);
+    planes[0].normal = vector(0, 0, -1);
+
+    const coreCut cut
+    (
+        cutCore
+        (
+            castellated(c.core, around.cells),
+            coreObstacles{c.search, c.search}, 0.1, planes
+        )
+    );
+    EXPECT_EQ(cut.wallPatches, wordList({"body"}));
+    ASSERT_EQ(cut.borders.size(), 1);
+    EXPECT_EQ(cut.borders[0].size(), 16);
+    EXPECT_TRUE(cut.fences[0].empty());
+}
+
+
+TEST(cutCore, sidesOfTheDomainThatAreNearAreNotOnTheWall)
+{
+    // All faces on the high sides are nearer to the cube than twice their
+    // width, but look away from it
+    const cubeInBox c(1, 2.6, point::uniform(0.5));
+    const coreCut cut(c.cut(0.1));
+
+    EXPECT_EQ(cut.wallPatches, wordList());
+    EXPECT_EQ(cut.nBoundary, 2*3*3*3);
 }
 
 
