@@ -40,12 +40,24 @@ static void cut
 
 
 //- A plane through the middle half of a surface
-static sidePatch randomPlane(const wallSurface& surface, Random& random)
+static sidePatch randomPlane
+(
+    const wallSurface& surface,
+    const bool alongAxis,
+    Random& random
+)
 {
     const boundBox box(surface.points, false);
     sidePatch plane;
     plane.name = "plane";
-    plane.normal = unitVector(random);
+    if (alongAxis)
+    {
+        plane.normal[random.position<label>(0, 2)] = random.bit() ? 1 : -1;
+    }
+    else
+    {
+        plane.normal = unitVector(random);
+    }
     plane.origin =
         box.centre()
       + random.position<scalar>(-0.25, 0.25)*box.minDim()*plane.normal;
@@ -59,7 +71,11 @@ static sidePatch randomPlane(const wallSurface& surface, Random& random)
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::wallSurface Foam::randomSurfaces::cutBody(Random& random)
+Foam::wallSurface Foam::randomSurfaces::cutBody
+(
+    Random& random,
+    const bool alongAxes
+)
 {
     const kind whole = kind
     (
@@ -74,7 +90,7 @@ Foam::wallSurface Foam::randomSurfaces::cutBody(Random& random)
     for (label i = 0; i < nPlanes; ++i)
     {
         const scalar tolerance = size*logUniform(random, 1e-5, 1e-3);
-        sidePatch plane(randomPlane(surface, random));
+        sidePatch plane(randomPlane(surface, alongAxes, random));
         plane.name += Foam::name(i);
         cut(surface, plane, tolerance);
         controls.sidePlanes.append(plane);

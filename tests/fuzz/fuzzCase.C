@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "fuzzCase.H"
-#include "equalPoints.H"
 #include "isolatedProcess.H"
 #include "meshFuzzCase.H"
 
@@ -73,6 +72,20 @@ public:
         else if (what == "noField")
         {
             result_.noField = text;
+        }
+        else if (what == "farField")
+        {
+            result_.farField = text;
+        }
+        else if (what == "refused")
+        {
+            result_.refused = text;
+        }
+        else if (what == "cut")
+        {
+            std::istringstream is(text);
+            is  >> result_.cut.n >> result_.cut.maxNonOrtho
+                >> result_.cut.minWeight;
         }
         else
         {
@@ -156,98 +169,6 @@ Foam::fuzzResult Foam::run(const fuzzCase& one, const unsigned cpuSeconds)
     }
 
     return result;
-}
-
-
-//- A face, after those of its points that are not written yet
-static void writeFace
-(
-    std::FILE* out,
-    const Foam::word& patch,
-    const Foam::pointField& points,
-    Foam::equalPoints& labels,
-    Foam::label& nPoints
-)
-{
-    for (const Foam::point& x : points)
-    {
-        if (labels.insert(x, nPoints))
-        {
-            std::fprintf(out, "v %.17g %.17g %.17g\n", x.x(), x.y(), x.z());
-            ++nPoints;
-        }
-    }
-
-    std::fprintf(out, "g %s\nf", patch.c_str());
-    for (const Foam::point& x : points)
-    {
-        std::fprintf(out, " %d", labels.find(x) + 1);
-    }
-    std::fprintf(out, "\n");
-}
-
-
-bool Foam::writeSurface(const fuzzCase& one, const fileName& file)
-{
-    return isolatedProcess
-    (
-        [&](std::FILE*)
-        {
-            wallSurface wall;
-            prismLayerControls controls;
-            localHeights local;
-            one.make(wall, controls, local);
-
-            const layerControls& layers = controls.layers;
-            std::FILE* out = std::fopen(file.c_str(), "w");
-
-            std::fprintf
-            (
-                out,
-                "# nSurfaceLayers %d; firstLayerThickness %.17g;"
-                " expansionRatio %.17g;\n",
-                layers.heights.nSurfaceLayers,
-                layers.heights.firstLayerThickness,
-                layers.heights.expansionRatio
-            );
-
-            for (const patchLayers& other : layers.patches)
-            {
-                std::fprintf
-                (
-                    out,
-                    "# patches { %s { firstLayerThickness %.17g; } }\n",
-                    other.patches.c_str(),
-                    other.heights.firstLayerThickness
-                );
-            }
-
-            equalPoints labels;
-            label nPoints = 0;
-            forAll(wall.faces, i)
-            {
-                writeFace
-                (
-                    out, wall.patchNames[wall.patchIDs[i]],
-                    pointField(wall.points, wall.faces[i]), labels, nPoints
-                );
-            }
-            for (const sidePatch& side : wall.border.sides)
-            {
-                for (const face& f : side.faces)
-                {
-                    writeFace
-                    (
-                        out, side.name, f.points(side.points), labels, nPoints
-                    );
-                }
-            }
-
-            std::fclose(out);
-        },
-        [](std::FILE*) { return true; },
-        60
-    ) == processEnd::complete;
 }
 
 

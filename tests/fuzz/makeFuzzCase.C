@@ -33,6 +33,30 @@ static label mixed(const label seed, const label index)
 }
 
 
+//- The surface of a case; a far field is for small ones
+static wallSurface makeSurface(const fuzzCase& one, Random& random)
+{
+    using randomSurfaces::kind;
+
+    if (!one.hasFarField)
+    {
+        return randomSurfaces::makeRandomSurface(one.kind, random);
+    }
+
+    const label mostFaces = 300;
+    wallSurface wall;
+    do
+    {
+        wall =
+            one.kind == kind::cutBody && randomSurfaces::chance(random, 0.7)
+          ? randomSurfaces::cutBody(random, true)
+          : randomSurfaces::makeRandomSurface(one.kind, random);
+    } while (wall.faces.size() > mostFaces);
+
+    return wall;
+}
+
+
 //- Two patches on the sides of a plane, the second of another thickness
 static void splitPatches
 (
@@ -123,7 +147,7 @@ void Foam::fuzzCase::make
 ) const
 {
     Random random(mixed(seed, index));
-    wall = randomSurfaces::makeRandomSurface(kind, random);
+    wall = makeSurface(*this, random);
     cutReflexFaces(wall);
 
     const scalar size = cmptMax(boundBox(wall.points, false).span());
@@ -219,6 +243,26 @@ Foam::wallSurface Foam::fuzzCase::repaired
     controls.repair.hole = size*randomSurfaces::logUniform(random, 1e-2, 1);
 
     return repairSurface(surface, controls).surface;
+}
+
+
+Foam::fuzzFarField Foam::fuzzCase::farField
+(
+    const wallSurface& wall,
+    const layerControls& layers
+) const
+{
+    const heightEntries& heights = layers.heights;
+    const label n = heights.nSurfaceLayers;
+    const scalar size = cmptMax(boundBox(wall.points, false).span());
+    const scalar thickness =
+        n
+      ? heights.firstLayerThickness
+       *totalThickness(n, 1, heights.expansionRatio)
+      : 0.05*size;
+    Random random(mixed(seed + 3, index));
+
+    return makeFuzzFarField(wall, 1.2*thickness, random);
 }
 
 

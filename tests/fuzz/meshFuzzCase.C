@@ -7,6 +7,7 @@
 #include "cutBlindFaces.H"
 #include "cutReflexFaces.H"
 #include "embeddingFault.H"
+#include "meshFarField.H"
 #include "meshFaults.H"
 #include "prismLayerMesh.H"
 #include "wallDefects.H"
@@ -18,21 +19,6 @@ namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- White space is one blank
-static std::string oneLine(const std::string& text)
-{
-    std::istringstream words(text);
-    std::string word, line;
-
-    while (words >> word)
-    {
-        line += (line.empty() ? "" : " ") + word;
-    }
-
-    return line;
-}
-
 
 //- Layers that there must be: the most that any part of the wall asks for
 static label nAsked(const layerControls& controls, const layerSpacing& asked)
@@ -60,6 +46,7 @@ static label nAsked(const layerControls& controls, const layerSpacing& asked)
 
 static void mesh
 (
+    const fuzzCase& one,
     const wallSurface& wall,
     const prismLayerControls& controls,
     const localHeights& local,
@@ -102,6 +89,11 @@ static void mesh
     else if (fault.size() || embedding.size())
     {
         tell("failed", oneLine(fault + embedding));
+    }
+    else if (one.hasFarField)
+    {
+        const fuzzFarField far(one.farField(wall, controls.layers));
+        meshFarField(wall, m, far, tell);
     }
 }
 
@@ -188,6 +180,20 @@ static bool make
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
+std::string oneLine(const std::string& text)
+{
+    std::istringstream words(text);
+    std::string word, line;
+
+    while (words >> word)
+    {
+        line += (line.empty() ? "" : " ") + word;
+    }
+
+    return line;
+}
+
+
 void meshFuzzCase(const fuzzCase& one, const listener& tell)
 {
     FatalError.throwExceptions();
@@ -221,7 +227,7 @@ void meshFuzzCase(const fuzzCase& one, const listener& tell)
             cutReflexFaces(wall);
         }
         cutBlindFaces(wall);
-        mesh(wall, controls, local, tell);
+        mesh(one, wall, controls, local, tell);
     }
     catch (const wallPointsError& e)
     {

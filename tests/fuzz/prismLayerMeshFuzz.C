@@ -32,17 +32,25 @@ Usage
       - \par -repair \<method\>
         Closed surfaces are damaged first, and repaired: stitch or wrap
 
+      - \par -farField
+        Surfaces are smaller, and have random far fields around their layers:
+        hexahedra, or the cells of random meshes, and tetrahedra. At the end
+        lines with the far fields of each kind, as refused/made, with the
+        reasons, and what faces at the cuts are like.
+
       - \par -index \<i\>
         That case alone, in this process
 
       - \par -folder \<path\>
-        Write the surfaces of failures, or that of the index, there
+        Write the surfaces of failures, or that of the index, there, and the
+        meshes around their layers
 
 \*---------------------------------------------------------------------------*/
 
 #include "argList.H"
 #include "clockTime.H"
 #include "fuzzCase.H"
+#include "fuzzTally.H"
 #include "OSspecific.H"
 #include "Pstream.H"
 
@@ -74,6 +82,10 @@ static void addOptions()
         "repair", "method",
         "Closed surfaces are damaged first, and repaired: stitch or wrap"
     );
+    argList::addBoolOption
+    (
+        "farField", "Far fields around layers on smaller surfaces"
+    );
     argList::addOption("index", "i", "That case alone, in this process");
     argList::addOption
     (
@@ -81,26 +93,6 @@ static void addOptions()
         ", there as OBJ"
     );
 }
-
-
-//- Numbers of cases, one for each kind and all of them
-struct tally
-{
-    labelList nRun = labelList(randomSurfaces::nKinds, Zero);
-    labelList nFailed = labelList(randomSurfaces::nKinds, Zero);
-    label nSkipped = 0;
-    label nNoField = 0;
-
-    void add(const fuzzCase& one, const fuzzResult& result)
-    {
-        typedef fuzzResult::verdict verdict;
-
-        nRun[int(one.kind)] += 1;
-        nFailed[int(one.kind)] += result.what == verdict::failed;
-        nSkipped += result.what == verdict::skipped;
-        nNoField += result.noField.size() > 0;
-    }
-};
 
 
 static void write(const fuzzCase& one, const fileName& folder)
@@ -143,23 +135,6 @@ static void report
 }
 
 
-static void report(const tally& counts, const scalar seconds)
-{
-    Info<< sum(counts.nRun) << " cases (";
-
-    for (label i = 0; i < randomSurfaces::nKinds; ++i)
-    {
-        Info<< (i ? ", " : "")
-            << randomSurfaces::name(randomSurfaces::kind(i)) << ' '
-            << counts.nFailed[i] << '/' << counts.nRun[i];
-    }
-
-    Info<< "), " << counts.nSkipped << " skipped, " << counts.nNoField
-        << " without field, " << sum(counts.nFailed) << " failed, "
-        << label(seconds + 0.5) << " s" << endl;
-}
-
-
 //- The case of an index, with the seed and kind of the options
 static fuzzCase caseOf(const argList& args, const label index)
 {
@@ -169,6 +144,7 @@ static fuzzCase caseOf(const argList& args, const label index)
     one.seed = args.lookupOrDefault<label>("seed", 1);
     one.index = index;
     one.isRemeshed = args.found("remesh");
+    one.hasFarField = args.found("farField");
     if (args.found("repair"))
     {
         one.repair =
@@ -192,13 +168,13 @@ static bool runCases(const argList& args, const fileName& folder)
     const scalar seconds = args.lookupOrDefault<scalar>("seconds", 0);
     const label count = args.lookupOrDefault<label>("count", 150);
 
-    tally counts;
+    fuzzTally counts;
     auto goesOn = [&]()
     {
         return
             seconds > 0
           ? time.elapsedTime() < seconds
-          : sum(counts.nRun) < count;
+          : counts.nRun() < count;
     };
 
     for (label index = 0; goesOn(); ++index)
@@ -209,9 +185,9 @@ static bool runCases(const argList& args, const fileName& folder)
         report(one, result, folder);
     }
 
-    report(counts, time.elapsedTime());
+    counts.write(time.elapsedTime());
 
-    return !sum(counts.nFailed);
+    return !counts.nFailed();
 }
 
 
