@@ -147,6 +147,9 @@ cellSizes::cellSizes
     DynamicList<place> places(1, place{box.midpoint(), -1, -GREAT});
     scalar width = width_;
 
+    // Cubes that are left out where they would all have the same size
+    scalar nEqual = 0;
+
     for (label first = 0; first < cubes_.size(); width /= 2)
     {
         const scalarField limits(boundsAt(places, bounds));
@@ -164,9 +167,11 @@ cellSizes::cellSizes
         {
             cube& c = cubes_[first + i];
             const place& at = places[i];
-            complete_ = complete_ && end + parts.size() <= maxCubes;
+            const bool divided = isDivided(c, at, width, limits[i]);
+            nEqual += divided ? 0 : pow3(width/sizeAt(c, at.centre));
+            complete_ = complete_ && end + parts.size() + nEqual <= maxCubes;
 
-            if (complete_ && isDivided(c, at, width, limits[i]))
+            if (complete_ && divided)
             {
                 c.children = end + parts.size();
                 const scalar least = at.least - 0.5*change(width);

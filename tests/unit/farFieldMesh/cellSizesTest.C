@@ -91,6 +91,12 @@ TEST(cellSizes, areNotCompleteWithoutEnoughCubes)
 {
     EXPECT_TRUE(twoPoints(unbounded, 1000000).complete());
     EXPECT_FALSE(twoPoints(unbounded, 100).complete());
+
+    // Cubes of equal size count, which are not made
+    sizeBounds bounds;
+    bounds.largest = 0.01;
+    EXPECT_FALSE(twoPoints(bounds, 10000000).complete());
+    EXPECT_TRUE(twoPoints(bounds, 100000000).complete());
 }
 
 
