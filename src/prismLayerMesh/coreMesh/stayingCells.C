@@ -23,8 +23,8 @@ const struct
     //  widths of their cells
     scalar onWall = 2;
 
-    //- The mean cosine of the angle between their area vectors and the way to
-    //  the obstacles, at least: a side of the domain looks away
+    //- Cosine of the angle between the normal of one of them and the way to the
+    //  obstacles, at least: all faces on a side of the domain look away
     scalar towardsWall = 0.1;
 
     //- Where the owner of a face begins: share of the way to its centre
@@ -97,8 +97,8 @@ bool stayingCells::liesOnWall(const label patchi) const
     const label start = t.patchStarts[patchi];
     const label size = t.patchSizes[patchi];
     bool near = size > 0 && isPlain(patchi);
-    scalar area = 0;
-    scalar towards = 0;
+    label nInFluid = 0;
+    label nTowards = 0;
 
     for (label facei = start; near && facei < start + size; ++facei)
     {
@@ -109,13 +109,14 @@ bool stayingCells::liesOnWall(const label patchi) const
             (
                 centre, tuned.onWall*width(t.owner[facei])
             );
-            const vector normal(t.faces[facei].areaNormal(core_.points));
-            area += mag(normal);
-            towards -= obstacles_.surface.footOf(centre).direction & normal;
+            const vector normal(t.faces[facei].unitNormal(core_.points));
+            const vector toWall(-obstacles_.surface.footOf(centre).direction);
+            ++nInFluid;
+            nTowards += (toWall & normal) > tuned.towardsWall;
         }
     }
 
-    return near && towards >= tuned.towardsWall*area;
+    return near && (nTowards || !nInFluid);
 }
 
 
