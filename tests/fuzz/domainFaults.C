@@ -4,11 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "farFieldFaults.H"
+#include "faultText.H"
 #include "outerTriangles.H"
 #include "planeDomain.H"
-#include "polyMesh.H"
-
-#include <sstream>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -18,34 +16,10 @@ namespace Foam
 namespace
 {
 
-template<class... Items>
-std::string tell(const Items&... items)
+class domainJudge : madeFarField
 {
-    std::ostringstream os;
-    os.precision(12);
-    (os << ... << items);
-
-    return os.str();
-}
-
-
-class domainJudge
-{
-    const wallSurface& wall_;
-    const prismLayers& layers_;
-    const fuzzFarField& asked_;
-    const polyMesh& mesh_;
-
     //- Of the domain
     const scalar size_;
-
-    label nLayerCells() const
-    {
-        return layers_.faces.size()*layers_.nLayers;
-    }
-
-    //- The first patches are those of the wall
-    label nWallPatches() const { return layers_.patchNames.size(); }
 
     //- Of the space that the layers leave, from their outer surface
     scalar volumeLeft() const;
@@ -64,19 +38,10 @@ class domainJudge
 
 public:
 
-    domainJudge
-    (
-        const wallSurface& wall,
-        const prismLayers& layers,
-        const fuzzFarField& asked,
-        const polyMesh& mesh
-    )
+    explicit domainJudge(const madeFarField& made)
     :
-        wall_(wall),
-        layers_(layers),
-        asked_(asked),
-        mesh_(mesh),
-        size_(boundBox(mesh.points(), false).mag())
+        madeFarField(made),
+        size_(boundBox(made.mesh.points(), false).mag())
     {}
 
     std::string fault() const;
@@ -88,38 +53,38 @@ public:
 scalar domainJudge::volumeLeft() const
 {
     wallSurface outer;
-    outer.points = layers_.outerPoints();
-    outer.faces = layers_.faces;
+    outer.points = layers.outerPoints();
+    outer.faces = layers.faces;
     labelList triangleFace;
     const faceList triangles(outerTriangles(outer, triangleFace));
     const endedSurface surface
     {
-        outer.points, triangles, layers_.border.edges, layers_.border.edgeSides
+        outer.points, triangles, layers.border.edges, layers.border.edgeSides
     };
     const List<sidePlane> sides
     (
-        SubList<sidePlane>(asked_.planes, layers_.border.sides.size())
+        SubList<sidePlane>(asked.planes, layers.border.sides.size())
     );
     const scalar within = volumeOf(surface, sides);
 
-    return asked_.fluidInside ? -within : volumeOf(asked_.planes) - within;
+    return asked.fluidInside ? -within : volumeOf(asked.planes) - within;
 }
 
 
 std::string domainJudge::volumeFault() const
 {
     scalar filled = 0;
-    for (label celli = nLayerCells(); celli < mesh_.nCells(); ++celli)
+    for (label celli = nLayerCells(); celli < mesh.nCells(); ++celli)
     {
-        filled += mesh_.cellVolumes()[celli];
+        filled += mesh.cellVolumes()[celli];
     }
     const scalar left = volumeLeft();
-    const scalar whole = sum(mesh_.cellVolumes());
+    const scalar whole = sum(mesh.cellVolumes());
 
     return
         mag(filled - left) < 1e-9*whole
       ? ""
-      : tell
+      : faultText
         (
             "the far field has the volume ", filled, ", layers leave ", left,
             " of the domain"
@@ -129,23 +94,23 @@ std::string domainJudge::volumeFault() const
 
 scalarField domainJudge::areasLeft() const
 {
-    const List<sidePlane>& planes = asked_.planes;
-    const endedSurface wall
+    const List<sidePlane>& planes = asked.planes;
+    const endedSurface ended
     {
-        wall_.points, wall_.faces, wall_.border.edges, wall_.border.edgeSides
+        wall.points, wall.faces, wall.border.edges, wall.border.edgeSides
     };
-    const label nSides = wall_.border.sides.size();
+    const label nSides = wall.border.sides.size();
     const point origin
     (
         pointOn
         (
             List<sidePlane>(SubList<sidePlane>(planes, nSides)),
-            boundBox(wall_.points, false).centre()
+            boundBox(wall.points, false).centre()
         )
     );
     scalarField areas
     (
-        asked_.fluidInside ? scalarField(planes.size(), 0) : areasOf(planes)
+        asked.fluidInside ? scalarField(planes.size(), 0) : areasOf(planes)
     );
 
     for (label i = 0; i < nSides; ++i)
@@ -154,7 +119,7 @@ scalarField domainJudge::areasLeft() const
         (
             origin - planes[i].distance(origin)*planes[i].normal
         );
-        areas[i] -= capArea(wall, planes[i], i, x);
+        areas[i] -= capArea(ended, planes[i], i, x);
     }
 
     return areas;
@@ -163,13 +128,13 @@ scalarField domainJudge::areasLeft() const
 
 label domainJudge::planeOf(const face& f) const
 {
-    forAll(asked_.planes, i)
+    forAll(asked.planes, i)
     {
         bool isIn = true;
         for (const label p : f)
         {
             isIn = isIn
-                && mag(asked_.planes[i].distance(mesh_.points()[p]))
+                && mag(asked.planes[i].distance(mesh.points()[p]))
                  < 1e-9*size_;
         }
         if (isIn)
@@ -190,26 +155,26 @@ std::string domainJudge::areaFault() const
     for
     (
         label patchi = nWallPatches();
-        patchi < mesh_.boundaryMesh().size();
+        patchi < mesh.boundaryMesh().size();
         ++patchi
     )
     {
-        const polyPatch& patch = mesh_.boundaryMesh()[patchi];
+        const polyPatch& patch = mesh.boundaryMesh()[patchi];
         for (const face& f : patch)
         {
             const label i = planeOf(f);
-            if (i < 0 || !asked_.planePatches[i].found(patch.name()))
+            if (i < 0 || !asked.planePatches[i].found(patch.name()))
             {
-                const point x(f.centre(mesh_.points()));
+                const point x(f.centre(mesh.points()));
 
-                return tell
+                return faultText
                 (
                     "a face of the patch ", patch.name(), " is in ",
                     i < 0 ? "no plane" : "the wrong plane", ", at ",
                     x.x(), ' ', x.y(), ' ', x.z()
                 );
             }
-            areas[i] += f.mag(mesh_.points());
+            areas[i] += f.mag(mesh.points());
         }
     }
 
@@ -217,9 +182,9 @@ std::string domainJudge::areaFault() const
     {
         if (mag(areas[i] - left[i]) > 1e-9*sqr(size_))
         {
-            return tell
+            return faultText
             (
-                "patches ", asked_.planePatches[i][0], ", ... have the area ",
+                "patches ", asked.planePatches[i][0], ", ... have the area ",
                 areas[i], ", the wall leaves ", left[i]
             );
         }
@@ -231,14 +196,14 @@ std::string domainJudge::areaFault() const
 
 std::string domainJudge::sphereFault() const
 {
-    const farBoundaryControls& sphere = asked_.controls.boundary;
-    const label patchi = mesh_.boundaryMesh().findPatchID("sphere");
-    if (patchi < 0 || mesh_.boundaryMesh().size() != nWallPatches() + 1)
+    const farBoundaryControls& sphere = asked.controls.boundary;
+    const label patchi = mesh.boundaryMesh().findPatchID("sphere");
+    if (patchi < 0 || mesh.boundaryMesh().size() != nWallPatches() + 1)
     {
         return "the patches are not those of the wall and the sphere";
     }
 
-    for (const point& x : mesh_.boundaryMesh()[patchi].localPoints())
+    for (const point& x : mesh.boundaryMesh()[patchi].localPoints())
     {
         if (mag(mag(x - sphere.origin) - sphere.radius) > 1e-9*sphere.radius)
         {
@@ -252,11 +217,11 @@ std::string domainJudge::sphereFault() const
 
 std::string domainJudge::fault() const
 {
-    if (asked_.controls.boundary.type == "sphere")
+    if (asked.controls.boundary.type == "sphere")
     {
         return sphereFault();
     }
-    if (asked_.planes.empty() && wall_.border.sides.size())
+    if (asked.planes.empty() && wall.border.sides.size())
     {
         return "";
     }
@@ -270,15 +235,9 @@ std::string domainJudge::fault() const
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-std::string Foam::findDomainFault
-(
-    const wallSurface& wall,
-    const prismLayers& layers,
-    const fuzzFarField& asked,
-    const polyMesh& mesh
-)
+std::string Foam::findDomainFault(const madeFarField& made)
 {
-    return domainJudge(wall, layers, asked, mesh).fault();
+    return domainJudge(made).fault();
 }
 
 

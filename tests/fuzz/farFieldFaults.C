@@ -4,12 +4,11 @@
 \*---------------------------------------------------------------------------*/
 
 #include "farFieldFaults.H"
+#include "faultText.H"
 #include "meshCertificate.H"
 #include "prismPolyMesh.H"
 #include "makeFarFieldMesh.H"
 #include "hexFaces.H"
-
-#include <sstream>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -19,32 +18,8 @@ namespace Foam
 namespace
 {
 
-template<class... Items>
-std::string textOf(const Items&... items)
+class farFieldJudge : madeFarField
 {
-    std::ostringstream os;
-    os.precision(12);
-    (os << ... << items);
-
-    return os.str();
-}
-
-
-class farFieldJudge
-{
-    const wallSurface& wall_;
-    const prismLayers& layers_;
-    const fuzzFarField& asked_;
-    const polyMesh& mesh_;
-
-    label nLayerCells() const
-    {
-        return layers_.faces.size()*layers_.nLayers;
-    }
-
-    //- The first patches are those of the wall
-    label nWallPatches() const { return layers_.patchNames.size(); }
-
     labelList wallFaces() const;
 
     std::string topologyFault() const;
@@ -58,19 +33,7 @@ class farFieldJudge
 
 public:
 
-    farFieldJudge
-    (
-        const wallSurface& wall,
-        const prismLayers& layers,
-        const fuzzFarField& asked,
-        const polyMesh& mesh
-    )
-    :
-        wall_(wall),
-        layers_(layers),
-        asked_(asked),
-        mesh_(mesh)
-    {}
+    explicit farFieldJudge(const madeFarField& made) : madeFarField(made) {}
 
     std::string fault() const;
 };
@@ -83,7 +46,7 @@ labelList farFieldJudge::wallFaces() const
     DynamicList<label> faces;
     for (label patchi = 0; patchi < nWallPatches(); ++patchi)
     {
-        const polyPatch& patch = mesh_.boundaryMesh()[patchi];
+        const polyPatch& patch = mesh.boundaryMesh()[patchi];
         faces.append(identity(patch.size(), patch.start()));
     }
 
@@ -94,13 +57,13 @@ labelList farFieldJudge::wallFaces() const
 std::string farFieldJudge::topologyFault() const
 {
     const bool isWrong =
-        mesh_.checkUpperTriangular(false)
-     || mesh_.checkPoints(false)
-     || mesh_.checkFaceVertices(false)
-     || mesh_.checkCellsZipUp(false)
-     || mesh_.boundaryMesh().checkDefinition(false)
-     || mesh_.cellZones().checkDefinition(false)
-     || mesh_.faceZones().checkDefinition(false);
+        mesh.checkUpperTriangular(false)
+     || mesh.checkPoints(false)
+     || mesh.checkFaceVertices(false)
+     || mesh.checkCellsZipUp(false)
+     || mesh.boundaryMesh().checkDefinition(false)
+     || mesh.cellZones().checkDefinition(false)
+     || mesh.faceZones().checkDefinition(false);
 
     return isWrong ? "the topology is not that of a mesh" : "";
 }
@@ -110,7 +73,7 @@ std::string farFieldJudge::certificateFault() const
 {
     const polyhedralMesh cells
     (
-        mesh_.points(), mesh_.faces(), mesh_.faceOwner(), mesh_.faceNeighbour()
+        mesh.points(), mesh.faces(), mesh.faceOwner(), mesh.faceNeighbour()
     );
     const meshCertificate certificate
     (
@@ -122,9 +85,9 @@ std::string farFieldJudge::certificateFault() const
         const label celli = certificate.invalidCells[0];
         const point x(cells.centre(celli));
         const label i = celli - nLayerCells();
-        const label nTets = mesh_.cellZones()[farFieldName].size();
+        const label nTets = mesh.cellZones()[farFieldName].size();
 
-        return textOf
+        return faultText
         (
             certificate.invalidCells.size(), " cells are not positive, first ",
             celli, ", a ", meshCellShapeName[certificate.invalidShapes[0]],
@@ -134,7 +97,7 @@ std::string farFieldJudge::certificateFault() const
     }
     if (certificate.doubleFaces.size())
     {
-        return textOf
+        return faultText
         (
             certificate.doubleFaces.size(), " pairs of faces are double, first "
             , certificate.doubleFaces[0].first(), " and ",
@@ -143,7 +106,7 @@ std::string farFieldJudge::certificateFault() const
     }
     if (!certificate.fillsBoundary())
     {
-        return textOf
+        return faultText
         (
             "cells have the volume ", certificate.cellVolume,
             ", the boundary has ", certificate.boundaryVolume
@@ -156,19 +119,19 @@ std::string farFieldJudge::certificateFault() const
 
 std::string farFieldJudge::layersFault(const labelList& nLayers) const
 {
-    const label nWall = wall_.faces.size();
+    const label nWall = wall.faces.size();
     if (nLayers.size() != nWall)
     {
-        return textOf
+        return faultText
         (
             nLayers.size(), " faces on the wall, not ", nWall
         );
     }
     forAll(nLayers, i)
     {
-        if (nLayers[i] != layers_.nLayers)
+        if (nLayers[i] != layers.nLayers)
         {
-            return textOf
+            return faultText
             (
                 "face ", i, " of the wall has ", nLayers[i],
                 " layers"
@@ -182,7 +145,7 @@ std::string farFieldJudge::layersFault(const labelList& nLayers) const
 
 std::string farFieldJudge::zoneFault() const
 {
-    const cellZoneMesh& zones = mesh_.cellZones();
+    const cellZoneMesh& zones = mesh.cellZones();
     labelList expected(identity(nLayerCells()));
     if (zones[boundaryLayerName] != expected)
     {
@@ -196,9 +159,9 @@ std::string farFieldJudge::zoneFault() const
     }
 
     const label first = nLayerCells() + nTets;
-    if (asked_.controls.type == "hexCore")
+    if (asked.controls.type == "hexCore")
     {
-        expected = identity(mesh_.nCells() - first, first);
+        expected = identity(mesh.nCells() - first, first);
         return
             zones.size() == 3 && zones[hexCoreName] == expected
           ? "" : "the zone of the hexahedra is not theirs";
@@ -206,8 +169,8 @@ std::string farFieldJudge::zoneFault() const
     const label all = zones.findZoneID("all");
     if
     (
-        asked_.controls.type == "mesh"
-     && (all < 0 || zones[all].size() != mesh_.nCells())
+        asked.controls.type == "mesh"
+     && (all < 0 || zones[all].size() != mesh.nCells())
     )
     {
         return "cells have left the zone of all";
@@ -223,7 +186,7 @@ std::string farFieldJudge::fault() const
     faults.append(topologyFault());
     faults.append(certificateFault());
     faults.append(zoneFault());
-    faults.append(findDomainFault(wall_, layers_, asked_, mesh_));
+    faults.append(findDomainFault(*this));
 
     for (const std::string& fault : faults)
     {
@@ -241,15 +204,9 @@ std::string farFieldJudge::fault() const
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-std::string Foam::findFarFieldFault
-(
-    const wallSurface& wall,
-    const prismLayers& layers,
-    const fuzzFarField& asked,
-    const polyMesh& mesh
-)
+std::string Foam::findFarFieldFault(const madeFarField& made)
 {
-    return farFieldJudge(wall, layers, asked, mesh).fault();
+    return farFieldJudge(made).fault();
 }
 
 

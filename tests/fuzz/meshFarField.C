@@ -201,7 +201,7 @@ void farFieldStage::check(farFieldMesh far) const
     tellCut(*mesh);
     const std::string fault
     (
-        findFarFieldFault(wall_, layered_.made.layers, asked_, *mesh)
+        findFarFieldFault({wall_, layered_.made.layers, asked_, *mesh})
     );
     if (fault.size())
     {

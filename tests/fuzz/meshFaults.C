@@ -4,27 +4,16 @@
 \*---------------------------------------------------------------------------*/
 
 #include "meshFaults.H"
+#include "faultText.H"
 #include "boundBox.H"
 #include "coneVolume.H"
 #include "ListOps.H"
 #include "prismPolyMesh.H"
 
-#include <sstream>
-
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace Foam
 {
-
-template<class... Items>
-static std::string text(const Items&... items)
-{
-    std::ostringstream os;
-    (os << ... << items);
-
-    return os.str();
-}
-
 
 class cellMesh
 {
@@ -250,14 +239,14 @@ std::string cellMesh::cellFault() const
     {
         if (!isClosed(celli) || openness(celli) > tolerance)
         {
-            return text("cell ", celli, " is not closed");
+            return faultText("cell ", celli, " is not closed");
         }
 
         const scalar threefold = solverVolume(celli);
 
         if (!(threefold > 0))
         {
-            return text("cell ", celli, " has the volume ", threefold/3);
+            return faultText("cell ", celli, " has the volume ", threefold/3);
         }
     }
 
@@ -272,7 +261,7 @@ std::string cellMesh::stackFault() const
 
     if (nWall != wall_.faces.size())
     {
-        return text(nWall, " faces on the wall, not ", wall_.faces.size());
+        return faultText(nWall, " faces on the wall, not ", wall_.faces.size());
     }
 
     for (label i = 0; i < nWall; ++i)
@@ -281,7 +270,7 @@ std::string cellMesh::stackFault() const
 
         if (n != layers_.nLayers)
         {
-            return text("face ", i, " of the wall has ", n, " layers");
+            return faultText("face ", i, " of the wall has ", n, " layers");
         }
     }
 
@@ -320,7 +309,7 @@ std::string cellMesh::volumeFault() const
 
     if (!(std::abs(filled - between) < tolerance))
     {
-        return text
+        return faultText
         (
             "cells fill ", filled/6, ", between wall and outer surface is ",
             between/6

@@ -50,7 +50,7 @@ struct sphereInBox
 
     std::string fault() const
     {
-        return findFarFieldFault(wall, layers, asked, (*memory)());
+        return findFarFieldFault({wall, layers, asked, (*memory)()});
     }
 
     void expectFault(const char* what) const
