@@ -48,20 +48,6 @@ void meshCell::collectCorners()
 }
 
 
-template<class Visit>
-void meshCell::visitPoints(const Visit& visit) const
-{
-    for (label i = 0, n = 0; i < corners_.size(); i += n)
-    {
-        const faceCorner* c = &corners_[i];
-        for (n = 1; i + n < corners_.size() && c[n].at == c->at; ++n)
-        {}
-
-        visit(c, n);
-    }
-}
-
-
 bool meshCell::closes(const faceCorner* c, const label n)
 {
     for (label i = 0; i < n; ++i)
@@ -83,21 +69,6 @@ bool meshCell::closes(const faceCorner* c, const label n)
 }
 
 
-bool meshCell::isClosed() const
-{
-    bool closed = corners_.size();
-    visitPoints
-    (
-        [&](const faceCorner* c, const label n)
-        {
-            closed = closed && closes(c, n);
-        }
-    );
-
-    return closed;
-}
-
-
 bool meshCell::isPositiveAt
 (
     const tetSigns& positive,
@@ -111,53 +82,25 @@ bool meshCell::isPositiveAt
 }
 
 
-bool meshCell::hasPositiveCorners() const
+meshCell::cornerFacts meshCell::facts() const
 {
     const tetSigns positive(points_.begin(), points_.size());
-    bool allPositive = true;
-    visitPoints
-    (
-        [&](const faceCorner* c, const label n)
-        {
-            allPositive =
-                allPositive && n > 2 && (n > 3 || isPositiveAt(positive, c));
-        }
-    );
+    cornerFacts all;
 
-    return allPositive;
-}
+    for (label i = 0, n = 0; i < corners_.size(); i += n, ++all.nPoints)
+    {
+        const faceCorner* c = &corners_[i];
+        for (n = 1; i + n < corners_.size() && c[n].at == c->at; ++n)
+        {}
 
+        all.closed = all.closed && closes(c, n);
+        all.simple = all.simple && n == 3;
+        all.within = all.within || n == 2;
+        all.positive = all.positive && all.closed && n > 2
+         && (n > 3 || isPositiveAt(positive, c));
+    }
 
-label meshCell::nPoints() const
-{
-    label number = 0;
-    visitPoints([&](const faceCorner*, label) { ++number; });
-
-    return number;
-}
-
-
-bool meshCell::isSimple() const
-{
-    bool simple = true;
-    visitPoints
-    (
-        [&](const faceCorner*, const label n) { simple = simple && n == 3; }
-    );
-
-    return simple;
-}
-
-
-bool meshCell::mayBeRefined() const
-{
-    bool within = false;
-    visitPoints
-    (
-        [&](const faceCorner*, const label n) { within = within || n == 2; }
-    );
-
-    return within || nPoints() > 8;
+    return all;
 }
 
 
@@ -182,21 +125,7 @@ label meshCell::sideOf(const label i, const boundBox& bounds) const
 }
 
 
-scalar meshCell::areaAlong(const label i, const direction axis) const
-{
-    const pointField& x = mesh_.points();
-    const point& origin = x[corner(i, 0)];
-    vector twice(Zero);
-    for (label k = 1; k + 1 < nPoints(i); ++k)
-    {
-        twice += (x[corner(i, k)] - origin) ^ (x[corner(i, k + 1)] - origin);
-    }
-
-    return twice[axis];
-}
-
-
-bool meshCell::asBox(bool& positive) const
+bool meshCell::asBox(const label celli, bool& positive) const
 {
     boundBox bounds(boundBox::invertedBox);
     for (const point* p : points_)
@@ -215,13 +144,15 @@ bool meshCell::asBox(bool& positive) const
         {
             return false;
         }
-        const scalar outwards = (side % 2 ? 1 : -1)*areaAlong(i, side/2);
+        const label facei = mesh_.cellFaces(celli)[i];
+        const scalar outwards =
+            (side % 2 ? 1 : -1)*mesh_.outwardArea(facei, celli)[side/2];
         positive = positive && outwards > 0;
         area += outwards;
     }
 
     // A closed surface covers the box a whole number of times
-    const scalar once = 4
+    const scalar once = 2
        *(span.x()*span.y() + span.y()*span.z() + span.z()*span.x());
     positive = positive && area < 1.5*once;
 
@@ -231,36 +162,39 @@ bool meshCell::asBox(bool& positive) const
 
 bool meshCell::hasPositivePyramids(const label celli) const
 {
-    const cell c(mesh_.cellFaces(celli));
-    const point centre(c.centre(mesh_.points(), mesh_.faces()));
-    bool positive = true;
+    const cell faces(mesh_.cellFaces(celli));
+    const point centre(faces.centre(mesh_.points(), mesh_.faces()));
 
-    for (const label facei : c)
-    {
-        const face& f = mesh_.faces()[facei];
-        const scalar outwards = mesh_.owner(facei) == celli ? 1 : -1;
-        const vector above(f.centre(mesh_.points()) - centre);
-        positive = positive
-         && outwards*(f.areaNormal(mesh_.points()) & above) > 0;
-    }
-
-    return positive;
+    return std::all_of
+    (
+        faces.begin(), faces.end(),
+        [&](const label facei)
+        {
+            return mesh_.pyramidVolume(facei, celli, centre) > 0;
+        }
+    );
 }
 
 
 meshCellVerdict meshCell::cornersVerdict(const label celli)
 {
     collectCorners();
-    if (!isClosed())
+    if (points_.empty())
     {
         return {meshCellShape::other, false};
     }
 
-    const bool positive = hasPositiveCorners();
-    bool positiveBox = false;
-    if (!positive && mayBeRefined())
+    const cornerFacts corners(facts());
+    if (!corners.closed)
     {
-        return asBox(positiveBox)
+        return {meshCellShape::other, false};
+    }
+
+    // Only a cell with more points, or points within its edges, may be refined
+    bool positiveBox = false;
+    if (!corners.positive && (corners.within || corners.nPoints > 8))
+    {
+        return asBox(celli, positiveBox)
           ? meshCellVerdict{meshCellShape::box, positiveBox}
           : meshCellVerdict
             {
@@ -270,8 +204,8 @@ meshCellVerdict meshCell::cornersVerdict(const label celli)
 
     const auto is = [&](const label nFacesOfShape, const label nPointsOfShape)
     {
-        return isSimple() && nFaces() == nFacesOfShape
-         && nPoints() == nPointsOfShape;
+        return corners.simple && nFaces() == nFacesOfShape
+         && corners.nPoints == nPointsOfShape;
     };
 
     return
@@ -279,7 +213,7 @@ meshCellVerdict meshCell::cornersVerdict(const label celli)
         is(4, 4) && nTriangles_ == 4 ? meshCellShape::tetrahedron
       : is(6, 8) && nQuads_ == 6 ? meshCellShape::hexahedron
       : meshCellShape::other,
-        positive
+        corners.positive
     };
 }
 

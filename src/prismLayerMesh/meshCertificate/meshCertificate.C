@@ -129,20 +129,6 @@ static boolList pointsOf(const polyhedralMesh& mesh, const labelUList& faces)
 }
 
 
-//- The volume [m3] of the pyramid below a face, from a point
-static scalar pyramidVolume
-(
-    const polyhedralMesh& mesh,
-    const label facei,
-    const point& apex
-)
-{
-    const face& f = mesh.faces()[facei];
-
-    return (f.areaNormal(mesh.points()) & (f.centre(mesh.points()) - apex))/3;
-}
-
-
 static void addVolumes(const polyhedralMesh& mesh, meshCertificate& certificate)
 {
     // Apices nearby: differences of large volumes are not precise
@@ -154,17 +140,17 @@ static void addVolumes(const polyhedralMesh& mesh, meshCertificate& certificate)
         const point& own = mesh.points()[mesh.faces()[faces[0]][0]];
         for (const label facei : faces)
         {
-            const bool outwards = mesh.owner(facei) == celli;
-            certificate.cellVolume +=
-                (outwards ? 1 : -1)*pyramidVolume(mesh, facei, own);
+            certificate.cellVolume += mesh.pyramidVolume(facei, celli, own);
         }
     }
 
     forAll(mesh.faces(), facei)
     {
-        if (mesh.beyond(facei, mesh.owner(facei)) < 0)
+        const label owner = mesh.owner(facei);
+        if (mesh.beyond(facei, owner) < 0)
         {
-            certificate.boundaryVolume += pyramidVolume(mesh, facei, middle);
+            certificate.boundaryVolume +=
+                mesh.pyramidVolume(facei, owner, middle);
         }
     }
 }

@@ -125,6 +125,27 @@ bool polyhedralMesh::hasCutTop(const label facei, const label celli) const
 }
 
 
+vector polyhedralMesh::outwardArea(const label facei, const label celli) const
+{
+    const vector area(faces_[facei].areaNormal(points_));
+
+    return owner_[facei] == celli ? area : -area;
+}
+
+
+scalar polyhedralMesh::pyramidVolume
+(
+    const label facei,
+    const label celli,
+    const point& apex
+) const
+{
+    const vector height(faces_[facei].centre(points_) - apex);
+
+    return (outwardArea(facei, celli) & height)/3;
+}
+
+
 point polyhedralMesh::centre(const label celli) const
 {
     labelHashSet labels;
