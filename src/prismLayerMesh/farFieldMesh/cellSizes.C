@@ -83,28 +83,22 @@ void cellSizes::setSource
     const indexedOctree<treeDataPoint>& tree,
     const scalar width,
     const scalar bound,
-    cube& c,
     place& at
 ) const
 {
-    c.source = at.source;
-
     // Where the bound is smaller all over the cube, any point will do
     if (at.least - change(width) > bound + change(width))
     {
         return;
     }
 
-    const scalar distance =
-        c.source < 0 ? GREAT : mag(points_[c.source] - at.centre);
-    const label nearer = tree.findNearest
-    (
-        at.centre, sqr((1 - farFieldTuned.nearerShare)*distance)
-    ).index();
-    c.source = nearer < 0 ? c.source : nearer;
-    at.source = c.source;
-    at.least = fromPoint(c.source, at.centre)
-      - slope_*farFieldTuned.nearerShare*mag(points_[c.source] - at.centre);
+    const scalar share = farFieldTuned.nearerShare;
+    const scalar distance = mag(points_[at.source] - at.centre);
+    const label nearer =
+        tree.findNearest(at.centre, sqr((1 - share)*distance)).index();
+    at.source = nearer < 0 ? at.source : nearer;
+    at.least = fromPoint(at.source, at.centre)
+      - slope_*share*mag(points_[at.source] - at.centre);
 }
 
 
@@ -118,6 +112,23 @@ bool cellSizes::isDivided
 {
     return min(bound, at.least) - change(width) < c.bound
      && width > farFieldTuned.maxWidth*sizeAt(c, at.centre);
+}
+
+
+void cellSizes::addParts
+(
+    const place& at,
+    const scalar width,
+    DynamicList<place>& parts
+) const
+{
+    const scalar least = at.least - 0.5*change(width);
+
+    for (label octant = 0; octant < 8; ++octant)
+    {
+        const point centre(partCentre(at.centre, width, octant));
+        parts.append(place{centre, at.source, least});
+    }
 }
 
 
@@ -144,7 +155,15 @@ cellSizes::cellSizes
     const auto tree(searchTree(points_, box));
 
     // One generation of cubes after the other
-    DynamicList<place> places(1, place{box.midpoint(), -1, -GREAT});
+    DynamicList<place> places;
+    places.append
+    (
+        place
+        {
+            box.midpoint(),
+            tree->findNearest(box.midpoint(), sqr(GREAT)).index(), -GREAT
+        }
+    );
     scalar width = width_;
 
     // Cubes that are left out where they would all have the same size
@@ -157,8 +176,9 @@ cellSizes::cellSizes
         #pragma omp parallel for schedule(dynamic, 64)
         forAll(places, i)
         {
+            setSource(tree, width, limits[i], places[i]);
+            cubes_[first + i].source = places[i].source;
             cubes_[first + i].bound = min(bounds.largest, limits[i]);
-            setSource(tree, width, limits[i], cubes_[first + i], places[i]);
         }
 
         const label end = cubes_.size();
@@ -174,18 +194,7 @@ cellSizes::cellSizes
             if (complete_ && divided)
             {
                 c.children = end + parts.size();
-                const scalar least = at.least - 0.5*change(width);
-                for (label octant = 0; octant < 8; ++octant)
-                {
-                    parts.append
-                    (
-                        place
-                        {
-                            partCentre(at.centre, width, octant), c.source,
-                            least
-                        }
-                    );
-                }
+                addParts(at, width, parts);
             }
         }
 
@@ -208,8 +217,9 @@ void cellSizes::addCubes
 ) const
 {
     const cube& c = cubes_[cubei];
+    const bool isLeaf = c.children < 0;
 
-    if (c.children < 0)
+    if (isLeaf && width <= farFieldTuned.maxWidth*sizeAt(c, centre))
     {
         n += inside(centre) ? pow3(width/sizeAt(c, centre)) : 0;
         return;
@@ -219,8 +229,8 @@ void cellSizes::addCubes
     {
         addCubes
         (
-            c.children + octant, partCentre(centre, width, octant), width/2,
-            inside, n
+            isLeaf ? cubei : c.children + octant,
+            partCentre(centre, width, octant), width/2, inside, n
         );
     }
 }

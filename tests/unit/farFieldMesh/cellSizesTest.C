@@ -87,6 +87,24 @@ TEST(cellSizes, nCubesIsTheIntegral)
 }
 
 
+TEST(cellSizes, nCubesLooksInsideLargeCubesOfOneSize)
+{
+    // One cube, whose centre is not inside
+    sizeBounds bounds;
+    bounds.largest = 0.25;
+    const cellSizes sizes
+    (
+        pointField(1, Zero), scalarField(1, 10), 1.2, box, bounds, 1000000
+    );
+    const scalar n = sizes.nCubes
+    (
+        [](const point& x) { return x.x() > 1 && box.contains(x); }
+    );
+
+    EXPECT_NEAR(n, 8*pow3(4.0), 0.1*8*pow3(4.0));
+}
+
+
 TEST(cellSizes, areNotCompleteWithoutEnoughCubes)
 {
     EXPECT_TRUE(twoPoints(unbounded, 1000000).complete());
