@@ -91,14 +91,26 @@ void stayingCells::removeBehind()
 }
 
 
+bool stayingCells::looksAtObstacles(const label facei) const
+{
+    const face& f = core_.topology.faces[facei];
+    const vector fromFoot
+    (
+        obstacles_.surface.footOf(f.centre(core_.points)).direction
+    );
+
+    return (-fromFoot & f.unitNormal(core_.points)) > tuned.towardsWall;
+}
+
+
 bool stayingCells::liesOnWall(const label patchi) const
 {
     const polyMeshTopology& t = core_.topology;
     const label start = t.patchStarts[patchi];
     const label size = t.patchSizes[patchi];
     bool near = size > 0 && isPlain(patchi);
-    label nInFluid = 0;
-    label nTowards = 0;
+    bool isInFluid = false;
+    bool looksAtWall = false;
 
     for (label facei = start; near && facei < start + size; ++facei)
     {
@@ -109,14 +121,12 @@ bool stayingCells::liesOnWall(const label patchi) const
             (
                 centre, tuned.onWall*width(t.owner[facei])
             );
-            const vector normal(t.faces[facei].unitNormal(core_.points));
-            const vector toWall(-obstacles_.surface.footOf(centre).direction);
-            ++nInFluid;
-            nTowards += (toWall & normal) > tuned.towardsWall;
+            isInFluid = true;
+            looksAtWall = looksAtWall || looksAtObstacles(facei);
         }
     }
 
-    return near && (nTowards || !nInFluid);
+    return near && (looksAtWall || !isInFluid);
 }
 
 

@@ -14,6 +14,7 @@
 #include "tetrahedralize.H"
 
 #include <functional>
+#include <memory>
 
 namespace Foam
 {
@@ -120,7 +121,7 @@ static void improve
 
 
 //- Sizes at the points of the layers
-static scalarField layerSizes
+static scalarField layerSizesOf
 (
     const wallSurface& outer,
     const wallAddressing& addressing,
@@ -138,7 +139,7 @@ static scalarField layerSizes
 static cellSizes sizesFromLayers
 (
     const wallSurface& outer,
-    const wallAddressing& addressing,
+    const scalarField& sizes,
     const farFieldDomain& domain,
     const farFieldControls& controls
 )
@@ -147,11 +148,7 @@ static cellSizes sizesFromLayers
     box.add(domain.boundary.surface.points);
     box.add(domain.core.points);
 
-    return makeSizes
-    (
-        outer.points, layerSizes(outer, addressing, controls.growthRate), box,
-        controls, domain.bounds
-    );
+    return makeSizes(outer.points, sizes, box, controls, domain.bounds);
 }
 
 
@@ -182,15 +179,13 @@ static bool hasOwnSizes(const farFieldControls& controls)
 //- The sizes that grow from the layers and from the far boundary
 static cellSizes sizesFromBoth
 (
-    const wallSurface& outer,
-    const wallAddressing& addressing,
+    const wallSurface& both,
+    scalarField sizes,
     const tetBoundary& far,
     const farFieldDomain& domain,
     const farFieldControls& controls
 )
 {
-    const wallSurface both(joined(outer, far));
-    scalarField sizes(layerSizes(outer, addressing, controls.growthRate));
     sizes.append(sizesOf(far));
 
     return makeSizes
@@ -225,12 +220,12 @@ static void checkBoundary
 static void setBoundary
 (
     const wallSurface& outer,
+    const wallSurface& both,
     const tetBoundary& far,
     farFieldTets& mesh
 )
 {
     const label nOuter = outer.points.size();
-    const wallSurface both(joined(outer, far));
     const auto triangles = [&](const label n, const label start)
     {
         return faceList
@@ -281,9 +276,13 @@ farFieldMesh makeFarFieldMesh
 {
     farFieldTets mesh;
     const wallSurface outer(outerSurface(layers, mesh.outerFaces));
+    const scalarField layerSizes
+    (
+        layerSizesOf(outer, frontAddressing, controls.growthRate)
+    );
     const cellSizes fromLayers
     (
-        sizesFromLayers(outer, frontAddressing, domain, controls)
+        sizesFromLayers(outer, layerSizes, domain, controls)
     );
 
     coreCut cut;
@@ -298,13 +297,17 @@ farFieldMesh makeFarFieldMesh
     );
     const wallSurface both(joined(outer, far));
     checkBoundary(both, outer.faces.size(), domain.core);
-    setBoundary(outer, far, mesh);
-    const cellSizes sizes
-    (
-        hasOwnSizes(controls)
-      ? sizesFromBoth(outer, frontAddressing, far, domain, controls)
-      : fromLayers
-    );
+    setBoundary(outer, both, far, mesh);
+
+    std::unique_ptr<const cellSizes> fromBoth;
+    if (hasOwnSizes(controls))
+    {
+        fromBoth = std::make_unique<const cellSizes>
+        (
+            sizesFromBoth(both, layerSizes, far, domain, controls)
+        );
+    }
+    const cellSizes& sizes = fromBoth ? *fromBoth : fromLayers;
     fillWithTets
     (
         both, seedsOf(layers, outer, far), sizes,
