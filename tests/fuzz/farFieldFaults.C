@@ -65,7 +65,7 @@ std::string farFieldJudge::topologyFault() const
      || mesh.cellZones().checkDefinition(false)
      || mesh.faceZones().checkDefinition(false);
 
-    return isWrong ? "the topology is not that of a mesh" : "";
+    return isWrong ? "the faces are not the faces of a mesh" : "";
 }
 
 
