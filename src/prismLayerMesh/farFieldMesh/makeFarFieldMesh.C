@@ -38,8 +38,8 @@ static wallSurface outerSurface(const prismLayers& layers, labelList& faces)
 }
 
 
-//- A point inside the layers of each body, the centre of a tetrahedron in the
-//  last cell on its largest outer face, and those in what stays of a core
+//- A point inside the layers of each body, below its largest outer face, and
+//  those in what stays of a core
 static pointField seedsOf
 (
     const prismLayers& layers,
@@ -51,15 +51,7 @@ static pointField seedsOf
 
     for (const label i : largestFaces(outer))
     {
-        const face& f = outer.faces[i];
-        seeds.append
-        (
-            0.25
-           *(
-                outer.points[f[0]] + outer.points[f[1]] + outer.points[f[2]]
-              + layers(f[0], layers.nLayers - 1)
-            )
-        );
+        seeds.append(pointBelow(outer.faces[i], layers));
     }
 
     return pointField(std::move(seeds));

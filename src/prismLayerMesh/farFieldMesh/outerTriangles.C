@@ -99,6 +99,31 @@ faceList outerTriangles(const wallSurface& outer, labelList& triangleFace)
     return triangles;
 }
 
+
+point pointBelow(const face& triangle, const prismLayers& layers)
+{
+    const label n = layers.nLayers;
+    const point& a = layers(triangle[0], n);
+    const point& b = layers(triangle[1], n);
+    const point& c = layers(triangle[2], n);
+    const vector normal((b - a) ^ (c - a));
+    scalar highest = -GREAT;
+    point below(a);
+
+    for (const label column : triangle)
+    {
+        const point& x = layers(column, n - 1);
+        const scalar height = (layers(column, n) - x) & normal;
+        if (height > highest)
+        {
+            highest = height;
+            below = x;
+        }
+    }
+
+    return 0.25*(a + b + c + below);
+}
+
 } // End namespace Foam
 
 // ************************************************************************* //

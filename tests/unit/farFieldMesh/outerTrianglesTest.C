@@ -59,4 +59,25 @@ TEST(outerTriangles, trianglesStay)
 }
 
 
+TEST(pointBelow, isInACellThatLeansAtItsFirstPoint)
+{
+    // The plane of the first triangle is z = 1 + y: the point below its first
+    // corner is in front of it
+    prismLayers layers;
+    layers.nLayers = 1;
+    layers.points = pointField
+    ({
+        {0, -0.3, 0.8}, {0, 0, 1}, {1, 0, 0.8}, {1, 0, 1},
+        {1, 1, 0.8}, {1, 1, 2}, {0, 1, 0.8}, {0, 1, 1}
+    });
+    layers.faces = faceList({face({0, 1, 2, 3})});
+
+    for (const face& f : {face({0, 1, 2}), face({1, 2, 0}), face({2, 0, 1})})
+    {
+        const point x(pointBelow(f, layers));
+        EXPECT_LT(x.z(), 1 + x.y());
+    }
+}
+
+
 // ************************************************************************* //
