@@ -26,9 +26,6 @@ class coreCutter
     const coreObstacles& obstacles_;
     const UList<sidePatch>& planes_;
 
-    //- Points nearer to a plane [m] are in it
-    const scalar tolerance_;
-
     const stayingCells stays_;
 
     //- Of the surface of the cut, on points of the core
@@ -55,9 +52,6 @@ class coreCutter
 
     //- The distance of the obstacles is at most that
     void refuseCoupled(label patchi, label facei) const;
-
-    //- The plane that a face is in, or -1
-    label planeOf(label facei) const;
 
     void addPolygon(label facei, bool turned, label patchi);
 
@@ -86,8 +80,7 @@ public:
         core_(core),
         obstacles_(obstacles),
         planes_(planes),
-        tolerance_(1e-9*boundBox(core.points, false).mag()),
-        stays_(core, obstacles, gap),
+        stays_(core, obstacles, gap, planes),
         onPlanes_(planes.size())
     {}
 
@@ -152,26 +145,6 @@ void coreCutter::refuseCoupled(const label patchi, const label facei) const
 }
 
 
-label coreCutter::planeOf(const label facei) const
-{
-    forAll(planes_, s)
-    {
-        bool isIn = true;
-        for (const label p : faceOf(facei))
-        {
-            isIn = isIn && mag(planes_[s].distance(core_.points[p]))
-                < tolerance_;
-        }
-        if (isIn)
-        {
-            return s;
-        }
-    }
-
-    return -1;
-}
-
-
 void coreCutter::addPolygon
 (
     const label facei,
@@ -189,7 +162,7 @@ void coreCutter::addPolygon
 
 void coreCutter::addBoundary(const label facei, const label patchi)
 {
-    const label plane = planeOf(facei);
+    const label plane = stays_.planeOf(facei);
 
     if (plane < 0)
     {
@@ -227,7 +200,7 @@ void coreCutter::addPatches()
             {
                 addBoundary(facei, patchi);
             }
-            else if (planes_.size() && planeOf(facei) >= 0)
+            else if (planes_.size() && stays_.planeOf(facei) >= 0)
             {
                 stayingEdges_.insert(faceOf(facei).edges());
             }

@@ -109,24 +109,31 @@ bool stayingCells::liesOnWall(const label patchi) const
     const label start = t.patchStarts[patchi];
     const label size = t.patchSizes[patchi];
     bool near = size > 0 && isPlain(patchi);
-    bool isInFluid = false;
+    label nBehind = 0;
     bool looksAtWall = false;
 
     for (label facei = start; near && facei < start + size; ++facei)
     {
         const point centre(t.faces[facei].centre(core_.points));
-        if (inFluid(facei))
+        if (planeOf(facei) >= 0)
+        {
+            near = false;
+        }
+        else if (!inFluid(facei))
+        {
+            ++nBehind;
+        }
+        else
         {
             near = obstacles_.surface.nearer
             (
                 centre, tuned.onWall*width(t.owner[facei])
             );
-            isInFluid = true;
             looksAtWall = looksAtWall || looksAtObstacles(facei);
         }
     }
 
-    return near && (looksAtWall || !isInFluid);
+    return near && (looksAtWall || 2*nBehind > size);
 }
 
 
@@ -186,12 +193,15 @@ stayingCells::stayingCells
 (
     const polyMeshParts& core,
     const coreObstacles& obstacles,
-    const scalar gap
+    const scalar gap,
+    const UList<sidePatch>& planes
 )
 :
     core_(core),
     obstacles_(obstacles),
     gap_(gap),
+    planes_(planes),
+    tolerance_(1e-9*boundBox(core.points, false).mag()),
     nInternal_(core.topology.neighbour.size()),
     boxes_(core.nCells, boundBox(boundBox::invertedBox)),
     states_(core.nCells, states::stays)
@@ -220,6 +230,26 @@ disjointSets stayingCells::parts() const
     }
 
     return together;
+}
+
+
+label stayingCells::planeOf(const label facei) const
+{
+    forAll(planes_, s)
+    {
+        bool isIn = true;
+        for (const label p : core_.topology.faces[facei])
+        {
+            isIn = isIn && mag(planes_[s].distance(core_.points[p]))
+                < tolerance_;
+        }
+        if (isIn)
+        {
+            return s;
+        }
+    }
+
+    return -1;
 }
 
 

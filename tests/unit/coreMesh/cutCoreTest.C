@@ -265,6 +265,46 @@ TEST(cutCore, cellsOnAPatchOfTheWallGo)
 }
 
 
+TEST(cutCore, aPatchBehindTheWallMayStickOut)
+{
+    // The 8 cells around the origin are left out, and one on the high side. Of
+    // the patch 24 faces are inside of the larger cube; those in the fluid do
+    // not look at it.
+    const cubeInBox c(0.5, 0.8);
+    const cubeInBox larger(0.5, 1.8);
+    pointField centres;
+    scalarField volumes;
+    setCentresAndVolumes(c.core, identity(c.core.nCells), centres, volumes);
+    DynamicList<label> stays;
+    forAll(centres, celli)
+    {
+        const point& x = centres[celli];
+        if
+        (
+            cmptMax(cmptMag(x)) > 0.5
+         && mag(x - point(1.75, 0.25, 0.25)) > SMALL
+        )
+        {
+            stays.append(celli);
+        }
+    }
+    ASSERT_EQ(stays.size(), 8*8*8 - 8 - 1);
+
+    const coreCut cut
+    (
+        cutCore
+        (
+            castellated(c.core, stays),
+            coreObstacles{larger.search, larger.search}, 0.1
+        )
+    );
+    EXPECT_EQ(cut.wallPatches, wordList({"body"}));
+    
+    // The cells beside the one on the high side go, with their faces there
+    EXPECT_EQ(cut.nBoundary, 2*4);
+}
+
+
 TEST(cutCore, noFenceGoesAroundAPatchOfTheWall)
 {
     // Of the cells on the low side 2 x 2 are left out, and the 12 around these
