@@ -26,7 +26,9 @@ enum class reasons
     any,        // at any time
     nearLayers, // if the boundary is not clear of the layers
     offPlane,   // if the mesh does not end in a plane on which the wall ends
-    parts       // if the wall ends on other side patches
+    parts,      // if the wall ends on other side patches
+    bodies      // if the wall ends and has several bodies, of which one may be
+                // outside of another that is around the fluid
 };
 
 
@@ -45,6 +47,7 @@ const struct
     {"cutsLayers", "boundary cuts the layers", reasons::nearLayers},
     {"notAroundWall", "boundary is not around the wall", reasons::nearLayers},
     {"meshNotAround", "mesh is not around the layers", reasons::nearLayers},
+    {"bodyOutside", "is outside of the fluid", reasons::bodies},
     {"edgesCross", "crosses another edge of its side", reasons::nearLayers},
     {"notInPlane", "It must end in that plane", reasons::offPlane},
     {"meshOnParts", "which is no plane of surface.sidePlanes", reasons::parts}
@@ -166,6 +169,8 @@ bool farFieldStage::isJustified(const reasons reason) const
         case reasons::nearLayers: return onParts || isNearLayers();
         case reasons::offPlane: return offPlane;
         case reasons::parts: return onParts;
+        case reasons::bodies:
+            return sides.size() && largestFaces(wall_).size() > 1;
     }
 
     return false;

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "farBoundary.H"
+#include "disjointSets.H"
 #include "edgeHashes.H"
 #include "labelledTriangle.H"
 #include "refineSurface.H"
@@ -30,6 +31,44 @@ static edge oddEdge(const faceList& faces)
     }
 
     return odd.size() ? odd.begin().key() : edge();
+}
+
+
+//- Whether each triangle of the outer surface of the layers is of a body that is
+//  not closed, or whose normals point inwards: it is around the fluid
+static boolList aroundFluid(const wallSurface& outer)
+{
+    disjointSets bodies(outer.points.size());
+    for (const face& f : outer.faces)
+    {
+        bodies.join(f[0], f[1]);
+        bodies.join(f[0], f[2]);
+    }
+
+    scalarField volumes(outer.points.size(), 0);
+    for (const face& f : outer.faces)
+    {
+        const label body = bodies.find(f[0]);
+        volumes[body] += (outer.points[f[0]] - outer.points[body])
+          & f.areaNormal(outer.points);
+    }
+    boolList isAround(outer.points.size());
+    forAll(isAround, p)
+    {
+        isAround[p] = volumes[p] < 0;
+    }
+    for (const edge& e : openEdges(outer).toc())
+    {
+        isAround[bodies.find(e.start())] = true;
+    }
+
+    boolList result(outer.faces.size());
+    forAll(result, i)
+    {
+        result[i] = isAround[bodies.find(outer.faces[i][0])];
+    }
+
+    return result;
 }
 
 
@@ -71,26 +110,36 @@ void checkFarBoundary(const wallSurface& both, const label nOuter)
             << open.centre(both.points) << exit(FatalError);
     }
 
-    wallSurface far(both);
-    far.faces = SubList<face>(both.faces, nFar, nOuter);
-    if (openEdges(far).size())
+    checkBodies(both, nOuter);
+}
+
+void checkBodies(const wallSurface& both, const label nOuter)
+{
+    wallSurface outer(both);
+    outer.faces.setSize(nOuter);
+    const boolList isAround(aroundFluid(outer));
+    wallSurface around(both);
+    around.faces = subset(isAround, outer.faces);
+    around.faces.append
+    (
+        SubList<face>(both.faces, both.faces.size() - nOuter, nOuter)
+    );
+    if (around.faces.empty())
     {
         return;
     }
 
-    wallSurface outer(both);
-    outer.faces.setSize(nOuter);
-    const wallSearch search(far);
-
+    const wallSearch search(around);
     for (const label facei : largestFaces(outer))
     {
-        const point x(both.faces[facei].centre(both.points));
+        const point x(outer.faces[facei].centre(both.points));
 
-        if (!search.inFront(x))
+        if (!isAround[facei] && !search.inFront(x))
         {
             FatalErrorInFunction
-                << "The far boundary is not around the wall: the layers at "
-                << x << " are outside of it" << exit(FatalError);
+                << "The far boundary is not around the wall: the body at " << x
+                << " is outside of the fluid, whose boundary is "
+                << search.footOf(x).distance << " from it" << exit(FatalError);
         }
     }
 }

@@ -269,7 +269,9 @@ tetBoundary coreBoundaryMaker::makeOnPlanes()
     closing.columns = ended.columns;
 
     const wallSearch surface(outer_);
-    const wallSearch fluid(joined(outer_, closing));
+    const wallSurface closed(joined(outer_, closing));
+    checkBodies(closed, outer_.faces.size());
+    const wallSearch fluid(closed);
     const coreObstacles obstacles{surface, fluid};
     setCore(obstacles);
     addSidePatches();
@@ -302,7 +304,9 @@ tetBoundary coreBoundaryMaker::makeAround()
         made = makeTetBoundary(layers_, domain_.boundary, size_);
     }
 
-    const wallSearch surface(joined(outer_, made));
+    const wallSurface both(joined(outer_, made));
+    checkBodies(both, outer_.faces.size());
+    const wallSearch surface(both);
     const coreObstacles obstacles{surface, surface};
     setCore(obstacles);
     cut_ = cutCore(domain_.core, obstacles, controls_.gap);

@@ -206,6 +206,10 @@ static void checkBoundary
             << "The mesh is not around the layers: none of its cells is near to"
             << " them, at " << both.points[0] << exit(FatalError);
     }
+    else
+    {
+        checkBodies(both, nOuter);
+    }
 }
 
 

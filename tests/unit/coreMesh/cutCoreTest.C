@@ -299,7 +299,7 @@ TEST(cutCore, aPatchBehindTheWallMayStickOut)
         )
     );
     EXPECT_EQ(cut.wallPatches, wordList({"body"}));
-    
+
     // The cells beside the one on the high side go, with their faces there
     EXPECT_EQ(cut.nBoundary, 2*4);
 }

@@ -124,4 +124,53 @@ TEST(farBoundary, patchesWhoseSidesLaterOnesTakeAreRefused)
 }
 
 
+//- What checkBodies says to a small cube that is moved beside a larger one with
+//  the fluid inside, whose last triangles are of the far boundary
+static std::string errorBeside(const vector& by, const label nFar)
+{
+    wallSurface both
+    (
+        testSurfaces::merge
+        (
+            testSurfaces::translated(testSurfaces::cube(1, 0.5), by),
+            testSurfaces::reversed(testSurfaces::cube(2, 2))
+        )
+    );
+    both.patchIDs.clear();
+
+    return thrownMessage<error>
+    (
+        [&]() { checkBodies(both, both.faces.size() - nFar); }
+    );
+}
+
+
+TEST(checkBodies, bodiesOutsideOfTheFluidAreRefused)
+{
+    for (const label nFar : {0, 8})
+    {
+        EXPECT_EQ(errorBeside(vector(0.5, 0.5, 0.5), nFar), "");
+        expectWords
+        (
+            errorBeside(vector(3, 0.5, 0.5), nFar),
+            {"the body at (3", "outside of the fluid", "is 1 from it"}
+        );
+    }
+}
+
+
+TEST(checkBodies, bodiesBesideEachOtherAreNot)
+{
+    const wallSurface both
+    (
+        testSurfaces::merge
+        (
+            testSurfaces::cube(1, 1),
+            testSurfaces::translated(testSurfaces::cube(1, 1), vector(2, 0, 0))
+        )
+    );
+    EXPECT_NO_THROW(checkBodies(both, both.faces.size()));
+}
+
+
 // ************************************************************************* //
