@@ -34,8 +34,8 @@ static edge oddEdge(const faceList& faces)
 }
 
 
-//- Whether each triangle of the outer surface of the layers is of a body that is
-//  not closed, or whose normals point inwards: it is around the fluid
+//- Whether each triangle of the outer surface of the layers is of a body that
+//  is not closed, or whose normals point inwards: it is around the fluid
 static boolList aroundFluid(const wallSurface& outer)
 {
     disjointSets bodies(outer.points.size());

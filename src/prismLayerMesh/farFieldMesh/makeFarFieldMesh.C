@@ -13,6 +13,7 @@
 #include "outerTriangles.H"
 #include "tetrahedralize.H"
 
+#include <algorithm>
 #include <functional>
 #include <memory>
 
@@ -260,6 +261,28 @@ static void setBoundary
 }
 
 
+//- Leaves out sides of the box that have no faces and are no side patches
+static void dropEmptySides(const UList<sidePatch>& sides, farFieldMesh& far)
+{
+    DynamicList<label> kept;
+    forAll(far.patches.names, patchi)
+    {
+        const word& name = far.patches.names[patchi];
+        const bool isSide = std::any_of
+        (
+            sides.begin(), sides.end(),
+            [&](const sidePatch& side) { return side.name == name; }
+        );
+        if (isSide || far.topology.patchSizes[1 + patchi])
+        {
+            kept.append(patchi);
+        }
+    }
+
+    far.keepPatches(kept);
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 farFieldMesh makeFarFieldMesh
@@ -317,6 +340,7 @@ farFieldMesh makeFarFieldMesh
     made.notes = coreNotes(domain.core, cut, made, std::cref(fromLayers));
     if (controls.type == "hexCore")
     {
+        dropEmptySides(layers.border.sides, made);
         made.cellZones.append
         (
             cellZoneParts

@@ -82,9 +82,7 @@ static meshPatches patchesOfWall(const prismLayers& layers)
 //  and whose names the wall has
 static void dropPatchesOfWall(const wordList& wallPatches, farFieldMesh& far)
 {
-    meshPatches kept;
-    labelList starts(1, far.topology.patchStarts[0]);
-    labelList sizes(1, far.topology.patchSizes[0]);
+    DynamicList<label> kept;
 
     forAll(far.patches.names, patchi)
     {
@@ -93,10 +91,7 @@ static void dropPatchesOfWall(const wordList& wallPatches, farFieldMesh& far)
 
         if (!wallPatches.found(name))
         {
-            kept.names.append(name);
-            kept.entries.append(far.patches.entries[patchi]);
-            starts.append(far.topology.patchStarts[1 + patchi]);
-            sizes.append(size);
+            kept.append(patchi);
         }
         else if (size)
         {
@@ -107,9 +102,7 @@ static void dropPatchesOfWall(const wordList& wallPatches, farFieldMesh& far)
         }
     }
 
-    far.patches = kept;
-    far.topology.patchStarts = starts;
-    far.topology.patchSizes = sizes;
+    far.keepPatches(kept);
 }
 
 
