@@ -4,13 +4,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "cutCore.H"
-#include "bitSet.H"
 #include "edgeHashes.H"
 #include "HashSet.H"
 #include "splitPolygon.H"
 #include "stayingCells.H"
-
-#include <algorithm>
 
 namespace Foam
 {
@@ -343,19 +340,6 @@ coreCut coreCutter::cut()
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
-label nRoomIn(const cellZoneParts& zone, const coreCut& cut)
-{
-    bitSet isIn;
-    isIn.set(zone.cells);
-
-    return std::count_if
-    (
-        cut.room.begin(), cut.room.end(),
-        [&](const label celli) { return isIn.test(celli); }
-    );
-}
-
 
 coreCut cutCore
 (

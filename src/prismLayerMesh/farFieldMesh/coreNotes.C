@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "coreNotes.H"
+#include "roomParts.H"
 
 #include <algorithm>
 #include <cmath>
@@ -75,7 +76,7 @@ static void addWidths
 }
 
 
-//- Zones of some of the cells that make room
+//- Zones of some of the cells of a part of the room
 static void addPartZones
 (
     const polyMeshParts& core,
@@ -83,17 +84,23 @@ static void addPartZones
     DynamicList<string>& notes
 )
 {
+    if (core.cellZones.empty())
+    {
+        return;
+    }
+
+    const roomParts room(core, cut);
     for (const cellZoneParts& zone : core.cellZones)
     {
-        const label n = nRoomIn(zone, cut);
+        const label n = room.nElsewhere(zone);
 
-        if (n > 0 && n < cut.room.size())
+        if (n > 0)
         {
             notes.append
             (
                 "The cellZone " + zone.name + " has lost " + name(n)
-              + " of the " + name(cut.room.size()) + " cells that make room:"
-                " layers and tetrahedra there are not in it"
+              + " cells to room that is not all in it: layers and tetrahedra"
+                " there are not in it"
             );
         }
     }

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "makeFarFieldMesh.H"
+#include "coreCellZones.H"
 #include "Map.H"
 #include "triangleIndex.H"
 
@@ -308,22 +309,10 @@ void cellJoiner::addPatches()
 void cellJoiner::addCellZones()
 {
     mesh_.cellZones.append(cellZoneParts(farFieldName, identity(nTets())));
-
-    for (const cellZoneParts& zone : core_.cellZones)
-    {
-        // In place of cells of the zone alone there are cells of the zone
-        const bool isAround = nRoomIn(zone, cut_) == cut_.room.size();
-        DynamicList<label> cells(isAround ? identity(nTets()) : labelList());
-        for (const label celli : zone.cells)
-        {
-            if (cells_[celli] >= 0)
-            {
-                cells.append(nTets() + cells_[celli]);
-            }
-        }
-        mesh_.cellZones.append(cellZoneParts(zone.name, cells));
-        mesh_.cellZones.last().hasLayers = isAround;
-    }
+    mesh_.cellZones.append
+    (
+        coreCellZones(tets_, core_, cut_, outerTets_, cutTets_)
+    );
 }
 
 

@@ -107,27 +107,34 @@ static void addPatchFaces
 }
 
 
-//- The zones with the labels of the mesh: those of cells are so many more,
+//- The zones with the labels of the mesh: those of cells follow the layers',
 //  those of faces are given
 static void renumberZones
 (
-    const label nLayerCells,
+    const label nFrontFaces,
+    const label nLayers,
     const labelList& newFaces,
     farFieldMesh& far
 )
 {
     for (cellZoneParts& zone : far.cellZones)
     {
-        for (label& celli : zone.cells)
+        DynamicList<label> cells
+        (
+            zone.frontFaces.size()*nLayers + zone.cells.size()
+        );
+        for (const label fronti : zone.frontFaces)
         {
-            celli += nLayerCells;
+            for (label i = 0; i < nLayers; ++i)
+            {
+                cells.append(fronti*nLayers + i);
+            }
         }
-        if (zone.hasLayers)
+        for (const label celli : zone.cells)
         {
-            labelList cells(identity(nLayerCells));
-            cells.append(zone.cells);
-            zone.cells.transfer(cells);
+            cells.append(nFrontFaces*nLayers + celli);
         }
+        zone.cells.transfer(cells);
     }
 
     for (faceZoneParts& zone : far.faceZones)
@@ -199,7 +206,7 @@ polyMeshTopology joinFarField
         }
     }
 
-    renumberZones(firstFar, newFaces, far);
+    renumberZones(layers.faces.size(), layers.nLayers, newFaces, far);
 
     return mesh;
 }

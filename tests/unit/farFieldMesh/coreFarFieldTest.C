@@ -237,6 +237,37 @@ TEST(coreFarField, patchesAndZonesOfAMeshSurvive)
 }
 
 
+TEST(coreFarField, aZoneAroundOneBodyHasItsLayersAlone)
+{
+    const wallSurface sphere(testSurfaces::sphere(5, 0.5));
+    const coreCase c
+    (
+        testSurfaces::merge
+        (
+            testSurfaces::translated(sphere, vector(-1.5, 0, 0)),
+            testSurfaces::translated(sphere, vector(1.5, 0, 0))
+        ),
+        meshControls(), cubes(3)
+    );
+    const memoryMesh memory(c.layers, c.far);
+    const polyMesh& mesh = memory();
+    const cellZone& right = mesh.cellZones()["right"];
+
+    // All cells of each half: layers, tetrahedra and cubes
+    for (label celli = 0; celli < mesh.nCells(); ++celli)
+    {
+        EXPECT_EQ
+        (
+            right.whichCell(celli) >= 0, mesh.cellCentres()[celli].x() > 0
+        );
+    }
+    for (const string& note : c.far.notes)
+    {
+        EXPECT_EQ(note.find("The cellZone"), std::string::npos) << note;
+    }
+}
+
+
 TEST(coreFarField, meshesThatAreNotAroundTheLayersAreRefused)
 {
     expectWords(errorOf(cubes(1)), {"No cell", "stays"});

@@ -1,0 +1,109 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "coreCellZones.H"
+#include "disjointSets.H"
+#include "roomParts.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- The part of the room that each tetrahedron is in, or -1
+static labelList roomsOf
+(
+    const farFieldTets& tets,
+    const labelUList& cutTets,
+    const roomParts& room
+)
+{
+    disjointSets together(tets.tets.size());
+    forAll(tets.tets, t)
+    {
+        for (const label neighbour : tets.neighbours[t])
+        {
+            if (neighbour > t)
+            {
+                together.join(t, neighbour);
+            }
+        }
+    }
+
+    labelList rooms(tets.tets.size(), -1);
+    forAll(cutTets, i)
+    {
+        rooms[together.find(cutTets[i])] =
+            room.beyond(tets.cutFaces[i], tets.cutCells[i]);
+    }
+    forAll(rooms, t)
+    {
+        rooms[t] = rooms[together.find(t)];
+    }
+
+    return rooms;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+List<cellZoneParts> coreCellZones
+(
+    const farFieldTets& tets,
+    const polyMeshParts& core,
+    const coreCut& cut,
+    const labelUList& outerTets,
+    const labelUList& cutTets
+)
+{
+    List<cellZoneParts> zones(core.cellZones.size());
+    if (zones.empty())
+    {
+        return zones;
+    }
+
+    const label nTets = tets.tets.size();
+    const labelList newCells(invert(core.nCells, cut.cells));
+    const roomParts room(core, cut);
+    const labelList rooms(roomsOf(tets, cutTets, room));
+
+    forAll(zones, i)
+    {
+        const cellZoneParts& zone = core.cellZones[i];
+        const labelHashSet parts(room.partsIn(zone));
+        DynamicList<label> cells;
+        for (label t = 0; t < nTets; ++t)
+        {
+            if (parts.found(rooms[t]))
+            {
+                cells.append(t);
+            }
+        }
+        for (const label celli : zone.cells)
+        {
+            if (newCells[celli] >= 0)
+            {
+                cells.append(nTets + newCells[celli]);
+            }
+        }
+        zones[i] = cellZoneParts(zone.name, cells);
+
+        labelHashSet front;
+        forAll(outerTets, k)
+        {
+            if (parts.found(rooms[outerTets[k]]))
+            {
+                front.insert(tets.outerFaces[k]);
+            }
+        }
+        zones[i].frontFaces = front.sortedToc();
+    }
+
+    return zones;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
