@@ -191,6 +191,21 @@ static void end(const bool certified)
 }
 
 
+//- The cells that are not in the zone of the layers; none without that zone
+static bitSet beyondLayers(const polyMesh& mesh)
+{
+    bitSet beyond;
+    const label zonei = mesh.cellZones().findZoneID(boundaryLayerName);
+    if (zonei >= 0)
+    {
+        beyond = bitSet(mesh.nCells(), true);
+        beyond.unset(mesh.cellZones()[zonei]);
+    }
+
+    return beyond;
+}
+
+
 static labelList wallPatches
 (
     const argList& args,
@@ -247,7 +262,11 @@ int main(int argc, char *argv[])
     );
     const meshCertificate certificate
     (
-        certifyMesh(cells, facesOf(mesh, walls), facesOf(mesh, outer))
+        certifyMesh
+        (
+            cells, facesOf(mesh, walls), facesOf(mesh, outer),
+            beyondLayers(mesh)
+        )
     );
 
     writeCells(certificate, cells);

@@ -176,6 +176,15 @@ bool meshCell::hasPositivePyramids(const label celli) const
 }
 
 
+bool meshCell::isPositivePolyhedron(const label celli)
+{
+    set(celli);
+    collectCorners();
+
+    return !points_.empty() && facts().closed && hasPositivePyramids(celli);
+}
+
+
 meshCellVerdict meshCell::cornersVerdict(const label celli)
 {
     collectCorners();

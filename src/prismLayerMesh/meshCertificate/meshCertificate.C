@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "meshCertificate.H"
+#include "HashSet.H"
 #include "labelledTriangle.H"
 #include "ListOps.H"
 
@@ -77,12 +78,14 @@ static std::vector<labelledTriangle> fansOf
 //  common point, and from there to the next cell. It ends at the boundary, or
 //  at a cell that has no face opposite to the one below. The last cell may have
 //  several faces there if they are what one face is cut into, as below the
-//  tetrahedra of a far field.
+//  tetrahedra of a far field. The set gets the cells of stacks that are not
+//  positive; they and the cells beyond are not counted.
 static labelList countLayers
 (
     const polyhedralMesh& mesh,
     const labelUList& wallFaces,
-    const boolList& positive
+    const boolList& positive,
+    labelHashSet& invalid
 )
 {
     labelList nLayers(wallFaces.size(), Zero);
@@ -91,19 +94,26 @@ static labelList countLayers
     {
         label facei = wallFaces[i];
         label celli = mesh.owner(facei);
+        bool counts = true;
 
-        while (celli >= 0 && positive[celli])
+        while (celli >= 0)
         {
+            if (!positive[celli])
+            {
+                invalid.insert(celli);
+                counts = false;
+            }
+
             const label next = mesh.opposite(facei, celli);
 
             // A walk ends because faces are opposite to each other
             if (next < 0 || mesh.opposite(next, celli) != facei)
             {
-                nLayers[i] += mesh.hasCutTop(facei, celli);
+                nLayers[i] += counts && mesh.hasCutTop(facei, celli);
                 break;
             }
 
-            ++nLayers[i];
+            nLayers[i] += counts;
             facei = next;
             celli = mesh.beyond(facei, celli);
         }
@@ -227,36 +237,52 @@ meshCertificate certifyMesh
 (
     const polyhedralMesh& mesh,
     const labelUList& wallFaces,
-    const labelUList& outerFaces
+    const labelUList& outerFaces,
+    const bitSet& beyondLayers
 )
 {
     meshCertificate certificate;
 
     const boolList onWall(pointsOf(mesh, wallFaces));
     boolList positive(mesh.nCells());
-    DynamicList<label> cells;
-    DynamicList<meshCellShape> shapes;
-
+    List<meshCellShape> shapes(mesh.nCells());
     meshCell cell(mesh, onWall);
 
     forAll(positive, celli)
     {
         const meshCellVerdict verdict(cell(celli));
-
+        shapes[celli] = verdict.shape;
         positive[celli] = verdict.positive;
-        ++certificate.nCells[label(verdict.shape)];
+    }
 
-        if (!verdict.positive)
+    labelHashSet inLayers;
+    certificate.nLayers = countLayers(mesh, wallFaces, positive, inLayers);
+
+    DynamicList<label> cells;
+    forAll(positive, celli)
+    {
+        // Such as a hexahedron that was snapped so that a corner is flat
+        if
+        (
+            !positive[celli] && shapes[celli] == meshCellShape::hexahedron
+         && beyondLayers.test(celli) && !inLayers.found(celli)
+         && cell.isPositivePolyhedron(celli)
+        )
         {
-            ++certificate.nInvalid[label(verdict.shape)];
+            shapes[celli] = meshCellShape::polyhedron;
+            positive[celli] = true;
+        }
+
+        ++certificate.nCells[label(shapes[celli])];
+        if (!positive[celli])
+        {
+            ++certificate.nInvalid[label(shapes[celli])];
             cells.append(celli);
-            shapes.append(verdict.shape);
         }
     }
 
+    certificate.invalidShapes = UIndirectList<meshCellShape>(shapes, cells);
     certificate.invalidCells.transfer(cells);
-    certificate.invalidShapes.transfer(shapes);
-    certificate.nLayers = countLayers(mesh, wallFaces, positive);
     certificate.doubleFaces = findDoubleFaces(mesh.faces());
     addVolumes(mesh, certificate);
 

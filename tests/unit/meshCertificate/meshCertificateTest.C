@@ -274,6 +274,41 @@ TEST(meshCertificate, aLastFaceThatIsCutCountsAsOne)
 }
 
 
+TEST(certifyMesh, snappedHexahedraArePolyhedraOutsideOfLayers)
+{
+    // The corner that was at (1 1 1) is behind its neighbours
+    const pointField points
+    ({
+        {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+        {0, 0, 1}, {1, 0, 1}, {0.6, 0.6, 0.6}, {0, 1, 1}
+    });
+    const faceList faces
+    ({
+        face({0, 3, 2, 1}), face({4, 5, 6, 7}), face({0, 1, 5, 4}),
+        face({1, 2, 6, 5}), face({2, 3, 7, 6}), face({3, 0, 4, 7})
+    });
+    const labelList owner(6, Zero);
+    const labelList neighbour;
+    const polyhedralMesh mesh(points, faces, owner, neighbour);
+
+    const bitSet beyondLayers(1, true);
+    const meshCertificate outside(certifyMesh(mesh, {}, {}, beyondLayers));
+    EXPECT_EQ(outside.nCells[label(meshCellShape::polyhedron)], 1);
+    EXPECT_TRUE(outside.invalidCells.empty());
+
+    // In the layers, and on a face of the wall
+    for (const bitSet& beyond : {bitSet(), beyondLayers})
+    {
+        const meshCertificate layer
+        (
+            certifyMesh(mesh, labelList({0}), {}, beyond)
+        );
+        EXPECT_EQ(layer.nInvalid[label(meshCellShape::hexahedron)], 1);
+        EXPECT_EQ(layer.nLayers[0], 0);
+    }
+}
+
+
 TEST(meshCertificate, cellsFillTheBoundary)
 {
     // Straight layers on a cube of width 1: slabs on the sides, and what is
