@@ -4,6 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "stayingCells.H"
+#include "bitSet.H"
+#include "edgeHashes.H"
+#include "HashSet.H"
 
 namespace Foam
 {
@@ -187,6 +190,60 @@ void stayingCells::removeWide()
 }
 
 
+bool stayingCells::removeTouching(const label plane)
+{
+    const polyMeshTopology& t = core_.topology;
+    bitSet isIn(core_.points.size());
+    forAll(core_.points, p)
+    {
+        isIn.set(p, mag(planes_[plane].distance(core_.points[p])) < tolerance_);
+    }
+
+    labelHashSet points;
+    edgeHashSet edges;
+    for (label facei = nInternal_; facei < t.faces.size(); ++facei)
+    {
+        if ((*this)[t.owner[facei]] && planeOf(facei) == plane)
+        {
+            points.insert(t.faces[facei]);
+            edges.insert(t.faces[facei].edges());
+        }
+    }
+
+    // The plane is triangulated beside these faces alone
+    const auto isBeside = [&](const edge& e)
+    {
+        return points.found(e.start())
+         && (!isIn.test(e.end()) || edges.found(e));
+    };
+
+    bool more = false;
+    forAll(t.faces, facei)
+    {
+        const face& f = t.faces[facei];
+        bool touches = false;
+        forAll(f, k)
+        {
+            touches = touches
+             || (isIn.test(f[k]) && !isBeside(edge(f[k], f.nextLabel(k))));
+        }
+
+        if (touches)
+        {
+            more = more || (*this)[t.owner[facei]];
+            leave(t.owner[facei]);
+            if (facei < nInternal_)
+            {
+                more = more || (*this)[t.neighbour[facei]];
+                leave(t.neighbour[facei]);
+            }
+        }
+    }
+
+    return more;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 stayingCells::stayingCells
@@ -211,6 +268,18 @@ stayingCells::stayingCells
     removeBehind();
     removeOnWall();
     removeWide();
+    for (label plane = 0; plane < planes_.size();)
+    {
+        if (removeTouching(plane))
+        {
+            removeWide();
+            plane = 0;
+        }
+        else
+        {
+            ++plane;
+        }
+    }
 }
 
 
