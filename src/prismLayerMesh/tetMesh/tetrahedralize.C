@@ -27,8 +27,9 @@ namespace
 //- Constants that were tuned
 const struct
 {
-    //- How often TetGen is started, each time with other coordinates
-    label maxAttempts = 3;
+    //- How often TetGen is started, each time with other coordinates: where the
+    //  first attempts fail, each later one succeeds in about 1 of 3 cases
+    label maxAttempts = 12;
 
     //- CPU time of the first attempt [s], and the points for which it has one
     //  second more: twice the time of any success. Later attempts have half
@@ -38,8 +39,8 @@ const struct
     label shortest = 2;
 
     //- The same for tetrahedra of given sizes, of which there may be so many
-    label sizedSeconds = 30;
-    label tetsPerSecond = 3000;
+    label sizedSeconds = 10;
+    label tetsPerSecond = 6000;
 
     //- Tetrahedra that there may be for each point that is added
     label tetsPerPoint = 4;
