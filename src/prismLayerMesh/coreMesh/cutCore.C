@@ -9,6 +9,8 @@
 #include "splitPolygon.H"
 #include "stayingCells.H"
 
+#include <algorithm>
+
 namespace Foam
 {
 
@@ -29,6 +31,9 @@ class coreCutter
     DynamicList<face> triangles_;
     DynamicList<label> patchIDs_;
 
+    //- The core's face of each triangle
+    DynamicList<label> faces_;
+
     //- Of each plane, the faces there whose cells are gone
     List<DynamicList<face>> onPlanes_;
 
@@ -47,8 +52,10 @@ class coreCutter
 
     pointField seedsOf(const labelUList& cells) const;
 
-    //- The distance of the obstacles is at most that
-    void refuseCoupled(label patchi, label facei) const;
+    label nStaying(label patchi) const;
+
+    //- Refuses a patch that is coupled to another and would lose faces
+    void refuseCoupled(label patchi) const;
 
     void addPolygon(label facei, bool turned, label patchi);
 
@@ -124,21 +131,53 @@ pointField coreCutter::seedsOf(const labelUList& cells) const
 }
 
 
-void coreCutter::refuseCoupled(const label patchi, const label facei) const
+label coreCutter::nStaying(const label patchi) const
 {
-    if (stays_.isPlain(patchi))
-    {
-        return;
-    }
+    const polyMeshTopology& t = core_.topology;
+    const SubList<label> owners
+    (
+        t.owner, t.patchSizes[patchi], t.patchStarts[patchi]
+    );
 
-    const point centre(core_.topology.faces[facei].centre(core_.points));
-    FatalErrorInFunction
-        << "The layers need room at the patch " << core_.patches.names[patchi]
-        << " of type " << core_.patches.entries[patchi].get<word>("type")
-        << ", at " << centre << ", "
-        << obstacles_.surface.footOf(centre).distance << " from them" << nl
-        << "Make the cells between the patch and the layers smaller, or"
-        << " farField.gap, or move the patch away" << exit(FatalError);
+    return std::count_if
+    (
+        owners.begin(), owners.end(),
+        [&](const label celli) { return stays_[celli]; }
+    );
+}
+
+
+void coreCutter::refuseCoupled(const label patchi) const
+{
+    const polyMeshTopology& t = core_.topology;
+    const label start = t.patchStarts[patchi];
+    const dictionary& entry = core_.patches.entries[patchi];
+    const word neighbour(entry.lookupOrDefault<word>("neighbourPatch", ""));
+    const label other = core_.patches.names.find(neighbour);
+
+    // Both of a pair may be behind the obstacles
+    const bool isGone = !nStaying(patchi) && (other < 0 || !nStaying(other));
+
+    for (label facei = start; facei < start + t.patchSizes[patchi]; ++facei)
+    {
+        if
+        (
+            stays_[t.owner[facei]]
+         || (isGone && !stays_.inFluid(facei))
+        )
+        {
+            continue;
+        }
+
+        const point centre(faceOf(facei).centre(core_.points));
+        FatalErrorInFunction
+            << "The layers need room at the patch "
+            << core_.patches.names[patchi] << " of type "
+            << entry.get<word>("type") << ", at " << centre << ", "
+            << obstacles_.surface.footOf(centre).distance << " from them" << nl
+            << "Make the cells between the patch and the layers smaller, or"
+            << " farField.gap, or move the patch away" << exit(FatalError);
+    }
 }
 
 
@@ -153,6 +192,7 @@ void coreCutter::addPolygon
     {
         triangles_.append(turned ? f.reverseFace() : f);
         patchIDs_.append(patchi);
+        faces_.append(facei);
     }
 }
 
@@ -165,7 +205,6 @@ void coreCutter::addBoundary(const label facei, const label patchi)
     {
         if (stays_.inFluid(facei))
         {
-            refuseCoupled(patchi, facei);
             addPolygon(facei, true, patchi);
         }
         return;
@@ -187,6 +226,10 @@ void coreCutter::addPatches()
          || stays_.wallPatches().found(core_.patches.names[patchi]);
         const label start = t.patchStarts[patchi];
         const label end = isWall ? start : start + t.patchSizes[patchi];
+        if (!isWall && !stays_.isPlain(patchi))
+        {
+            refuseCoupled(patchi);
+        }
         for (label i = end; i < start + t.patchSizes[patchi]; ++i)
         {
             wallEdges_.insert(faceOf(i).edges());
@@ -242,28 +285,27 @@ void coreCutter::addFences(coreCut& cut) const
 
 void coreCutter::addCut(coreCut& cut)
 {
-    DynamicList<label> faces;
-    DynamicList<label> cells;
+    const polyMeshTopology& t = core_.topology;
     cut.nBoundary = triangles_.size();
+    cut.boundaryFaces = faces_;
 
     for (label facei = 0; facei < nInternal(); ++facei)
     {
-        const bool own = stays_[core_.topology.owner[facei]];
-        const bool nei = stays_[core_.topology.neighbour[facei]];
-
-        if (own != nei)
+        const bool nei = stays_[t.neighbour[facei]];
+        if (stays_[t.owner[facei]] != nei)
         {
             addPolygon(facei, nei, core_.patches.names.size());
-
-            const polyMeshTopology& t = core_.topology;
-            const label n = triangles_.size() - cut.nBoundary;
-            faces.setSize(n, facei);
-            cells.setSize(n, own ? t.owner[facei] : t.neighbour[facei]);
         }
     }
 
-    cut.cutFaces.transfer(faces);
-    cut.cutCells.transfer(cells);
+    const label n = faces_.size() - cut.nBoundary;
+    cut.cutFaces = SubList<label>(faces_, n, cut.nBoundary);
+    cut.cutCells.setSize(n);
+    forAll(cut.cutFaces, i)
+    {
+        const label own = t.owner[cut.cutFaces[i]];
+        cut.cutCells[i] = stays_[own] ? own : t.neighbour[cut.cutFaces[i]];
+    }
 
     DynamicList<boundBox> boxes;
     for (const label celli : labelHashSet(cut.cutCells).sortedToc())

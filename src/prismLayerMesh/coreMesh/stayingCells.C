@@ -22,6 +22,9 @@ const struct
     //- A cell is wider than another if it is by more than this factor
     scalar wider = 1.5;
 
+    //- The gap is in widths of cells, or in such shares of edges
+    scalar longEdge = 0.5;
+
     //- Faces of a patch on the wall are nearer to the obstacles than so many
     //  widths of their cells
     scalar onWall = 2;
@@ -58,18 +61,57 @@ void stayingCells::setBoxes()
 }
 
 
+bool stayingCells::isNear(const label celli, const scalar length) const
+{
+    const vector margin(vector::uniform(gap_*length));
+    const boundBox& box = boxes_[celli];
+
+    return obstacles_.surface.overlaps
+    (
+        boundBox(box.min() - margin, box.max() + margin)
+    );
+}
+
+
 void stayingCells::removeNear()
 {
     #pragma omp parallel for schedule(dynamic, 1024)
     forAll(states_, celli)
     {
-        const vector margin(vector::uniform(gap_*width(celli)));
-        const boundBox& box = boxes_[celli];
-        const boundBox grown(box.min() - margin, box.max() + margin);
-
-        if (obstacles_.surface.overlaps(grown))
+        if (isNear(celli, width(celli)))
         {
             states_[celli] = states::makesRoom;
+        }
+    }
+}
+
+
+void stayingCells::removeAtLongEdges()
+{
+    bitSet asked(core_.nCells);
+    bool more = true;
+    while (more)
+    {
+        more = false;
+        for (label facei = 0; facei < nInternal_; ++facei)
+        {
+            label a = core_.topology.owner[facei];
+            label b = core_.topology.neighbour[facei];
+            if ((*this)[b])
+            {
+                std::swap(a, b);
+            }
+
+            if ((*this)[a] && makesRoom(b) && asked.set(a))
+            {
+                const scalar length = tuned.longEdge
+                   *obstacles_.surface.longestEdgeAt(boxes_[a].midpoint());
+                if (length > width(a) && isNear(a, length))
+                {
+                    leave(a);
+                    more = true;
+                }
+            }
         }
     }
 }
@@ -266,6 +308,7 @@ stayingCells::stayingCells
     setBoxes();
     removeNear();
     removeBehind();
+    removeAtLongEdges();
     removeOnWall();
     removeWide();
     for (label plane = 0; plane < planes_.size();)

@@ -143,6 +143,21 @@ wallSearch::foot wallSearch::footOf(const point& x) const
 }
 
 
+scalar wallSearch::longestEdgeAt(const point& x) const
+{
+    const triPointRef tri
+    (
+        surface_[tree_.findNearest(x, GREAT).index()].tri(surface_.points())
+    );
+
+    return max
+    (
+        mag(tri.b() - tri.a()),
+        max(mag(tri.c() - tri.b()), mag(tri.a() - tri.c()))
+    );
+}
+
+
 pointIndexHit wallSearch::nearestOpposite
 (
     const point& x,

@@ -187,6 +187,47 @@ TEST(cutCore, coupledPatchesAreNotReached)
 }
 
 
+TEST(cutCore, oneOfTwoCoupledPatchesIsNotLeftAlone)
+{
+    // The low side is in the cube, the high one far from it
+    const wallSurface wall
+    (
+        testSurfaces::translated
+        (
+            testSurfaces::cube(2, 8), vector(-8.3, -4, -4)
+        )
+    );
+    const wallSearch search(wall);
+    const wallSurface far(testSurfaces::translated(wall, vector(50, 0, 0)));
+    const wallSearch nowhere(far);
+    hexCoreBox box;
+    box.box = boundBox(point::uniform(-2), point::uniform(2));
+    box.patches.append("low", "cyclic");
+    box.patches.append("high", "cyclic");
+    box.patches.append("sides", "patch");
+    box.patches.entries[0].set("neighbourPatch", word("high"));
+    box.patches.entries[1].set("neighbourPatch", word("low"));
+    box.sidePatches = labelList({0, 1, 2, 2, 2, 2});
+    const polyMeshParts core
+    (
+        makeHexCore
+        (
+            box, coreObstacles{nowhere, nowhere},
+            [](const point&) { return 0.5/1.2; }, 1000000
+        )
+    );
+
+    expectWords
+    (
+        thrownMessage<error>
+        (
+            [&]() { cutCore(core, coreObstacles{search, search}, 0.1); }
+        ),
+        {"the patch low", "of type cyclic"}
+    );
+}
+
+
 //- The core without the cells that do not stay: the faces beside these are a
 //  patch, body, as in a castellated mesh
 static polyMeshParts castellated

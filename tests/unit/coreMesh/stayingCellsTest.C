@@ -4,9 +4,12 @@
 \*---------------------------------------------------------------------------*/
 
 #include "stayingCells.H"
+#include "makeHexCore.H"
 #include "testSurfaces.H"
 
 #include <gtest/gtest.h>
+
+#include <cmath>
 
 using namespace Foam;
 
@@ -119,6 +122,44 @@ TEST(stayingCells, cellsThatTouchAPlaneInAnEdgeGo)
 
     EXPECT_FALSE(prismStays(above));
     EXPECT_TRUE(prismStays(beside));
+}
+
+
+TEST(stayingCells, smallCellsLeaveRoomAtLongEdges)
+{
+    // Cells of 1/8 beside edges of sqrt(2): the gap is half of sqrt(2)/2
+    const wallSearch search
+    (
+        testSurfaces::translated
+        (
+            testSurfaces::cube(1), vector::uniform(-0.5)
+        )
+    );
+    hexCoreBox box;
+    box.box = boundBox(point::uniform(-2), point::uniform(2));
+    box.patches.append("around", "patch");
+    box.sidePatches = labelList(6, Zero);
+    const coreObstacles obstacles{search, search};
+    const polyMeshParts mesh
+    (
+        makeHexCore
+        (
+            box, obstacles, [](const point&) { return 0.125/1.2; }, 1000000
+        )
+    );
+    const stayingCells stays(mesh, obstacles, 0.5, {});
+    scalar nearest = GREAT;
+    for (label celli = 0; celli < mesh.nCells; ++celli)
+    {
+        if (stays[celli])
+        {
+            const boundBox& b = stays.box(celli);
+            const vector away(max(b.min(), -b.max()) - vector::uniform(0.5));
+            nearest = min(nearest, cmptMax(away));
+        }
+    }
+    EXPECT_GT(nearest, 0.5*std::sqrt(0.5));
+    EXPECT_LT(nearest, 0.5*std::sqrt(0.5) + 0.126);
 }
 
 
