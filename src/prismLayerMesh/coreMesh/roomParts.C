@@ -54,6 +54,16 @@ label roomParts::beyond(const label facei, const label celli) const
 }
 
 
+label roomParts::nearest(const point& x) const
+{
+    pointField centres;
+    scalarField volumes;
+    setCentresAndVolumes(core_, room_, centres, volumes);
+
+    return room_.empty() ? -1 : parts_[room_[findMin(magSqr(centres - x)())]];
+}
+
+
 labelHashSet roomParts::partsIn(const cellZoneParts& zone) const
 {
     bitSet isIn(core_.nCells);

@@ -16,6 +16,8 @@ namespace Foam
 static labelList roomsOf
 (
     const farFieldTets& tets,
+    const coreCut& cut,
+    const labelUList& boundaryTets,
     const labelUList& cutTets,
     const roomParts& room
 )
@@ -38,9 +40,23 @@ static labelList roomsOf
         rooms[together.find(cutTets[i])] =
             room.beyond(tets.cutFaces[i], tets.cutCells[i]);
     }
+
+    // The patches of the core follow other triangles
+    const label first = boundaryTets.size() - cut.nBoundary;
+    for (label i = 0; i < cut.nBoundary; ++i)
+    {
+        rooms[together.find(boundaryTets[first + i])] =
+            room.at(cut.boundaryFaces[i]);
+    }
     forAll(rooms, t)
     {
-        rooms[t] = rooms[together.find(t)];
+        // Layers may be all around a part, as in a cavity
+        const label first = together.find(t);
+        if (first == t && rooms[t] < 0)
+        {
+            rooms[t] = room.nearest(tets.tets[t].tet(tets.points).centre());
+        }
+        rooms[t] = rooms[first];
     }
 
     return rooms;
@@ -55,6 +71,7 @@ List<cellZoneParts> coreCellZones
     const polyMeshParts& core,
     const coreCut& cut,
     const labelUList& outerTets,
+    const labelUList& boundaryTets,
     const labelUList& cutTets
 )
 {
@@ -67,7 +84,7 @@ List<cellZoneParts> coreCellZones
     const label nTets = tets.tets.size();
     const labelList newCells(invert(core.nCells, cut.cells));
     const roomParts room(core, cut);
-    const labelList rooms(roomsOf(tets, cutTets, room));
+    const labelList rooms(roomsOf(tets, cut, boundaryTets, cutTets, room));
 
     forAll(zones, i)
     {

@@ -311,7 +311,10 @@ void cellJoiner::addCellZones()
     mesh_.cellZones.append(cellZoneParts(farFieldName, identity(nTets())));
     mesh_.cellZones.append
     (
-        coreCellZones(tets_, core_, cut_, outerTets_, cutTets_)
+        coreCellZones
+        (
+            tets_, core_, cut_, outerTets_, boundaryTets_, cutTets_
+        )
     );
 }
 
