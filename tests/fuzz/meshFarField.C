@@ -135,7 +135,7 @@ bool farFieldStage::isNearLayers() const
         if
         (
             boundary.type == "sphere"
-         && mag(x - boundary.origin) > 0.7*boundary.radius
+         && mag(x - boundary.origin) > 0.5*boundary.radius
         )
         {
             return true;
