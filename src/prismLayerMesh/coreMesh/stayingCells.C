@@ -86,9 +86,8 @@ void stayingCells::removeNear()
 }
 
 
-void stayingCells::removeAtLongEdges()
+void stayingCells::removeBeside(const neighbourGoes& goes)
 {
-    bitSet asked(core_.nCells);
     bool more = true;
     while (more)
     {
@@ -102,18 +101,30 @@ void stayingCells::removeAtLongEdges()
                 std::swap(a, b);
             }
 
-            if ((*this)[a] && makesRoom(b) && asked.set(a))
+            if ((*this)[a] && !(*this)[b] && goes(a, b))
             {
-                const scalar length = tuned.longEdge
-                   *obstacles_.surface.longestEdgeAt(boxes_[a].midpoint());
-                if (length > width(a) && isNear(a, length))
-                {
-                    leave(a);
-                    more = true;
-                }
+                leave(a);
+                more = true;
             }
         }
     }
+}
+
+
+void stayingCells::removeAtLongEdges()
+{
+    bitSet asked(core_.nCells);
+    removeBeside([&](const label a, const label b)
+    {
+        if (!makesRoom(b) || !asked.set(a))
+        {
+            return false;
+        }
+        const scalar length = tuned.longEdge
+           *obstacles_.surface.longestEdgeAt(boxes_[a].midpoint());
+
+        return length > width(a) && isNear(a, length);
+    });
 }
 
 
@@ -206,29 +217,10 @@ void stayingCells::removeOnWall()
 
 void stayingCells::removeWide()
 {
-    bool more = true;
-    while (more)
+    removeBeside([&](const label a, const label b)
     {
-        more = false;
-        for (label facei = 0; facei < nInternal_; ++facei)
-        {
-            label a = core_.topology.owner[facei];
-            label b = core_.topology.neighbour[facei];
-            if ((*this)[b])
-            {
-                std::swap(a, b);
-            }
-
-            if
-            (
-                (*this)[a] && !(*this)[b] && width(a) > tuned.wider*width(b)
-            )
-            {
-                leave(a);
-                more = true;
-            }
-        }
-    }
+        return width(a) > tuned.wider*width(b);
+    });
 }
 
 
@@ -238,7 +230,7 @@ bool stayingCells::removeTouching(const label plane)
     bitSet isIn(core_.points.size());
     forAll(core_.points, p)
     {
-        isIn.set(p, mag(planes_[plane].distance(core_.points[p])) < tolerance_);
+        isIn.set(p, isInPlane(plane, p));
     }
 
     labelHashSet points;
@@ -352,8 +344,7 @@ label stayingCells::planeOf(const label facei) const
         bool isIn = true;
         for (const label p : core_.topology.faces[facei])
         {
-            isIn = isIn && mag(planes_[s].distance(core_.points[p]))
-                < tolerance_;
+            isIn = isIn && isInPlane(s, p);
         }
         if (isIn)
         {

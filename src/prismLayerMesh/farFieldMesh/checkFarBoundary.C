@@ -38,13 +38,7 @@ static edge oddEdge(const faceList& faces)
 //  is not closed, or whose normals point inwards: it is around the fluid
 static boolList aroundFluid(const wallSurface& outer)
 {
-    disjointSets bodies(outer.points.size());
-    for (const face& f : outer.faces)
-    {
-        bodies.join(f[0], f[1]);
-        bodies.join(f[0], f[2]);
-    }
-
+    disjointSets bodies(connectedPoints(outer.points.size(), outer.faces));
     scalarField volumes(outer.points.size(), 0);
     for (const face& f : outer.faces)
     {
@@ -112,6 +106,7 @@ void checkFarBoundary(const wallSurface& both, const label nOuter)
 
     checkBodies(both, nOuter);
 }
+
 
 void checkBodies(const wallSurface& both, const label nOuter)
 {

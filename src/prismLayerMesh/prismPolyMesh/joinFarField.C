@@ -107,8 +107,8 @@ static void addPatchFaces
 }
 
 
-//- The zones with the labels of the mesh: those of cells follow the layers',
-//  those of faces are given
+//- Gives the zones the labels of the mesh. Cells of the far field follow the
+//  cells of the layers; the list has the new label of each face.
 static void renumberZones
 (
     const label nFrontFaces,

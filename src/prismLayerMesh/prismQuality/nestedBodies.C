@@ -147,15 +147,7 @@ static bool isInStack
 
 labelListList findBodies(const prismLayers& layers)
 {
-    disjointSets columns(layers.nColumns());
-    for (const face& f : layers.faces)
-    {
-        for (const label c : f)
-        {
-            columns.join(f[0], c);
-        }
-    }
-
+    disjointSets columns(connectedPoints(layers.nColumns(), layers.faces));
     Map<DynamicList<label>> faces;
     forAll(layers.faces, facei)
     {

@@ -295,14 +295,7 @@ scalar enclosedVolume(const wallSurface& wall)
 
 labelList largestFaces(const wallSurface& wall)
 {
-    disjointSets components(wall.points.size());
-    for (const face& f : wall.faces)
-    {
-        for (const label p : f)
-        {
-            components.join(f[0], p);
-        }
-    }
+    disjointSets components(connectedPoints(wall.points.size(), wall.faces));
 
     labelList largest(wall.points.size(), -1);
     scalarField areas(wall.points.size(), -1);

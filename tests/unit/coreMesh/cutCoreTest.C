@@ -308,9 +308,9 @@ TEST(cutCore, cellsOnAPatchOfTheWallGo)
 
 TEST(cutCore, aPatchBehindTheWallMayStickOut)
 {
-    // The 8 cells around the origin are left out, and one on the high side. Of
-    // the patch 24 faces are inside of the larger cube; those in the fluid do
-    // not look at it.
+    // The 8 cells around the origin are left out, and one on the high side. The
+    // patch has 24 faces inside of the larger cube, and 5 in the fluid. The
+    // latter do not look at the cube.
     const cubeInBox c(0.5, 0.8);
     const cubeInBox larger(0.5, 1.8);
     pointField centres;
