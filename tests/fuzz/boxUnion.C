@@ -264,12 +264,7 @@ static wallSurface boundary(const filledCells& cells, Random& random)
         }
     }
 
-    wallSurface wall;
-    wall.points.transfer(points);
-    wall.faces.transfer(faces);
-    setPatch(wall);
-
-    return wall;
+    return surfaceOf(points, faces);
 }
 
 } // End namespace randomSurfaces

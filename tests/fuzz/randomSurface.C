@@ -168,6 +168,21 @@ void Foam::randomSurfaces::setPatch(wallSurface& wall)
 }
 
 
+Foam::wallSurface Foam::randomSurfaces::surfaceOf
+(
+    DynamicList<point>& points,
+    DynamicList<face>& faces
+)
+{
+    wallSurface surface;
+    surface.points.transfer(points);
+    surface.faces.transfer(faces);
+    setPatch(surface);
+
+    return surface;
+}
+
+
 Foam::wallSurface Foam::randomSurfaces::refined(const wallSurface& wall)
 {
     DynamicList<point> points(wall.points);
@@ -222,12 +237,7 @@ Foam::wallSurface Foam::randomSurfaces::refined(const wallSurface& wall)
         }
     }
 
-    wallSurface result;
-    result.points.transfer(points);
-    result.faces.transfer(faces);
-    setPatch(result);
-
-    return result;
+    return surfaceOf(points, faces);
 }
 
 

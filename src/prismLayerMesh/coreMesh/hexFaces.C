@@ -41,6 +41,14 @@ class hexFaceMaker
     };
     List<DynamicList<boundaryFace>> boundary_;
 
+    //- The neighbour across a face, the leaf whose side it is, and the side
+    struct cellFace
+    {
+        label neighbour;
+        label leaf;
+        label side;
+    };
+
     static std::uint64_t key(const labelVector& at)
     {
         return std::uint64_t(at.x()) << 42 | std::uint64_t(at.y()) << 21
@@ -200,13 +208,6 @@ void hexFaceMaker::addBeyond
 
 void hexFaceMaker::addCell(const label celli, const labelList& sidePatches)
 {
-    // Neighbour, the leaf whose side it is, and the side
-    struct cellFace
-    {
-        label neighbour;
-        label leaf;
-        label side;
-    };
     DynamicList<cellFace, 24> higher;
     DynamicList<label> beyond;
     const label leaf = leaves_[celli];

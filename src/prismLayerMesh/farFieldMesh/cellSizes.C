@@ -132,6 +132,30 @@ void cellSizes::addParts
 }
 
 
+void cellSizes::divide
+(
+    const place& at,
+    const scalar width,
+    const scalar bound,
+    const label maxCubes,
+    cube& c,
+    scalar& nEqual,
+    DynamicList<place>& parts
+)
+{
+    const bool divided = isDivided(c, at, width, bound);
+    const label first = cubes_.size() + parts.size();
+    nEqual += divided ? 0 : pow3(width/sizeAt(c, at.centre));
+    complete_ = complete_ && first + nEqual <= maxCubes;
+
+    if (complete_ && divided)
+    {
+        c.children = first;
+        addParts(at, width, parts);
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 cellSizes::cellSizes
@@ -155,15 +179,9 @@ cellSizes::cellSizes
     const auto tree(searchTree(points_, box));
 
     // One generation of cubes after the other
-    DynamicList<place> places;
-    places.append
-    (
-        place
-        {
-            box.midpoint(),
-            tree->findNearest(box.midpoint(), sqr(GREAT)).index(), -GREAT
-        }
-    );
+    const point& middle = box.midpoint();
+    const label nearest = tree->findNearest(middle, sqr(GREAT)).index();
+    DynamicList<place> places(1, place{middle, nearest, -GREAT});
     scalar width = width_;
 
     // Cubes that are left out where they would all have the same size
@@ -185,17 +203,11 @@ cellSizes::cellSizes
         DynamicList<place> parts;
         forAll(places, i)
         {
-            cube& c = cubes_[first + i];
-            const place& at = places[i];
-            const bool divided = isDivided(c, at, width, limits[i]);
-            nEqual += divided ? 0 : pow3(width/sizeAt(c, at.centre));
-            complete_ = complete_ && end + parts.size() + nEqual <= maxCubes;
-
-            if (complete_ && divided)
-            {
-                c.children = end + parts.size();
-                addParts(at, width, parts);
-            }
+            divide
+            (
+                places[i], width, limits[i], maxCubes, cubes_[first + i],
+                nEqual, parts
+            );
         }
 
         first = end;

@@ -107,6 +107,43 @@ static void addPartZones
 }
 
 
+static void addLostZones
+(
+    const polyMeshParts& core,
+    const farFieldMesh& far,
+    DynamicList<string>& notes
+)
+{
+    const label firstZone = far.cellZones.size() - core.cellZones.size();
+
+    forAll(core.cellZones, i)
+    {
+        const cellZoneParts& zone = core.cellZones[i];
+
+        if (zone.cells.size() && far.cellZones[firstZone + i].cells.empty())
+        {
+            notes.append
+            (
+                "The cellZone " + zone.name + " has lost all its cells"
+            );
+        }
+    }
+
+    forAll(core.faceZones, i)
+    {
+        const faceZoneParts& zone = core.faceZones[i];
+
+        if (zone.faces.size() && far.faceZones[i].faces.empty())
+        {
+            notes.append
+            (
+                "The faceZone " + zone.name + " has lost all its faces"
+            );
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 DynamicList<string> coreNotes
@@ -140,33 +177,7 @@ DynamicList<string> coreNotes
     }
 
     addPartZones(core, cut, notes);
-    const label firstZone = far.cellZones.size() - core.cellZones.size();
-    forAll(core.cellZones, i)
-    {
-        if
-        (
-            core.cellZones[i].cells.size()
-         && far.cellZones[firstZone + i].cells.empty()
-        )
-        {
-            notes.append
-            (
-                "The cellZone " + core.cellZones[i].name
-              + " has lost all its cells"
-            );
-        }
-    }
-    forAll(core.faceZones, i)
-    {
-        if (core.faceZones[i].faces.size() && far.faceZones[i].faces.empty())
-        {
-            notes.append
-            (
-                "The faceZone " + core.faceZones[i].name
-              + " has lost all its faces"
-            );
-        }
-    }
+    addLostZones(core, far, notes);
 
     return notes;
 }

@@ -170,7 +170,7 @@ static bool hasOwnSizes(const farFieldControls& controls)
 
 
 //- The sizes that grow from the layers and from the far boundary
-static cellSizes sizesFromBoth
+static std::unique_ptr<const cellSizes> sizesFromBoth
 (
     const wallSurface& both,
     scalarField sizes,
@@ -181,10 +181,13 @@ static cellSizes sizesFromBoth
 {
     sizes.append(sizesOf(far));
 
-    return makeSizes
+    return std::make_unique<const cellSizes>
     (
-        both.points, sizes, boundBox(both.points, false), controls,
-        domain.bounds
+        makeSizes
+        (
+            both.points, sizes, boundBox(both.points, false), controls,
+            domain.bounds
+        )
     );
 }
 
@@ -283,6 +286,21 @@ static void dropEmptySides(const UList<sidePatch>& sides, farFieldMesh& far)
 }
 
 
+//- The hexahedra come after the tetrahedra
+static void addHexCoreZone
+(
+    const label nTets,
+    const label nHexahedra,
+    farFieldMesh& far
+)
+{
+    far.cellZones.append
+    (
+        cellZoneParts(hexCoreName, identity(nHexahedra, nTets))
+    );
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 farFieldMesh makeFarFieldMesh
@@ -318,14 +336,12 @@ farFieldMesh makeFarFieldMesh
     checkBoundary(both, outer.faces.size(), domain.core);
     setBoundary(outer, both, far, mesh);
 
-    std::unique_ptr<const cellSizes> fromBoth;
-    if (hasOwnSizes(controls))
-    {
-        fromBoth = std::make_unique<const cellSizes>
-        (
-            sizesFromBoth(both, layerSizes, far, domain, controls)
-        );
-    }
+    const std::unique_ptr<const cellSizes> fromBoth
+    (
+        hasOwnSizes(controls)
+      ? sizesFromBoth(both, layerSizes, far, domain, controls)
+      : nullptr
+    );
     const cellSizes& sizes = fromBoth ? *fromBoth : fromLayers;
     fillWithTets
     (
@@ -341,13 +357,7 @@ farFieldMesh makeFarFieldMesh
     if (controls.type == "hexCore")
     {
         dropEmptySides(layers.border.sides, made);
-        made.cellZones.append
-        (
-            cellZoneParts
-            (
-                hexCoreName, identity(cut.cells.size(), mesh.tets.size())
-            )
-        );
+        addHexCoreZone(mesh.tets.size(), cut.cells.size(), made);
     }
 
     return made;

@@ -233,6 +233,23 @@ List<labelPair> findIntersections
 }
 
 
+//- The shapes of all cells, and whether they are positive
+static void judgeCells
+(
+    meshCell& cell,
+    boolList& positive,
+    List<meshCellShape>& shapes
+)
+{
+    forAll(positive, celli)
+    {
+        const meshCellVerdict verdict(cell(celli));
+        shapes[celli] = verdict.shape;
+        positive[celli] = verdict.positive;
+    }
+}
+
+
 meshCertificate certifyMesh
 (
     const polyhedralMesh& mesh,
@@ -244,16 +261,10 @@ meshCertificate certifyMesh
     meshCertificate certificate;
 
     const boolList onWall(pointsOf(mesh, wallFaces));
+    meshCell cell(mesh, onWall);
     boolList positive(mesh.nCells());
     List<meshCellShape> shapes(mesh.nCells());
-    meshCell cell(mesh, onWall);
-
-    forAll(positive, celli)
-    {
-        const meshCellVerdict verdict(cell(celli));
-        shapes[celli] = verdict.shape;
-        positive[celli] = verdict.positive;
-    }
+    judgeCells(cell, positive, shapes);
 
     labelHashSet inLayers;
     certificate.nLayers = countLayers(mesh, wallFaces, positive, inLayers);

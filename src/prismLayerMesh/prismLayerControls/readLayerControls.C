@@ -267,15 +267,9 @@ layerControls readLayerControls(const dictionary& dict)
     (
         wordList
         ({
-            "finalAspect",
-            "marchingDistances",
-            "marchingDirections",
-            "transitionRatio",
-            "maxStretch",
-            "multipleNormalsAngle",
-            "fields",
-            "patches",
-            "regions"
+            "finalAspect", "marchingDistances", "marchingDirections",
+            "transitionRatio", "maxStretch", "multipleNormalsAngle", "fields",
+            "patches", "regions"
         })
     );
     checkKeys(dict, keys);

@@ -158,29 +158,28 @@ polyMeshTopology joinFarField
     const wordList sideNames(sidePatchNames(layers.border));
     labelList newFaces(far.topology.faces.size(), -1);
 
+    const polyMeshTopology& t = far.topology;
     polyMeshTopology mesh;
     mesh.reserve
     (
-        prisms.faces.size() + far.topology.faces.size(),
-        prisms.neighbour.size() + far.topology.neighbour.size()
-      + far.frontFaces.size()
+        prisms.faces.size() + t.faces.size(),
+        prisms.neighbour.size() + t.neighbour.size() + far.frontFaces.size()
     );
     const auto addFar = [&](const label facei)
     {
         newFaces[facei] = mesh.faces.size();
-        const label owner = firstFar + far.topology.owner[facei];
-        const label neighbour = facei < far.topology.neighbour.size()
-          ? firstFar + far.topology.neighbour[facei] : -1;
+        const label neighbour =
+            facei < t.neighbour.size() ? firstFar + t.neighbour[facei] : -1;
+        const label owner = firstFar + t.owner[facei];
         mesh.append(std::move(far.topology.faces[facei]), owner, neighbour);
     };
 
     setMeshPoints(layers, nLayerPoints, far);
     addLayerFaces(layers, prisms, firstFar, far, mesh);
-    forAll(far.topology.neighbour, facei)
+    forAll(t.neighbour, facei)
     {
         addFar(facei);
     }
-
     forAll(layers.patchNames, patchi)
     {
         mesh.startPatch();
@@ -189,20 +188,17 @@ polyMeshTopology joinFarField
 
     forAll(far.patches.names, patchi)
     {
-        mesh.startPatch();
-
         // After those of the wall and the outer surface
+        mesh.startPatch();
         const label side = sideNames.find(far.patches.names[patchi]);
         if (side >= 0)
         {
             addPatchFaces(prisms, layers.patchNames.size() + 1 + side, mesh);
         }
 
-        const label start = far.topology.patchStarts[1 + patchi];
-        const label size = far.topology.patchSizes[1 + patchi];
-        for (label i = start; i < start + size; ++i)
+        for (label i = 0; i < t.patchSizes[1 + patchi]; ++i)
         {
-            addFar(i);
+            addFar(t.patchStarts[1 + patchi] + i);
         }
     }
 

@@ -138,21 +138,20 @@ static DynamicList<label> faceAddressing
 }
 
 
-//- Append the faces to other processes, one process after the other, each in
-//  the order of the whole mesh
-static void addBetween
+//- A side face to another process: the process, the label in the whole mesh,
+//  front face, edge, layer
+typedef std::tuple<label, label, label, label, label> faceBetween;
+
+
+//- The faces to other processes, one process after the other, each in the order
+//  of the whole mesh
+static DynamicList<faceBetween> facesBetween
 (
     const layersPiece& piece,
-    const label processor,
-    polyMeshTopology& mesh,
-    DynamicList<label>& addressing,
-    meshPiece& result
+    const label processor
 )
 {
-    const prismLayers& layers = piece.layers;
-
-    // Process, label in the whole mesh, front face, edge, layer
-    DynamicList<std::tuple<label, label, label, label, label>> faces;
+    DynamicList<faceBetween> faces;
 
     forAll(piece.processors, facei)
     {
@@ -163,25 +162,35 @@ static void addBetween
             {
                 continue;
             }
-            for (label i = 1; i <= layers.nLayers; ++i)
+            for (label i = 1; i <= piece.layers.nLayers; ++i)
             {
-                faces.append
-                (
-                    std::make_tuple
-                    (
-                        other, piece.labels(facei, k, i), facei, k, i
-                    )
-                );
+                const label whole = piece.labels(facei, k, i);
+                faces.append(faceBetween(other, whole, facei, k, i));
             }
         }
     }
     std::sort(faces.begin(), faces.end());
 
+    return faces;
+}
+
+
+//- Append the faces to other processes
+static void addBetween
+(
+    const layersPiece& piece,
+    const label processor,
+    polyMeshTopology& mesh,
+    DynamicList<label>& addressing,
+    meshPiece& result
+)
+{
+    const prismLayers& layers = piece.layers;
     DynamicList<label> processors, sizes;
-    for (const auto& f : faces)
+
+    for (const faceBetween& f : facesBetween(piece, processor))
     {
-        label other, whole, facei, k, i;
-        std::tie(other, whole, facei, k, i) = f;
+        const auto [other, whole, facei, k, i] = f;
         if (processors.empty() || processors.last() != other)
         {
             processors.append(other);

@@ -140,6 +140,54 @@ bool isPoorTet
 }
 
 
+//- Add the faces between the cells of a stack, and between them and those of
+//  neighbours of higher labels
+static void addStack
+(
+    const prismLayers& layers,
+    const layerGeometry& geometry,
+    const qualityControls& bounds,
+    const label facei,
+    facesBeyondBounds& faces
+)
+{
+    const face& f = layers.faces[facei];
+    const auto cell = [&](const label g, const label i)
+    {
+        return faceCell{geometry.centres(g)[i - 1], geometry.volume3(g, i)/3};
+    };
+
+    for (label i = 1; i <= layers.nLayers; ++i)
+    {
+        const auto add = [&](const auto& points, const faceCell& other)
+        {
+            faces.add
+            (
+                facei, faceGeometry(points), points, cell(facei, i), other,
+                bounds
+            );
+        };
+
+        if (i < layers.nLayers)
+        {
+            add(levelPoints{layers, f, i}, cell(facei, i + 1));
+        }
+
+        forAll(f, k)
+        {
+            const label g = geometry.across(facei, k);
+            if (g > facei)
+            {
+                const label before = faces.nBeyond[0];
+                add(sidePoints{layers, f[k], f[f.fcIndex(k)], i}, cell(g, i));
+                faces.nOfWall += faces.nBeyond[0] > before
+                 && geometry.isOfWall(facei, k, i);
+            }
+        }
+    }
+}
+
+
 facesBeyondBounds boundsOfLayers
 (
     const prismLayers& layers,
@@ -148,13 +196,6 @@ facesBeyondBounds boundsOfLayers
 )
 {
     facesBeyondBounds all;
-    const auto cell = [&](const label facei, const label i)
-    {
-        return faceCell
-        {
-            geometry.centres(facei)[i - 1], geometry.volume3(facei, i)/3
-        };
-    };
 
     #pragma omp parallel
     {
@@ -163,40 +204,7 @@ facesBeyondBounds boundsOfLayers
         #pragma omp for schedule(static, 64)
         forAll(layers.faces, facei)
         {
-            const face& f = layers.faces[facei];
-
-            for (label i = 1; i <= layers.nLayers; ++i)
-            {
-                const auto add = [&](const auto& points, const faceCell& other)
-                {
-                    own.add
-                    (
-                        facei, faceGeometry(points), points, cell(facei, i),
-                        other, bounds
-                    );
-                };
-
-                if (i < layers.nLayers)
-                {
-                    add(levelPoints{layers, f, i}, cell(facei, i + 1));
-                }
-
-                forAll(f, k)
-                {
-                    const label g = geometry.across(facei, k);
-                    if (g > facei)
-                    {
-                        const sidePoints side
-                        {
-                            layers, f[k], f[f.fcIndex(k)], i
-                        };
-                        const label before = own.nBeyond[0];
-                        add(side, cell(g, i));
-                        own.nOfWall += own.nBeyond[0] > before
-                         && geometry.isOfWall(facei, k, i);
-                    }
-                }
-            }
+            addStack(layers, geometry, bounds, facei, own);
         }
 
         #pragma omp critical

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "givenSurface.H"
+#include "linePointRef.H"
 #include "triPointRef.H"
 #include "unitConversion.H"
 
@@ -89,11 +90,10 @@ label givenSurface::walk
 ) const
 {
     const pointField& points = surface_.points;
-    ++search_;
     label best = start;
     scalar least = GREAT;
-
     found_.clear();
+    ++search_;
 
     // Faces to look at, whose common edge with one before is as near as any
     DynamicList<label, 16> front(1, start);
@@ -104,10 +104,8 @@ label givenSurface::walk
         const label facei = front.remove();
         found_.append(facei);
         const face& f = surface_.faces[facei];
-        const point& a = points[f[0]];
-        const point& b = points[f[1]];
-        const point& c = points[f[2]];
-        const point y(triPointRef(a, b, c).nearestPoint(x).rawPoint());
+        const triPointRef triangle(points[f[0]], points[f[1]], points[f[2]]);
+        const point y(triangle.nearestPoint(x).rawPoint());
         const scalar distance = magSqr(x - y);
 
         if (distance < least)
@@ -124,22 +122,14 @@ label givenSurface::walk
         for (label k = 0; k < 3; ++k)
         {
             const label other = neighbours_[facei][k];
-            if (other < 0 || seen_[other] == search_)
-            {
-                continue;
-            }
+            if (other < 0 || seen_[other] == search_) continue;
 
-            const point& p = points[f[k]];
-            const point& q = points[f.nextLabel(k)];
-            const scalar t =
-                ((x - p) & (q - p))/max(magSqr(q - p), VSMALL);
-            const point z(p + min(max(t, scalar(0)), scalar(1))*(q - p));
+            // Is the edge within reach, or is y on it?
+            const linePointRef side(points[f[k]], points[f.nextLabel(k)]);
+            const point z(side.nearestDist(x).rawPoint());
+            const scalar rounding = 1e-12*magSqr(side.vec());
 
-            if
-            (
-                magSqr(x - z) <= sqr(reach)
-             || magSqr(y - z) <= 1e-12*magSqr(q - p)
-            )
+            if (magSqr(x - z) <= sqr(reach) || magSqr(y - z) <= rounding)
             {
                 seen_[other] = search_;
                 front.append(other);

@@ -261,14 +261,10 @@ static remeshedSurface remeshed
         labelHashSet tightened(trianglesNear(shape, made, nearest, faces));
         tightened |= trianglesAway(shape, search, made, nearest, controls);
 
-        if (faces.empty())
+        valid = faces.empty() ? result : valid;
+        if (faces.empty() && tightened.empty())
         {
-            valid = result;
-
-            if (tightened.empty())
-            {
-                break;
-            }
+            break;
         }
 
         for (const label t : tightened)

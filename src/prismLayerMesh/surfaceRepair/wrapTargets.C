@@ -79,6 +79,28 @@ void wrapTargets::setNearest(const label start)
 }
 
 
+pointIndexHit wrapTargets::nearestLine
+(
+    const sharpLines& lines,
+    const label p,
+    const edge& e,
+    const scalar length
+) const
+{
+    const point& foot = foot_.points[p];
+    const pointIndexHit meeting(foot_.meet(labelList(e), foot, lines, length));
+    const pointIndexHit hit
+    (
+        meeting.hit()
+     || foot_.areOff.test(e.start()) || foot_.areOff.test(e.end())
+      ? meeting : lines.findNearest(foot, 2*controls_.distance)
+    );
+
+    return hit.hit() && mag(hit.rawPoint() - foot) < 2*controls_.distance
+      ? hit : pointIndexHit();
+}
+
+
 edgeList wrapTargets::takeToEdges
 (
     const sharpLines& lines,
@@ -86,24 +108,6 @@ edgeList wrapTargets::takeToEdges
 )
 {
     DynamicList<edge> chamfers;
-
-    // To where the planes of both ends meet, or else to any sharp line
-    const auto nearestTo = [&](const label p, const edge& e)
-    {
-        const point& foot = foot_.points[p];
-        const labelList ends(e);
-        const scalar length = e.mag(wrap.points);
-        const pointIndexHit meeting(foot_.meet(ends, foot, lines, length));
-        const pointIndexHit hit
-        (
-            meeting.hit()
-         || foot_.areOff.test(e.start()) || foot_.areOff.test(e.end())
-          ? meeting : lines.findNearest(foot, 2*controls_.distance)
-        );
-
-        return hit.hit() && mag(hit.rawPoint() - foot) < 2*controls_.distance
-          ? hit : pointIndexHit();
-    };
 
     for (const face& f : wrap.faces)
     {
@@ -115,8 +119,9 @@ edgeList wrapTargets::takeToEdges
                 continue;
             }
 
-            const pointIndexHit a(nearestTo(e.start(), e));
-            const pointIndexHit b(nearestTo(e.end(), e));
+            const scalar length = e.mag(wrap.points);
+            const pointIndexHit a(nearestLine(lines, e.start(), e, length));
+            const pointIndexHit b(nearestLine(lines, e.end(), e, length));
             const scalar da =
                 a.hit() ? mag(a.rawPoint() - foot_.points[e.start()]) : GREAT;
             const scalar db =

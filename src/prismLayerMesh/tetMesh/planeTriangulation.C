@@ -149,6 +149,20 @@ public:
 };
 
 
+//- Edge i of a triangle, which is opposite to its vertex i
+static std::pair<label, label> directed
+(
+    const planeTriangles::Face_handle f,
+    const int i
+)
+{
+    return std::make_pair
+    (
+        f->vertex((i + 1) % 3)->info(), f->vertex((i + 2) % 3)->info()
+    );
+}
+
+
 faceList planeTriangulator::inside(const planeRegion& region) const
 {
     const edgePairs boundary(pairsOf(region.boundary, false));
@@ -170,15 +184,6 @@ faceList planeTriangulator::inside(const planeRegion& region) const
         {
             found.push_back(f);
         }
-    };
-
-    // Edge i of a triangle is opposite to its vertex i
-    const auto directed = [](const planeTriangles::Face_handle f, const int i)
-    {
-        return std::make_pair
-        (
-            f->vertex((i + 1) % 3)->info(), f->vertex((i + 2) % 3)->info()
-        );
     };
 
     for (auto f : triangles_.finite_face_handles())

@@ -89,6 +89,9 @@ class wallEnder
     //- Set borders of the wall, and the side patches of points
     void findBorders();
 
+    //- The points of faces on side patches are on these patches
+    void addPointsOfSides();
+
     void checkSides() const;
 
     void putOnPlanes(wallReading& reading);
@@ -182,6 +185,12 @@ void wallEnder::findBorders()
       + " m from all side planes"
     );
 
+    addPointsOfSides();
+}
+
+
+void wallEnder::addPointsOfSides()
+{
     forAll(sideOfFace_, facei)
     {
         for (const label p : surface_.faces[facei])

@@ -253,10 +253,8 @@ Foam::backgroundMesh Foam::testSurfaces::sectorMesh
         const label r = i/(2*(n + 1)), t = i/2 % (n + 1);
         const scalar radius = std::pow(1e-4, 1 - r/scalar(nRadii));
         const scalar angle = degrees*constant::mathematical::pi/180*t/n;
-        points[i] = point
-        (
-            radius*std::cos(angle), radius*std::sin(angle), 0.1*(i % 2)
-        );
+        const vector out(std::cos(angle), std::sin(angle), 0);
+        points[i] = radius*out + vector(0, 0, 0.1*(i % 2));
         onWall[i] = r == 0 || t == 0 || t == n;
         onEnvelope[i] = r == nRadii;
     }
