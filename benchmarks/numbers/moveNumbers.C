@@ -157,14 +157,15 @@ static void measure
         (
             makePrismLayers
             (
-                m.front, m.spacing.at(m.front.wallPoints), m.columns, controls
+                m.front, m.guide.spacing.at(m.front.wallPoints), m.columns,
+                controls
             )
         );
         const scalar seconds = time.elapsedCpuTime();
 
         const faceHeights heights
         (
-            makeFaceHeights(wall, m.request, made.layers)
+            makeFaceHeights(wall, m.heights.request, made.layers)
         );
         const label n = wall.faces.size();
         scalar full = 0, mean = 0;

@@ -82,7 +82,10 @@ static void mesh
     {
         tell("failed", "the certificate is not valid");
     }
-    else if (m.made.layers.nLayers != nAsked(controls.layers, m.request))
+    else if
+    (
+        m.made.layers.nLayers != nAsked(controls.layers, m.heights.request)
+    )
     {
         tell("failed", "the number of layers is not what was asked for");
     }
@@ -194,6 +197,19 @@ std::string oneLine(const std::string& text)
 }
 
 
+//- In a knife edge between wall and side patch there may be no layers
+static bool isOnBorder(const wallSurface& wall, const labelUList& points)
+{
+    const Map<labelPair> border(wall.border.pointSides());
+
+    return std::all_of
+    (
+        points.begin(), points.end(),
+        [&](const label p) { return border.found(p); }
+    );
+}
+
+
 void meshFuzzCase(const fuzzCase& one, const listener& tell)
 {
     FatalError.throwExceptions();
@@ -231,20 +247,11 @@ void meshFuzzCase(const fuzzCase& one, const listener& tell)
     }
     catch (const wallPointsError& e)
     {
-        // In a knife edge between wall and side patch there may be no layers
-        const Map<labelPair> border(wall.border.pointSides());
-        const bool onBorder = std::all_of
-        (
-            e.labels().begin(), e.labels().end(),
-            [&](const label p) { return border.found(p); }
-        );
         // What is stitched has the shape that damage gave it
-        const bool isDamaged =
-            one.repair == surfaceRepairControls::method::stitch;
-        tell
-        (
-            onBorder || isDamaged ? "skipped" : "failed", oneLine(e.message())
-        );
+        const bool isExpected =
+            isOnBorder(wall, e.labels())
+         || one.repair == surfaceRepairControls::method::stitch;
+        tell(isExpected ? "skipped" : "failed", oneLine(e.message()));
     }
     catch (const Foam::error& e)
     {

@@ -106,7 +106,7 @@ static void measure
     );
     const scalar seconds = time.elapsedCpuTime();
 
-    const faceHeights heights(makeFaceHeights(wall, m.request, m.made.layers));
+    const faceHeights heights(makeFaceHeights(wall, m.heights.request, m.made.layers));
     const label n = m.columns.nLayers;
     scalar full = 0, mean = 0;
     label nFull = 0;
@@ -126,7 +126,7 @@ static void measure
     const scalar area = sum(heights.areas);
     Info<< name.c_str() << '\t' << 100*full/area << '\t'
         << 100.0*nFull/m.made.thickness.size() << '\t' << mean/area << '\t'
-        << m.made.nRetreats;
+        << m.made.certified.nRetreats;
     printQuality(m.made.layers);
     Info<< '\t' << seconds << endl;
 }

@@ -135,12 +135,8 @@ namespace
 //- What all fields of a wall have in common
 struct fieldInput
 {
-    const wallSurface& wall;
-    const wallAddressing& addressing;
-    const wallSearch& search;
+    const wallContext& context;
     const offsetEnvelope& envelope;
-    const wallVisibility& visibility;
-    const List<pointKind>& kinds;
     const layerSpacing uniform;
     const stageObserver& silent;
 };
@@ -150,10 +146,7 @@ void measure(const fieldInput& in, const fieldControls& controls)
 {
     const wallFields fields
     (
-        makeFields
-        (
-            in.wall, in.addressing, in.search, in.envelope, controls, in.silent
-        )
+        makeFields(in.context, in.envelope, controls, in.silent)
     );
     if (fields.failure.size())
     {
@@ -165,14 +158,16 @@ void measure(const fieldInput& in, const fieldControls& controls)
     (
         samplingEnergies
         (
-            fields.background, field, in.visibility.axes(), in.kinds, in.uniform
+            fields.background, field, in.context.visibility.axes(),
+            in.context.kinds, in.uniform
         )
     );
     const layerSpacing levelSets
     (
         levelSetSpacing
         (
-            fields.background, field, in.visibility, energies, in.uniform
+            fields.background, field, in.context.visibility, energies,
+            in.uniform
         )
     );
     const scalarField heights
@@ -180,7 +175,7 @@ void measure(const fieldInput& in, const fieldControls& controls)
         levelSets.firstThickness/in.uniform.firstThickness
     );
     bitSet concave, convex;
-    markEdges(in.wall, in.addressing, concave, convex);
+    markEdges(in.context.wall, in.context.addressing, concave, convex);
 
     label nSaddles = 0;
     for (const label p : findCriticalPoints(fields.background, field).saddles)
@@ -192,6 +187,31 @@ void measure(const fieldInput& in, const fieldControls& controls)
     printHeights(heights, concave);
     printHeights(heights, convex);
     Info<< '\t' << nSaddles << endl;
+}
+
+
+offsetEnvelope envelopeFor
+(
+    const wallContext& context,
+    const layerSpacing& request,
+    const prismLayerControls& controls,
+    const stageObserver& observer
+)
+{
+    const scalarField clearance
+    (
+        makeWallClearance
+        (
+            context.wall, context.search, context.visibility,
+            2*controls.envelope.scale*request.thickness,
+            controls.layers.maxStretch
+        )
+    );
+
+    return makeEnvelope
+    (
+        context, request.thickness, clearance, controls, observer
+    );
 }
 
 } // End anonymous namespace
@@ -225,36 +245,16 @@ int main(int argc, char *argv[])
             controls.surface, args.getOrDefault<label>("shuffle", -1)
         )
     );
-    const wallAddressing addressing(makeWallAddressing(wall));
+    const wallContext context(wall);
     const layerSpacing request
     (
-        makeLayerSpacing(wall, addressing, controls.layers)
-    );
-    const wallVisibility visibility(makeWallVisibility(wall, addressing));
-    const List<pointKind> kinds(kindsOfPoints(wall, addressing, visibility));
-    const wallSearch search(wall);
-    const scalarField clearance
-    (
-        makeWallClearance
-        (
-            wall, search, visibility,
-            2*controls.envelope.scale*request.thickness,
-            controls.layers.maxStretch
-        )
+        makeLayerSpacing(wall, context.addressing, controls.layers)
     );
     const offsetEnvelope envelope
     (
-        makeEnvelope
-        (
-            wall, addressing, search, visibility, kinds, request.thickness,
-            clearance, controls, silent
-        )
+        envelopeFor(context, request, controls, silent)
     );
-    const fieldInput in
-    {
-        wall, addressing, search, envelope, visibility, kinds,
-        uniformSpacing(request), silent
-    };
+    const fieldInput in{context, envelope, uniformSpacing(request), silent};
     const wordList fields
     (
         args.getOrDefault

@@ -50,18 +50,21 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "argList.H"
-#include "readPrismLayerControls.H"
-#include "makeSizeBounds.H"
-#include "Time.H"
+#include "caseWriter.H"
+#include "farFieldReport.H"
+#include "layerSurfaces.H"
+#include "OSspecific.H"
 #include "polyMesh.H"
-#include "prismLayerMesh.H"
-#include "prismPolyMesh.H"
+#include "readDomain.H"
 #include "readLocalHeights.H"
+#include "readPrismLayerControls.H"
 #include "readWall.H"
-#include "stageLog.H"
+#include "replacedFiles.H"
+#include "returnMemory.H"
 #include "surfaceAdvice.H"
+#include "Time.H"
 #include "wallPointsError.H"
-#include "prismCase.H"
+#include "writeStageFields.H"
 
 using namespace Foam;
 
@@ -134,76 +137,8 @@ static localHeights readLocal
 }
 
 
-//- The domain of the far field, empty if no far field is wanted
-static farFieldDomain readFarField
-(
-    const prismCase& files,
-    const wallSurface& wall,
-    const bool fluidOutside,
-    const farFieldControls& controls,
-    const Time& time,
-    stageLog& log
-)
-{
-    farFieldDomain domain;
-
-    if (!controls.isWanted())
-    {
-        return domain;
-    }
-
-    if
-    (
-        !fluidOutside && controls.boundary.type.size()
-     && wall.border.sides.empty()
-    )
-    {
-        FatalErrorInFunction
-            << "The fluid is inside of the wall: there is no far boundary"
-            << exit(FatalError);
-    }
-
-    domain.bounds = makeSizeBounds(controls, time);
-
-    if (controls.type == "mesh")
-    {
-        log.begin("readMesh");
-        domain.core = files.readCore(controls.region);
-        log.end(name(domain.core.nCells) + " cells");
-
-        return domain;
-    }
-
-    log.begin("farBoundary");
-    domain.boundary = makeFarBoundary
-    (
-        controls.boundary,
-        [&](const fileName& file) { return files.surfaceFile(file); }
-    );
-
-    const wordList wallPatches(prismPatchNames(wall.patchNames));
-    string names;
-
-    for (const word& patch : domain.boundary.surface.patchNames)
-    {
-        names += ' ' + patch;
-
-        if (wallPatches.found(patch))
-        {
-            FatalErrorInFunction
-                << "The far boundary has a patch " << patch << ", as the wall"
-                << " has; name one of them otherwise" << exit(FatalError);
-        }
-    }
-
-    log.end(controls.boundary.type + names);
-
-    return domain;
-}
-
-
-//- The mesh. Errors: FatalError with the file of the points at which no layers
-//  are possible
+//- Makes the layers.
+//  Errors: FatalError with the file of the points where no layers are possible
 static prismLayerMesh makeMesh
 (
     const prismCase& files,
@@ -223,25 +158,79 @@ static prismLayerMesh makeMesh
     }
     catch (const wallPointsError& failure)
     {
-        const fileName file(files.writeFailedPoints(failure));
+        mkDir(files.reportFolder());
+        writeFailedPoints(files.failedPointsFile(), failure);
 
         FatalErrorInFunction
             << failure.message().c_str() << nl
-            << "Their places are in " << file << exit(FatalError);
+            << "Their places are in " << files.failedPointsFile()
+            << exit(FatalError);
     }
 
     return prismLayerMesh();
 }
 
 
+//- Writes mesh, outer surface and report. The mesh of layers is consumed.
+static void writeCase
+(
+    const prismCase& files,
+    const caseWriter& writer,
+    const preparedWall& given,
+    prismLayerMesh&& made,
+    stageLog& log,
+    replacedFiles& replaced
+)
+{
+    log.begin("prismPolyMesh");
+    const bool hasFarField = !made.farField.empty();
+    writer.writeOuter(made.made.layers, hasFarField, replaced);
+    layerReport report(makeLayerReport(given.wall, made));
+
+    const qualityControls bounds(made.bounds);
+    prismLayers layers(std::move(made.made.layers));
+    farFieldMesh farField(std::move(made.farField));
+    made = prismLayerMesh();
+    returnMemory();
+
+    const autoPtr<polyMesh> mesh
+    (
+        writer.writeMesh(layers, farField, replaced)
+    );
+    log.end
+    (
+        mesh
+      ? name(mesh->nCells()) + " cells, " + name(mesh->nFaces()) + " faces"
+      : name(report.nCells) + " cells, in parts for all processes"
+    );
+    report.stages = log.costs();
+
+    dictionary entries(toDictionary(report));
+    entries.add("surface", given.prepared.changes);
+    Foam::write(Info, report);
+
+    if (hasFarField)
+    {
+        const farFieldReport far(makeFarFieldReport(mesh(), bounds));
+        entries.add("farField", toDictionary(far));
+        Foam::write(Info, far);
+    }
+
+    IOstream::defaultPrecision(6);
+    const fileName& file = files.reportFile();
+    writeReport(replaced.scratch(file, file.name())/file.name(), entries);
+}
+
+
 //- Make and write the mesh on a wall, and its repaired surface
 static void meshWall
 (
-    const argList& args,
     const prismCase& files,
+    const caseWriter& writer,
     const preparedWall& given,
     const fileName& preparedFile,
     const prismLayerControls& controls,
+    const bool pictures,
     const Time& time,
     stageLog& log
 )
@@ -256,26 +245,72 @@ static void meshWall
             time, log
         )
     );
-    const bool pictures = args.found("writeFields");
-    prismLayerMesh result
+    prismLayerMesh made
     (
         makeMesh(files, wall, controls, local, pictures, log)
     );
-
     if (controls.farField.isWanted())
     {
         addFarField
         (
-            controls.farField, std::move(domain), log.observer(), result
+            controls.farField, std::move(domain), log.observer(), made
         );
     }
-
     if (pictures)
     {
-        files.writeFields(wall, result);
+        Info<< "Writing VTK files to " << files.reportFolder() << endl;
+        writeStageFields(files.reportFolder(), wall, made);
     }
 
-    files.write(wall, result, log, preparedFile, given.prepared);
+    const bool isChanged = given.prepared.isChanged();
+    replaceFiles([&](replacedFiles& replaced)
+    {
+        if (isChanged)
+        {
+            writer.writeSurface(preparedFile, given.prepared.surface, replaced);
+        }
+        writeCase(files, writer, given, std::move(made), log, replaced);
+    });
+    rm(files.failedPointsFile());
+
+    Info<< nl << "Mesh:   " << files.polyMeshFolder() << nl
+        << "Outer:  " << files.outerFile() << nl
+        << "Report: " << files.reportFile() << nl
+        << (isChanged ? "Surface: " + preparedFile + '\n' : "").c_str()
+        << endl;
+}
+
+
+//- Say whether the surface can be meshed, and end the run: with 1 if not
+static void endCheck
+(
+    const preparedWall& given,
+    const surfaceRemeshControls& controls
+)
+{
+    const bool isGood = given.defects.empty();
+    const string advice
+    (
+        isGood ? adviceOnAngles(given.wall, controls) : given.advice
+    );
+
+    Info<< nl << (isGood ? "Surface OK." : given.defects.c_str()) << nl
+        << advice.c_str() << nl << nl << "End" << nl << endl;
+
+    // What main returns is lost: the destructor of args exits with 0
+    UPstream::exit(isGood ? 0 : 1);
+}
+
+
+//- Errors: FatalError if several processes are to do what one does
+static void requireOneProcess(const processTeam& team, const bool isForOne)
+{
+    if (team.isParallel() && isForOne)
+    {
+        FatalErrorInFunction
+            << "-checkSurface and -prepareSurface are for one process, without"
+            << " -parallel" << exit(FatalError);
+    }
 }
 
 
@@ -287,46 +322,52 @@ int main(int argc, char *argv[])
     #include "createTime.H"
 
     const prismCase files(args, runTime);
+    const processTeam team(runTime);
+    const caseWriter writer(files, team, runTime);
 
-    if (!files.team().isMaster())
+    if (!team.isMaster())
     {
-        return files.writePiece() ? 0 : 1;
+        return writer.writeReceived() ? 0 : 1;
     }
 
     const bool checkOnly = args.found("checkSurface");
     const bool prepareOnly = args.found("prepareSurface");
-    if (files.team().isParallel() && (checkOnly || prepareOnly))
-    {
-        FatalErrorInFunction
-            << "-checkSurface and -prepareSurface are for one process, without"
-            << " -parallel" << exit(FatalError);
-    }
-
-    prismLayerControls controls(readPrismLayerControls(files.dict()));
+    requireOneProcess(team, checkOnly || prepareOnly);
+    const prismLayerControls controls(readPrismLayerControls(files.dict()));
+    const fileNameList surfaces(files.surfaceFiles(controls.surface));
+    const fileName preparedFile(files.preparedFile(surfaces));
     stageLog log;
-    const fileNameList surfaceFiles(files.surfaceFiles(controls.surface));
-    const preparedWall given
-    (
-        readWall(surfaceFiles, checkOnly, controls, log)
-    );
+    const preparedWall given(readWall(surfaces, controls, checkOnly, log));
 
     if (checkOnly)
     {
-        endCheck("", adviceOnAngles(given.wall, controls.surface.remesh));
+        endCheck(given, controls.surface.remesh);
     }
-
-    const fileName preparedFile(files.preparedFile(surfaceFiles));
-
-    if (prepareOnly)
+    else if (given.defects.size())
     {
-        files.writePrepared(preparedFile, given.prepared.surface);
-        Info<< "End" << nl << endl;
-
-        return 0;
+        FatalErrorInFunction
+            << "The surface " << flatOutput(controls.surface.files)
+            << " cannot be meshed." << nl << given.defects.c_str()
+            << exit(FatalError);
     }
-
-    files.checkOverwrite(surfaceFiles, controls.farField);
-    meshWall(args, files, given, preparedFile, controls, runTime, log);
+    else if (prepareOnly)
+    {
+        replaceFiles([&](replacedFiles& replaced)
+        {
+            writer.writeSurface(preparedFile, given.prepared.surface, replaced);
+        });
+        Info<< nl << "Surface: " << preparedFile << nl << endl;
+    }
+    else
+    {
+        const label nProcesses = team.isParallel() ? team.size() : 0;
+        files.checkOverwrite(surfaces, controls.farField, nProcesses);
+        meshWall
+        (
+            files, writer, given, preparedFile, controls,
+            args.found("writeFields"), runTime, log
+        );
+    }
 
     Info<< "End" << nl << endl;
 

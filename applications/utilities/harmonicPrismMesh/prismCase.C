@@ -5,20 +5,11 @@
 
 #include "prismCase.H"
 #include "argList.H"
-#include "farFieldReport.H"
-#include "layerSurfaces.H"
 #include "OSspecific.H"
 #include "partsOfMesh.H"
 #include "polyMesh.H"
-#include "prepareSurface.H"
 #include "prismPolyMesh.H"
-#include "replacedFiles.H"
-#include "returnMemory.H"
-#include "throwingErrors.H"
 #include "Time.H"
-#include "wallPointsError.H"
-#include "writeStageFields.H"
-#include "writeVtk.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -43,13 +34,12 @@ static IOobject dictObject(const argList& args, const Time& time)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::prismCase::prismCase(const argList& args, Time& time)
+Foam::prismCase::prismCase(const argList& args, const Time& time)
 :
-    args_(args),
     time_(time),
     region_(args.lookupOrDefault<word>("region", polyMesh::defaultRegion)),
-    dict_(dictObject(args, time)),
-    team_(time)
+    overwrite_(args.found("overwrite")),
+    dict_(dictObject(args, time))
 {}
 
 
@@ -58,11 +48,12 @@ Foam::prismCase::prismCase(const argList& args, Time& time)
 void Foam::prismCase::checkOverwrite
 (
     const UList<fileName>& surfaces,
-    const farFieldControls& farField
+    const farFieldControls& farField,
+    const label nProcesses
 ) const
 {
     const bool replaces =
-        args_.found("overwrite")
+        overwrite_
      || (farField.type == "mesh" && farField.region.empty());
 
     for (const fileName& file : {outerFile(), sidesFile()})
@@ -76,15 +67,19 @@ void Foam::prismCase::checkOverwrite
         }
     }
 
-    for (label processor = 0; processor < team_.size(); ++processor)
+    fileNameList folders(nProcesses);
+    forAll(folders, processor)
     {
-        const fileName folder
-        (
-            team_.isParallel()
-          ? time_.globalPath()/("processor" + name(processor))/polyMeshPath()
-          : polyMeshFolder()
-        );
+        folders[processor] = time_.globalPath()
+           /("processor" + name(processor))/polyMeshPath();
+    }
+    if (folders.empty())
+    {
+        folders.append(polyMeshFolder());
+    }
 
+    for (const fileName& folder : folders)
+    {
         if (!replaces && isDir(folder))
         {
             FatalErrorInFunction
@@ -123,69 +118,6 @@ Foam::polyMeshParts Foam::prismCase::readCore(const word& region) const
 }
 
 
-void Foam::prismCase::writeFields
-(
-    const wallSurface& wall,
-    const prismLayerMesh& m
-) const
-{
-    Info<< "Writing VTK files to " << reportFolder() << endl;
-    writeStageFields(reportFolder(), wall, m);
-}
-
-
-Foam::fileName Foam::prismCase::writeFailedPoints
-(
-    const wallPointsError& failure
-) const
-{
-    vtkGrid grid;
-    grid.points = failure.points();
-    forAll(grid.points, i)
-    {
-        grid.addCell(vtkCell::vertex, labelList(1, i));
-    }
-
-    const labelList& labels = failure.labels();
-    grid.pointFields.add("wallPoint", scalarList(labels.begin(), labels.end()));
-    mkDir(reportFolder());
-    writeVtk(failedPointsFile(), grid);
-
-    return failedPointsFile();
-}
-
-
-void Foam::prismCase::writeSurface
-(
-    const fileName& target,
-    const MeshedSurface<face>& surface,
-    replacedFiles& files
-) const
-{
-    const word name(target.name());
-    const fileName file(files.scratch(target, name)/name);
-
-    surface.write(file);
-    checkEnd(file, "# </faces>");
-}
-
-
-void Foam::prismCase::writeOuter
-(
-    const prismLayers& layers,
-    const bool hasFarField,
-    replacedFiles& files
-) const
-{
-    writeSurface(outerFile(), outerSurface(layers), files);
-
-    if (!hasFarField && endOnParts(layers))
-    {
-        writeSurface(sidesFile(), sideSurface(layers), files);
-    }
-}
-
-
 Foam::IOobject Foam::prismCase::meshObject() const
 {
     return IOobject
@@ -196,172 +128,99 @@ Foam::IOobject Foam::prismCase::meshObject() const
 }
 
 
-bool Foam::prismCase::writePiece() const
+Foam::fileName Foam::prismCase::polyMeshPath() const
 {
-    meshPiece piece(team_.receivePiece());
-    replacedFiles files;
-    string failure;
-    const throwingErrors throwing(true);
-    IOstream::defaultPrecision(17);
-
-    try
-    {
-        writePiece(piece, files);
-    }
-    catch (const Foam::error& e)
-    {
-        failure = e.message();
-    }
-
-    const bool all = team_.tellWritten(failure);
-    if (all)
-    {
-        files.replaceAll();
-    }
-    else
-    {
-        files.removeScratch();
-    }
-
-    return all;
+    return time_.constant()
+       /(region_ == polyMesh::defaultRegion ? word::null : region_)
+       /polyMesh::meshSubDir;
 }
 
 
-void Foam::prismCase::writeAll
+Foam::fileName Foam::prismCase::polyMeshFolder() const
+{
+    return time_.path()/polyMeshPath();
+}
+
+
+Foam::fileName Foam::prismCase::reportFolder() const
+{
+    return time_.globalPath()/"postProcessing"/"harmonicPrismMesh"
+       /(region_ == polyMesh::defaultRegion ? word::null : region_);
+}
+
+
+Foam::fileName Foam::prismCase::reportFile() const
+{
+    return reportFolder()/"report";
+}
+
+
+Foam::fileName Foam::prismCase::failedPointsFile() const
+{
+    return reportFolder()/"failedPoints.vtk";
+}
+
+
+Foam::fileName Foam::prismCase::surfaceFile(const fileName& name) const
+{
+    if (name.isAbsolute())
+    {
+        return name;
+    }
+
+    return name.find('/') == std::string::npos
+      ? time_.globalPath()/time_.constant()/"triSurface"/name
+      : time_.globalPath()/name;
+}
+
+
+Foam::fileNameList Foam::prismCase::surfaceFiles
 (
-    const wallSurface& wall,
-    prismLayerMesh& m,
-    const dictionary& surfaceChanges,
-    stageLog& log,
-    replacedFiles& files
+    const wallSurfaceControls& controls
 ) const
 {
-    log.begin("prismPolyMesh");
-    const bool hasFarField = !m.farField.empty();
+    fileNameList files(controls.files);
+    for (fileName& file : files)
+    {
+        file = surfaceFile(file);
+    }
 
-    writeOuter(m.made.layers, hasFarField, files);
-    layerReport report
+    return files;
+}
+
+
+Foam::fileName Foam::prismCase::surfaceOf(const word& name) const
+{
+    const word stem
     (
-        makeLayerReport
-        (
-            wall, m.addressing, m.request, m.made.layers, m.certificate,
-            m.made.causes
-        )
+        region_ == polyMesh::defaultRegion ? name : word(name + '_' + region_)
     );
-    report.noField = m.noField;
-    report.points = countKinds(m.pointKinds);
-    report.nFurtherColumns = m.front.extraColumnPoints().size();
-    report.nRetreats = m.made.nRetreats;
-    report.faces = m.faces;
 
-    const qualityControls bounds(m.bounds);
-    prismLayers layers(std::move(m.made.layers));
-    farFieldMesh farField(std::move(m.farField));
-    m = prismLayerMesh();
-    returnMemory();
-
-    const label nLayerCells = layers.faces.size()*layers.nLayers;
-    const autoPtr<polyMesh> mesh(writeMesh(layers, farField, files));
-    farField = farFieldMesh();
-    log.end
-    (
-        mesh
-      ? name(mesh->nCells()) + " cells, " + name(mesh->nFaces()) + " faces"
-      : name(nLayerCells) + " cells, " + name(team_.size()) + " pieces"
-    );
-    report.stages = log.costs();
-
-    dictionary entries(toDictionary(report));
-    entries.add("surface", surfaceChanges);
-    Foam::write(Info, report);
-
-    if (hasFarField)
-    {
-        const farFieldReport far(makeFarFieldReport(mesh(), bounds));
-        entries.add("farField", toDictionary(far));
-        Foam::write(Info, far);
-    }
-
-    IOstream::defaultPrecision(6);
-    writeReport(files.scratch(reportFile(), "report")/"report", entries);
+    return time_.globalPath()/time_.constant()/"triSurface"/(stem + ".obj");
 }
 
 
-void Foam::prismCase::replace
-(
-    const std::function<void(replacedFiles&)>& write
-) const
+Foam::fileName Foam::prismCase::outerFile() const
 {
-    replacedFiles files;
-
-    // What was certified is what is written: no digit may be lost
-    IOstream::defaultPrecision(17);
-
-    try
-    {
-        const throwingErrors throwing(true);
-        write(files);
-        files.replaceAll();
-    }
-    catch (const Foam::error& failure)
-    {
-        files.removeScratch();
-
-        FatalErrorInFunction
-            << "Cannot write " << files.current() << nl
-            << failure.message().c_str() << nl
-            << "All files of the case are as they were" << exit(FatalError);
-    }
+    return surfaceOf(layerOuterName);
 }
 
 
-void Foam::prismCase::writePrepared
-(
-    const fileName& file,
-    const wallSurface& surface
-) const
+Foam::fileName Foam::prismCase::sidesFile() const
 {
-    replace([&](replacedFiles& files)
-    {
-        writeSurface(file, toMeshedSurface(surface), files);
-    });
-
-    Info<< nl << "Surface: " << file << nl << endl;
+    return surfaceOf("sides");
 }
 
 
-void Foam::prismCase::write
+Foam::fileName Foam::prismCase::preparedFile
 (
-    const wallSurface& wall,
-    prismLayerMesh& m,
-    stageLog& log,
-    const fileName& preparedFile,
-    const preparedSurface& prepared
+    const UList<fileName>& surfaces
 ) const
 {
-    replace([&](replacedFiles& files)
-    {
-        if (prepared.isChanged())
-        {
-            writeSurface
-            (
-                preparedFile, toMeshedSurface(prepared.surface), files
-            );
-        }
-        writeAll(wall, m, prepared.changes, log, files);
-    });
+    const fileName& first = surfaces[0];
+    const fileName plain(first.ext() == "gz" ? first.lessExt() : first);
 
-    rm(failedPointsFile());
-
-    Info<< nl << "Mesh:   " << polyMeshFolder() << nl
-        << "Outer:  " << outerFile() << nl
-        << "Report: " << reportFile() << nl;
-
-    if (prepared.isChanged())
-    {
-        Info<< "Surface: " << preparedFile << nl;
-    }
-    Info<< endl;
+    return surfaceFile(plain.nameLessExt() + ".prepared.obj");
 }
 
 

@@ -76,16 +76,14 @@ static string checkWall
 static wallSurface takeWall
 (
     const wallSurface& surface,
-    const prismLayerControls& controls,
+    const wallSurfaceControls& controls,
+    const layerControls& layers,
     wallReading& reading,
     stageLog& log
 )
 {
     const label flipped = reading.flippedFaces;
-    wallSurface wall
-    (
-        endWall(surface, controls.surface, controls.layers, reading)
-    );
+    wallSurface wall(endWall(surface, controls, layers, reading));
 
     if (wall.border.sides.size())
     {
@@ -134,21 +132,11 @@ static wallSurface takeWall
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void endCheck(const string& defects, const string& advice)
-{
-    Info<< nl << (defects.empty() ? "Surface OK." : defects.c_str()) << nl
-        << advice.c_str() << nl << nl << "End" << nl << endl;
-
-    // What main returns is lost: the destructor of args exits with 0
-    UPstream::exit(defects.empty() ? 0 : 1);
-}
-
-
 preparedWall readWall
 (
     const fileNameList& surfaceFiles,
-    const bool checkOnly,
-    prismLayerControls& controls,
+    const prismLayerControls& controls,
+    const bool wantsAdvice,
     stageLog& log
 )
 {
@@ -157,31 +145,31 @@ preparedWall readWall
     (
         readFiles(surfaceFiles, controls.surface, reading, log)
     );
-    controls.surface.sidePlanes = withBoxSides
+    wallSurfaceControls onSides(controls.surface);
+    onSides.sidePlanes = withBoxSides
     (
         given, controls.surface.sidePlanes, controls.farField.boundary
     );
+
     preparedWall result;
     result.prepared.surface = given;
-    repair(controls.surface, controls.layers, result.prepared, log);
+    repair(onSides, controls.layers, result.prepared, log);
     const wallSurface& surface = result.prepared.surface;
-    const bool mayBeOpen = controls.surface.sidePlanes.size();
-    const string defects(checkWall(surface, mayBeOpen, reading, log));
+    const bool mayBeOpen = onSides.sidePlanes.size();
+    result.defects = checkWall(surface, mayBeOpen, reading, log);
 
-    if (defects.size() && checkOnly)
+    if (result.defects.size())
     {
-        endCheck(defects, adviceOnDefects(given, controls));
-    }
-    else if (defects.size())
-    {
-        FatalErrorInFunction
-            << "The surface " << flatOutput(controls.surface.files)
-            << " cannot be meshed." << nl << defects.c_str()
-            << exit(FatalError);
+        if (wantsAdvice)
+        {
+            result.advice = adviceOnDefects(given, onSides, controls.layers);
+        }
+
+        return result;
     }
 
-    remesh(controls.surface, result.prepared, log);
-    result.wall = takeWall(surface, controls, reading, log);
+    remesh(onSides, result.prepared, log);
+    result.wall = takeWall(surface, onSides, controls.layers, reading, log);
     renumberWall(result.wall);
 
     return result;

@@ -7,6 +7,7 @@
 #include "error.H"
 #include "IFstream.H"
 #include "OSspecific.H"
+#include "throwingErrors.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -101,6 +102,31 @@ void Foam::replacedFiles::removeScratch() const
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void Foam::replaceFiles(const std::function<void(replacedFiles&)>& write)
+{
+    replacedFiles files;
+
+    // What was certified is what is written: no digit may be lost
+    IOstream::defaultPrecision(17);
+
+    try
+    {
+        const throwingErrors throwing(true);
+        write(files);
+        files.replaceAll();
+    }
+    catch (const Foam::error& failure)
+    {
+        files.removeScratch();
+
+        FatalErrorInFunction
+            << "Cannot write " << files.current() << nl
+            << failure.message().c_str() << nl
+            << "All files of the case are as they were" << exit(FatalError);
+    }
+}
+
 
 void Foam::checkEnd(const fileName& file, const string& end)
 {

@@ -25,7 +25,8 @@ static bool isMended
 (
     const wallSurface& surface,
     const List<sidePatch>& planes,
-    const prismLayerControls& controls
+    const wallSurfaceControls& controls,
+    const layerControls& layers
 )
 {
     if (findWallDefects(surface, planes.size()).size())
@@ -33,7 +34,7 @@ static bool isMended
         return false;
     }
 
-    wallSurfaceControls ending(controls.surface);
+    wallSurfaceControls ending(controls);
     ending.sidePlanes = planes;
     const throwingErrors throwing;
     try
@@ -41,7 +42,7 @@ static bool isMended
         wallReading reading;
         const wallSurface wall
         (
-            endWall(surface, ending, controls.layers, reading)
+            endWall(surface, ending, layers, reading)
         );
 
         return findWallDefects(wall, planes.size()).empty();
@@ -80,17 +81,19 @@ static string entriesOf(const List<sidePatch>& planes)
 static List<sidePatch> planesThatMend
 (
     const wallSurface& surface,
-    const prismLayerControls& controls
+    const wallSurfaceControls& controls,
+    const layerControls& layers
 )
 {
-    if (controls.surface.sidePlanes.size())
+    if (controls.sidePlanes.size())
     {
         return List<sidePatch>();
     }
 
     const List<sidePatch> planes(planesOfBorder(surface));
 
-    return isMended(surface, planes, controls) ? planes : List<sidePatch>();
+    return isMended(surface, planes, controls, layers)
+      ? planes : List<sidePatch>();
 }
 
 
@@ -99,11 +102,12 @@ static List<sidePatch> planesThatMend
 string adviceOnDefects
 (
     const wallSurface& surface,
-    const prismLayerControls& controls
+    const wallSurfaceControls& controls,
+    const layerControls& layers
 )
 {
     typedef surfaceRepairControls::method method;
-    wallSurfaceControls stitching(controls.surface);
+    wallSurfaceControls stitching(controls);
     if (stitching.repair.repair == method::wrap)
     {
         return "";
@@ -112,9 +116,9 @@ string adviceOnDefects
     stitching.repair.repair = method::stitch;
     const repairedSurface stitched
     (
-        repairSurface(surface, stitching, controls.layers)
+        repairSurface(surface, stitching, layers)
     );
-    if (isMended(stitched.surface, stitching.sidePlanes, controls))
+    if (isMended(stitched.surface, stitching.sidePlanes, controls, layers))
     {
         OStringStream os;
         os  << "surface.repair stitch mends this surface: all of it is then"
@@ -125,14 +129,17 @@ string adviceOnDefects
         return os.str();
     }
 
-    const List<sidePatch> planes(planesThatMend(surface, controls));
+    const List<sidePatch> planes(planesThatMend(surface, controls, layers));
     if (planes.size())
     {
         return "With these side planes, on which its border is, the surface"
             " has no defects:\n" + entriesOf(planes);
     }
 
-    const List<sidePatch> more(planesThatMend(stitched.surface, controls));
+    const List<sidePatch> more
+    (
+        planesThatMend(stitched.surface, controls, layers)
+    );
     if (more.size())
     {
         return "surface.repair stitch mends this surface with these side"

@@ -154,12 +154,11 @@ void setAddressing(backgroundMesh& mesh)
 
 backgroundMesh makeBackgroundMesh
 (
-    const wallSurface& wall,
-    const wallAddressing& addressing,
-    const wallSearch& search,
+    const wallContext& context,
     const offsetEnvelope& envelope
 )
 {
+    const wallSurface& wall = context.wall;
     tetDomain domain(wallAndEnvelope(wall, envelope));
     const faceList triangles(domain.facets);
     const boundBox box(boxAround(domain.points, envelope));
@@ -172,7 +171,7 @@ backgroundMesh makeBackgroundMesh
     }
     else
     {
-        domain.holes = bodySeeds(wall, search);
+        domain.holes = bodySeeds(wall, context.search);
         if (enclosedVolume(wall) > 0)
         {
             addBox(box, domain);
@@ -195,7 +194,11 @@ backgroundMesh makeBackgroundMesh
 
     backgroundMesh mesh(withPointData(wall, envelope, domain, filled.points));
     UIndirectList<bool>(mesh.free, onSides) = true;
-    setTets(filled.tets, triangles, addressing.pointPoints, search, mesh);
+    setTets
+    (
+        filled.tets, triangles, context.addressing.pointPoints, context.search,
+        mesh
+    );
 
     return mesh;
 }

@@ -68,12 +68,15 @@ piecewiseLines::piecewiseLines
     wall_(wall),
     starts_(starts),
     controls_(controls),
-    columns_(invertOneToMany(wall.wall.points.size(), starts.wallPoints)),
+    columns_
+    (
+        invertOneToMany(wall.context.wall.points.size(), starts.wallPoints)
+    ),
     made_
     {
         makeStraightLines
         (
-            pointField(wall.wall.points, starts.wallPoints),
+            pointField(wall.context.wall.points, starts.wallPoints),
             starts.directions, starts.arcLengths
         ),
         scalarField(starts.wallPoints.size(), 0)
@@ -99,10 +102,14 @@ columnLines piecewiseLines::makePiece(const labelList& own) const
     (
         makeWallPiece
         (
-            wall_.wall, wall_.addressing, wall_.envelope, own, wall_.controls
+            wall_.context.wall, wall_.context.addressing, wall_.envelope, own,
+            wall_.controls
         )
     );
-    const backgroundMesh mesh(makeBackgroundMesh(piece, wall_.search));
+    const backgroundMesh mesh
+    (
+        makeBackgroundMesh(piece, wall_.context.search)
+    );
     const monotoneField field
     (
         makeMonotoneField(mesh, cotangentWeights(mesh), controls_)

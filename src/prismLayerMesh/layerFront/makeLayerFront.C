@@ -19,7 +19,7 @@ class frontBuilder
 {
     const wallSurface& wall_;
     const wallAddressing& addressing_;
-    const wallSectors divided_;
+    const wallSectors& divided_;
 
     //- The second column of each divided point
     labelList secondColumns_;
@@ -240,13 +240,16 @@ layerFront makeLayerFront
 
     if (narrow.found(true))
     {
-        frontBuilder
+        const wallSectors divided
         (
-            wall,
-            addressing,
-            divideNarrowPoints(wall, addressing, visibility, narrow),
-            front
-        ).divide();
+            divideNarrowPoints(wall, addressing, visibility, narrow)
+        );
+        front.pointsWithoutDirection = divided.pointsWithoutDirection;
+
+        if (front.pointsWithoutDirection.empty())
+        {
+            frontBuilder(wall, addressing, divided, front).divide();
+        }
     }
 
     front.setConstraints();

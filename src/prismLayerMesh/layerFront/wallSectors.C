@@ -4,9 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallSectors.H"
-#include "adviceOnPoints.H"
 #include "faceSectors.H"
-#include "wallPointsError.H"
 
 namespace Foam
 {
@@ -189,18 +187,11 @@ public:
             }
         }
 
-        if (lost.size())
+        if (lost.empty())
         {
-            throw wallPointsError
-            (
-                wall_, lost,
-                "see no directions that are in front of all their faces, not "
-                "even with several columns",
-                adviceOnPoints(wall_, addressing_, lost)
-            );
+            agree();
         }
-
-        agree();
+        divided_.pointsWithoutDirection = std::move(lost);
 
         return std::move(divided_);
     }

@@ -7,7 +7,6 @@
 #include "leanColumns.H"
 #include "retreatColumns.H"
 #include "turnColumns.H"
-#include "wallPointsError.H"
 #include "HashSet.H"
 
 namespace Foam
@@ -115,7 +114,7 @@ static labelList columnsInTheWay
 namespace
 {
 
-class certification
+class layerCertifier
 {
     layerEditor& editor_;
     layerJudge& judge_;
@@ -124,7 +123,7 @@ class certification
     labelList nTurns_;
     labelList nLeans_;
 
-    label nRetreats_ = 0;
+    certification made_;
 
     //- Stacks below what is attainable, and those that were not judged further
     labelHashSet below_;
@@ -138,26 +137,23 @@ class certification
     //  stay.
     bool lean(const labelUList& columns);
 
-    void retreat
-    (
-        const labelUList& columns,
-        squeezeCause cause,
-        const char* whatFails
-    );
+    //- Lower columns. False if some have no height left; then all stay.
+    bool retreat(const labelUList& columns, squeezeCause cause);
 
     //- Stacks that have a fault now. Those below what is attainable come first;
     //  the rest is judged once there are none.
     labelList faultyStacks();
 
-    //- Until all cells are positive and good enough
-    void makePositive();
+    //- Until all cells are positive and good enough. False if columns have no
+    //  height left.
+    bool makePositive();
 
     //- Columns of stacks that overlap, of those moved since the last look
     labelList overlappingColumns();
 
 public:
 
-    certification(layerEditor& editor, layerJudge& judge)
+    layerCertifier(layerEditor& editor, layerJudge& judge)
     :
         editor_(editor),
         judge_(judge),
@@ -165,12 +161,11 @@ public:
         nLeans_(editor.thickness().size(), 0)
     {}
 
-    //- Returns the number of retreats
-    label run();
+    certification run();
 };
 
 
-bool certification::lean(const labelUList& columns)
+bool layerCertifier::lean(const labelUList& columns)
 {
     const layerMoveControls& controls = editor_.controls();
     const auto penalty = [&]
@@ -194,11 +189,10 @@ bool certification::lean(const labelUList& columns)
 }
 
 
-void certification::retreat
+bool layerCertifier::retreat
 (
     const labelUList& columns,
-    const squeezeCause cause,
-    const char* whatFails
+    const squeezeCause cause
 )
 {
     const layerFront& front = editor_.front();
@@ -217,15 +211,20 @@ void certification::retreat
 
     if (hopeless.size())
     {
-        throw wallPointsError(front.surface, hopeless, whatFails);
+        made_.pointsWithoutHeight = std::move(hopeless);
+        made_.cause = cause;
+
+        return false;
     }
 
-    nRetreats_ += columns.size();
+    made_.nRetreats += columns.size();
     retreatColumns(editor_, columns, cause);
+
+    return true;
 }
 
 
-labelList certification::faultyStacks()
+labelList layerCertifier::faultyStacks()
 {
     const labelList moved(editor_.touchedSince(cellsJudged_));
     cellsJudged_ = editor_.now();
@@ -270,7 +269,7 @@ labelList certification::faultyStacks()
 }
 
 
-void certification::makePositive()
+bool layerCertifier::makePositive()
 {
     for
     (
@@ -281,20 +280,22 @@ void certification::makePositive()
     {
         const labelList moving(editor_.layers().columnsOf(faulty));
 
-        if (!turnColumns(editor_, moving, nTurns_) && !lean(moving))
+        if
+        (
+            !turnColumns(editor_, moving, nTurns_)
+         && !lean(moving)
+         && !retreat(columnsInTheWay(editor_, faulty), squeezeCause::validity)
+        )
         {
-            retreat
-            (
-                columnsInTheWay(editor_, faulty),
-                squeezeCause::validity,
-                "have columns whose cells are not positive at any thickness"
-            );
+            return false;
         }
     }
+
+    return true;
 }
 
 
-labelList certification::overlappingColumns()
+labelList layerCertifier::overlappingColumns()
 {
     const labelList moved(editor_.touchedSince(overlapsJudged_));
     overlapsJudged_ = editor_.now();
@@ -303,27 +304,20 @@ labelList certification::overlappingColumns()
 }
 
 
-label certification::run()
+certification layerCertifier::run()
 {
-    makePositive();
+    bool goesOn = makePositive();
 
-    for
-    (
-        labelList columns(overlappingColumns());
-        columns.size();
-        columns = overlappingColumns()
-    )
+    while (goesOn)
     {
-        retreat
-        (
-            columns,
-            squeezeCause::intersection,
-            "have columns whose outer faces intersect at any thickness"
-        );
-        makePositive();
+        const labelList columns(overlappingColumns());
+
+        goesOn = columns.size()
+         && retreat(columns, squeezeCause::intersection)
+         && makePositive();
     }
 
-    return nRetreats_;
+    return std::move(made_);
 }
 
 }
@@ -331,9 +325,9 @@ label certification::run()
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-label certifyLayers(layerEditor& editor, layerJudge& judge)
+certification certifyLayers(layerEditor& editor, layerJudge& judge)
 {
-    return certification(editor, judge).run();
+    return layerCertifier(editor, judge).run();
 }
 
 } // End namespace Foam

@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "makePrismLayers.H"
-#include "certifyLayers.H"
 #include "improveLayers.H"
 
 namespace Foam
@@ -25,7 +24,11 @@ madeLayers makePrismLayers
     );
 
     madeLayers made;
-    made.nRetreats = certifyLayers(editor, judge);
+    made.certified = certifyLayers(editor, judge);
+    if (made.certified.pointsWithoutHeight.size())
+    {
+        return made;
+    }
     made.gaveWay = improveLayers(editor, judge);
     made.thickness = editor.thickness();
     made.causes = editor.causes();

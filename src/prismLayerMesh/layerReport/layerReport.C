@@ -226,6 +226,31 @@ layerReport makeLayerReport
 }
 
 
+layerReport makeLayerReport
+(
+    const wallSurface& wall,
+    const prismLayerMesh& mesh
+)
+{
+    const madeLayers& made = mesh.made;
+    layerReport report
+    (
+        makeLayerReport
+        (
+            wall, mesh.addressing, mesh.heights.request, made.layers,
+            mesh.certificate, made.causes
+        )
+    );
+    report.points = countKinds(mesh.pointKinds);
+    report.nExtraColumns = mesh.front.extraColumnPoints().size();
+    report.nRetreats = made.certified.nRetreats;
+    report.noField = mesh.noField;
+    report.faces = mesh.faces;
+
+    return report;
+}
+
+
 void writeReport(const fileName& file, const dictionary& report)
 {
     OFstream os(file);

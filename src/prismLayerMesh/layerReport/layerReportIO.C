@@ -94,7 +94,7 @@ static dictionary columnsDictionary(const layerReport& report)
     dict.add("total", sum(labelList(report.columns)));
     dict.add("fullThickness", report.columns[0]);
     dict.add("squeezed", squeezedDictionary(report.columns));
-    dict.add("multipleNormals", report.nFurtherColumns);
+    dict.add("multipleNormals", report.nExtraColumns);
     dict.add("retreats", report.nRetreats);
 
     return dict;
@@ -208,7 +208,7 @@ static void addCounts(std::ostream& os, const layerReport& report)
             << report.points[kind];
     }
 
-    os  << "; further columns on them " << report.nFurtherColumns << '\n';
+    os  << "; further columns on them " << report.nExtraColumns << '\n';
 }
 
 

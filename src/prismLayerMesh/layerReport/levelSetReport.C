@@ -38,9 +38,9 @@ static List<percentiles> spreadsByKind
 
 bool hasLevelSetReport(const prismLayerMesh& mesh)
 {
-    const layerSpacing& request = mesh.request;
+    const layerSpacing& request = mesh.heights.request;
 
-    return mesh.fields.failure.empty()
+    return mesh.guide.fields.failure.empty()
         && max(request.thickness) <= min(request.thickness)*(1 + SMALL)
         && max(request.firstThickness)
         <= min(request.firstThickness)*(1 + SMALL);
@@ -56,26 +56,26 @@ levelSetReport makeLevelSetReport(const prismLayerMesh& mesh)
             << " of the wall" << exit(FatalError);
     }
 
-    const layerSpacing uniform(uniformSpacing(mesh.request));
+    const layerSpacing uniform(uniformSpacing(mesh.heights.request));
     const scalarField energies
     (
         samplingEnergies
         (
-            mesh.fields.background, mesh.field, mesh.visibility.axes(),
-            mesh.pointKinds, uniform
+            mesh.guide.fields.background, mesh.guide.field,
+            mesh.visibility.axes(), mesh.pointKinds, uniform
         )
     );
     const layerSpacing levelSets
     (
         levelSetSpacing
         (
-            mesh.fields.background, mesh.field, mesh.visibility, energies,
-            uniform
+            mesh.guide.fields.background, mesh.guide.field, mesh.visibility,
+            energies, uniform
         )
     );
     const criticalPoints critical
     (
-        findCriticalPoints(mesh.fields.background, mesh.field)
+        findCriticalPoints(mesh.guide.fields.background, mesh.guide.field)
     );
 
     levelSetReport report;
@@ -87,16 +87,16 @@ levelSetReport makeLevelSetReport(const prismLayerMesh& mesh)
         (
             points.begin(),
             points.end(),
-            [&](const label p) { return mesh.field[p] > energies.last(); }
+            [&](const label p) { return mesh.guide.field[p] > energies.last(); }
         );
     };
     report.nExtrema = above(critical.minima) + above(critical.maxima);
     report.nSaddles = above(critical.saddles);
     report.lastTopology = levelSetTopology
     (
-        mesh.fields.background, mesh.field, energies.last()
+        mesh.guide.fields.background, mesh.guide.field, energies.last()
     );
-    report.lastLikeWall = report.lastTopology == mesh.fields.topology;
+    report.lastLikeWall = report.lastTopology == mesh.guide.fields.topology;
     report.first = levelSets.firstThickness/uniform.firstThickness;
     report.last = levelSets.thickness/uniform.thickness;
     report.firstOfKind = spreadsByKind(report.first, mesh.pointKinds);

@@ -10,6 +10,7 @@
 #include "levelSetReport.H"
 #include "OSspecific.H"
 #include "unitConversion.H"
+#include "wallPointsError.H"
 #include "writeVtk.H"
 
 namespace Foam
@@ -39,8 +40,8 @@ static vtkGrid envelopeGrid(const prismLayerMesh& mesh)
     faceList triangles;
     levelSetTriangles
     (
-        mesh.fields.background, mesh.field, envelopeLevel, grid.points,
-        triangles
+        mesh.guide.fields.background, mesh.guide.field, envelopeLevel,
+        grid.points, triangles
     );
 
     for (const face& f : triangles)
@@ -54,7 +55,7 @@ static vtkGrid envelopeGrid(const prismLayerMesh& mesh)
 
 static vtkGrid backgroundGrid(const prismLayerMesh& mesh)
 {
-    const backgroundMesh& background = mesh.fields.background;
+    const backgroundMesh& background = mesh.guide.fields.background;
 
     vtkGrid grid;
     grid.points = background.points;
@@ -64,10 +65,10 @@ static vtkGrid backgroundGrid(const prismLayerMesh& mesh)
         grid.addCell(vtkCell::tetra, tet);
     }
 
-    grid.pointFields.add("HIsotropic", mesh.fields.isotropic);
-    grid.pointFields.add("H", mesh.field);
-    grid.pointFields.add("gradH", pointGradients(background, mesh.field));
-    grid.pointFields.add("T", mesh.fields.tensors);
+    grid.pointFields.add("HIsotropic", mesh.guide.fields.isotropic);
+    grid.pointFields.add("H", mesh.guide.field);
+    grid.pointFields.add("gradH", pointGradients(background, mesh.guide.field));
+    grid.pointFields.add("T", mesh.guide.fields.tensors);
     grid.pointFields.add("gap", background.gaps);
 
     return grid;
@@ -91,7 +92,7 @@ static vtkGrid columnGrid(const prismLayerMesh& mesh)
         for (label i = 1; i <= n; ++i)
         {
             energies[layers.index(c, i)] =
-                mesh.lines.energies[c*n + i - 1];
+                mesh.guide.lines.energies[c*n + i - 1];
         }
     }
     grid.pointFields.add("samplingEnergy", energies);
@@ -166,8 +167,8 @@ static void addPointFields(const prismLayerMesh& mesh, vtkGrid& grid)
     vtkFields& fields = grid.pointFields;
     fields.add("squeezeCause", causes);
     fields.add("visibilityAngle", angles);
-    fields.add("firstHeightRequest", mesh.request.firstThickness);
-    fields.add("thicknessRequest", mesh.request.thickness);
+    fields.add("firstHeightRequest", mesh.heights.request.firstThickness);
+    fields.add("thicknessRequest", mesh.heights.request.thickness);
     fields.add("clearance", SubList<scalar>(mesh.clearance, nPoints));
 }
 
@@ -182,7 +183,7 @@ static void addFaceFields
     const label nFaces = wall.faces.size();
     const faceHeights heights
     (
-        makeFaceHeights(wall, mesh.request, mesh.made.layers)
+        makeFaceHeights(wall, mesh.heights.request, mesh.made.layers)
     );
     const scalarField worst
     (
@@ -238,7 +239,7 @@ void writeStageFields
 {
     mkDir(folder);
 
-    if (mesh.fields.failure.empty())
+    if (mesh.guide.fields.failure.empty())
     {
         writeVtk(folder/"envelope.vtk", envelopeGrid(mesh));
         writeVtk(folder/"backgroundMesh.vtk", backgroundGrid(mesh));
@@ -262,6 +263,21 @@ void writeStageFields
     }
 
     writeVtk(folder/"wall.vtk", onWall);
+}
+
+
+void writeFailedPoints(const fileName& file, const wallPointsError& failure)
+{
+    vtkGrid grid;
+    grid.points = failure.points();
+    forAll(grid.points, i)
+    {
+        grid.addCell(vtkCell::vertex, labelList(1, i));
+    }
+
+    const labelList& labels = failure.labels();
+    grid.pointFields.add("wallPoint", scalarList(labels.begin(), labels.end()));
+    writeVtk(file, grid);
 }
 
 } // End namespace Foam

@@ -278,44 +278,60 @@ struct sheetMaker
 } // End anonymous namespace
 
 
+//- The distance of points on sheets over what is wanted elsewhere. In acute
+//  edges whose radius the wall does not resolve, points that are near to the
+//  edge would squeeze the level sets
+static scalarField closenessOf
+(
+    const List<pointKind>& kinds,
+    const scalarField& radius,
+    const scalarField& lengths
+)
+{
+    scalarField closeness(kinds.size(), 1);
+
+    forAll(closeness, p)
+    {
+        if (isConcave(kinds[p]) && radius[p] > lengths[p])
+        {
+            closeness[p] = sheetControls::concaveSpacing;
+        }
+    }
+
+    return closeness;
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 offsetEnvelope makeOffsetEnvelope
 (
-    const wallSurface& wall,
-    const wallAddressing& addressing,
-    const wallSearch& search,
-    const wallVisibility& visibility,
-    const List<pointKind>& kinds,
+    const wallContext& context,
     const scalarField& radius,
     const scalarField& wanted,
     const backgroundMeshControls& mesh,
     const scalar maxStretch
 )
 {
+    const wallSurface& wall = context.wall;
+    const wallAddressing& addressing = context.addressing;
     const scalarField lengths(meanEdges(wall, addressing));
 
     offsetEnvelope envelope;
     envelope.radius = radius;
     limitGradient(wall, addressing, sheetControls::maxSlope, envelope.radius);
 
-    // In acute edges whose radius the wall does not resolve, points that are
-    // near to the edge would squeeze the level sets
-    scalarField closeness(wall.points.size(), 1);
-    forAll(closeness, p)
-    {
-        if (isConcave(kinds[p]) && envelope.radius[p] > lengths[p])
-        {
-            closeness[p] = sheetControls::concaveSpacing;
-        }
-    }
-
+    const scalarField closeness
+    (
+        closenessOf(context.kinds, envelope.radius, lengths)
+    );
     sheetMaker maker
     {
-        wall, search, visibility, wanted, closeness, maxStretch, {}
+        wall, context.search, context.visibility, wanted, closeness, maxStretch,
+        {}
     };
     boolList atTip(wall.points.size());
-    for (const label p : sweepOrder(wall, kinds))
+    for (const label p : sweepOrder(wall, context.kinds))
     {
         const labelList& neighbours = addressing.pointPoints[p];
         const scalar r = envelope.radius[p];
@@ -325,20 +341,13 @@ offsetEnvelope makeOffsetEnvelope
         maker.addPoint(p, r);
         maker.addLongEdges(neighbours, p, r);
     }
-
     const auto onOuter = [&](const stem& s) { return !atTip[s.p]; };
     maker.addSheet(1, mesh.radiusEdgeRatio, onOuter, envelope);
     envelope.nEnvelope = envelope.points.size();
 
     const scalar longest = max(envelope.radius/lengths);
     scalar share = 0.5;
-
-    for
-    (
-        label k = 0;
-        k < mesh.minSheets || share*longest >= 1;
-        ++k, share *= 0.5
-    )
+    for (label k = 0; k < mesh.minSheets || share*longest >= 1; ++k)
     {
         // The lowest sheet is as far from the wall as its edges are long
         const auto onInner = [&](const stem& s)
@@ -348,6 +357,7 @@ offsetEnvelope makeOffsetEnvelope
               || share*envelope.radius[s.p] >= lengths[s.p]);
         };
         maker.addSheet(share, mesh.radiusEdgeRatio, onInner, envelope);
+        share *= 0.5;
     }
 
     return envelope;

@@ -122,15 +122,48 @@ static string makeAnisotropicField(const fieldControls& controls, wallFields& f)
 }
 
 
+//- The field for the tensors of the model times local conductivities, which
+//  move its level sets to the heights that are asked for. reached: the heights
+//  that the level sets of a field have.
+static scalarField localField
+(
+    const wallFields& fields,
+    const List<wallSearch::foot>& feet,
+    const scalarField& energies,
+    const layerSpacing& asked,
+    const fieldControls& controls,
+    const std::function<layerSpacing(const scalarField&)>& reached
+)
+{
+    const backgroundMesh& mesh = fields.background;
+    const layerSpacing uniform(uniformSpacing(asked));
+    scalarField field(fields.anisotropic);
+    layerSpacing target(asked);
+
+    for (label k = 0; k < nAims; ++k)
+    {
+        target = k > 0
+          ? correctedTarget(target, asked, reached(field), uniform) : target;
+        const symmTensorField conductivities
+        (
+            localConductivities(mesh, feet, energies, uniform, target)
+           *tetMeans(mesh, fields.tensors)
+        );
+        field = makeMonotoneField
+        (
+            mesh, conductivityWeights(mesh, conductivities), controls
+        ).values;
+    }
+
+    return field;
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 offsetEnvelope makeEnvelope
 (
-    const wallSurface& wall,
-    const wallAddressing& addressing,
-    const wallSearch& search,
-    const wallVisibility& visibility,
-    const List<pointKind>& kinds,
+    const wallContext& context,
     const scalarField& thickness,
     const scalarField& clearance,
     const prismLayerControls& controls,
@@ -144,9 +177,8 @@ offsetEnvelope makeEnvelope
     (
         makeOffsetEnvelope
         (
-            wall, addressing, search, visibility, kinds,
-            min(wanted, clearance), wanted, controls.backgroundMesh,
-            controls.layers.maxStretch
+            context, min(wanted, clearance), wanted,
+            controls.backgroundMesh, controls.layers.maxStretch
         )
     );
     observer.end(sizesOf(envelope));
@@ -157,9 +189,7 @@ offsetEnvelope makeEnvelope
 
 wallFields makeFields
 (
-    const wallSurface& wall,
-    const wallAddressing& addressing,
-    const wallSearch& search,
+    const wallContext& context,
     const offsetEnvelope& envelope,
     const fieldControls& controls,
     const stageObserver& observer
@@ -169,9 +199,12 @@ wallFields makeFields
 
     attempt("backgroundMesh", observer, f, [&]()
     {
-        f.background = makeBackgroundMesh(wall, addressing, search, envelope);
+        f.background = makeBackgroundMesh(context, envelope);
         f.topology = wallLevelSetTopology(f.background);
-        requireHomeomorphic(f.topology, wallTopology(wall, addressing));
+        requireHomeomorphic
+        (
+            f.topology, wallTopology(context.wall, context.addressing)
+        );
 
         return sizesOf(f.background, f.topology);
     });
@@ -223,12 +256,8 @@ columnLines makeLinesOfPieces
 
 levelSetLayers makeLevelSets
 (
+    const wallContext& context,
     const wallFields& fields,
-    const wallSurface& wall,
-    const wallAddressing& addressing,
-    const wallSearch& search,
-    const wallVisibility& visibility,
-    const List<pointKind>& kinds,
     const layerSpacing& asked,
     const prismLayerControls& controls,
     const stageObserver& observer
@@ -240,48 +269,45 @@ levelSetLayers makeLevelSets
     const layerSpacing uniform(uniformSpacing(asked));
     levelSetLayers result{fields.anisotropic, asked};
 
+    const vectorField axes(context.visibility.axes());
     const scalarField energies
     (
-        samplingEnergies(mesh, result.field, visibility.axes(), kinds, uniform)
+        samplingEnergies(mesh, result.field, axes, context.kinds, uniform)
     );
-    const auto reached = [&]()
+    const auto reached = [&](const scalarField& field)
     {
-        const scalarField& field = result.field;
-        return levelSetSpacing(mesh, field, visibility, energies, uniform);
+        return levelSetSpacing
+        (
+            mesh, field, context.visibility, energies, uniform
+        );
     };
 
-    const bool local = isLowerSomewhere(asked, uniform);
-
-    if (local)
+    const bool isLocal = isLowerSomewhere(asked, uniform);
+    if (isLocal)
     {
-        const List<wallSearch::foot> feet(feetOfPoints(mesh, search));
-        layerSpacing target(asked);
-
-        for (label k = 0; k < nAims; ++k)
-        {
-            target = k > 0
-              ? correctedTarget(target, asked, reached(), uniform) : target;
-            const symmTensorField conductivities
-            (
-                localConductivities(mesh, feet, energies, uniform, target)
-               *tetMeans(mesh, fields.tensors)
-            );
-            result.field = makeMonotoneField
-            (
-                mesh, conductivityWeights(mesh, conductivities), controls.field
-            ).values;
-        }
+        result.field = localField
+        (
+            fields, feetOfPoints(mesh, context.search), energies, asked,
+            controls.field, reached
+        );
     }
 
+    const layerSpacing smoothed
+    (
+        smoothedSpacing
+        (
+            reached(result.field), context.wall, context.addressing,
+            uniform.thickness[0]
+        )
+    );
     result.spacing = gradedSpacing
     (
-        smoothedSpacing(reached(), wall, addressing, uniform.thickness[0]),
-        addressing, controls.layers.transitionRatio
+        smoothed, context.addressing, controls.layers.transitionRatio
     );
     observer.end
     (
         text("energies ", energies.first(), " to ", energies.last(),
-            local ? ", local tensors" : "")
+            isLocal ? ", local tensors" : "")
     );
 
     return result;

@@ -4,362 +4,82 @@
 \*---------------------------------------------------------------------------*/
 
 #include "prismLayerMesh.H"
-#include "levelSets.H"
-#include "nameCauses.H"
+#include "layerStages.H"
 #include "returnMemory.H"
 #include "stageText.H"
-#include "straightShares.H"
-#include "unitConversion.H"
-#include "wallClearance.H"
-#include "wallPointsError.H"
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-namespace
+//- The mesh on a front with multiple normals at angles below one [deg], as far
+//  as layers are possible there
+static prismLayerMesh makeLayersOnFront
+(
+    const wallContext& context,
+    const wallHeights& heights,
+    const scalar angle,
+    const prismLayerControls& controls,
+    const stageObserver& observer,
+    const bool keepStages
+)
 {
+    prismLayerMesh mesh;
+    mesh.front = makeFront(context, angle, observer);
 
-class pipeline
-{
-    const wallSurface& wall_;
-    const prismLayerControls& controls_;
-    const stageObserver& observer_;
-    const bool keepStages_;
-    const wallSearch search_;
-
-    prismLayerMesh m_;
-
-    //- The thickness [m] of clearance and envelope, uniform on level sets
-    scalarField thickness() const;
-
-    void makeHeights(const localHeights& local);
-    void makeCones();
-
-    //- The front with multiple normals at angles below one [deg], and the room
-    //  in front of it
-    void makeFront(scalar angle);
-
-    void makeField();
-
-    //- The lines of the isotropic field, the exact and the smooth one: on the
-    //  lines of the others columns beside concave edges cross
-    columnLines linesOfField(const columnStarts& starts);
-
-    void makeColumns();
-
-    //- Certified layers
-    void makeLayers();
-
-    //- Drop what columns alone need, unless stages are kept
-    void dropField();
-
-    //- Make from the front on what a member makes; if no layers are possible
-    //  with the multiple normals that were chosen, with those that are needed
-    template<class Make>
-    void withFewerNormals(const Make& make);
-
-public:
-
-    pipeline
-    (
-        const wallSurface& wall,
-        const prismLayerControls& controls,
-        const stageObserver& observer,
-        const bool keepStages
-    )
-    :
-        wall_(wall),
-        controls_(controls),
-        observer_(observer),
-        keepStages_(keepStages),
-        search_(wall)
-    {}
-
-    prismLayerMesh run(const localHeights& local);
-};
-
-
-scalarField pipeline::thickness() const
-{
-    return controls_.layers.onLevelSets
-      ? uniformSpacing(m_.graded).thickness : m_.graded.thickness;
-}
-
-
-void pipeline::makeHeights(const localHeights& local)
-{
-    observer_.begin("layerSpacing");
-    m_.addressing = makeWallAddressing(wall_);
-    m_.request =
-        makeLayerSpacing(wall_, m_.addressing, controls_.layers, local);
-    requireCountable(m_.addressing.edges.size(), m_.request.nLayers);
-    m_.graded = gradedSpacing
-    (
-        m_.request, m_.addressing, controls_.layers.transitionRatio
-    );
-    observer_.end
-    (
-        text(m_.graded.nLayers, " layers\n",
-            describe(m_.request, wall_, controls_.layers).c_str())
-    );
-}
-
-
-void pipeline::makeCones()
-{
-    observer_.begin("wallVisibility");
-    m_.visibility = makeWallVisibility(wall_, m_.addressing);
-    m_.pointKinds = kindsOfPoints(wall_, m_.addressing, m_.visibility);
-    observer_.end(sizesOf(m_.pointKinds));
-}
-
-
-void pipeline::makeFront(const scalar angle)
-{
-    observer_.begin("layerFront");
-    m_.front = makeLayerFront
-    (
-        wall_, m_.addressing, m_.visibility, degToRad(angle)
-    );
-    observer_.end(sizesOf(m_.front));
-
-    observer_.begin("wallClearance");
-    m_.clearance = makeWallClearance
-    (
-        m_.front.surface, search_, m_.front.visibility,
-        2*controls_.envelope.scale*m_.front.ofColumns(thickness()),
-        controls_.layers.maxStretch
-    );
-    observer_.end(text("room from ", min(m_.clearance), " m"));
-}
-
-
-void pipeline::makeField()
-{
-    m_.pieces.clear();
-    m_.noField.clear();
-
-    if (!controls_.layers.alongField && !controls_.layers.onLevelSets)
+    if (mesh.front.pointsWithoutDirection.size())
     {
-        m_.noField = "marchingDirections axes needs none";
-        m_.fields.failure = m_.noField;
-        m_.spacing = m_.graded;
-        return;
+        return mesh;
     }
 
-    m_.envelope = makeEnvelope
+    scalarField clearance
     (
-        wall_, m_.addressing, search_, m_.visibility, m_.pointKinds,
-        thickness(), m_.front.smallest(m_.clearance), controls_, observer_
+        makeClearance(context, heights, mesh.front, controls, observer)
     );
-
-    // Closed walls that are large
-    if (wall_.border.sides.empty() && !controls_.layers.onLevelSets)
-    {
-        m_.pieces =
-            divideWall(wall_.points, m_.envelope.radius, pieceControls());
-    }
-    if (m_.pieces.empty() || keepStages_)
-    {
-        m_.fields = makeFields
+    columnGuide guide
+    (
+        makeColumnGuide
         (
-            wall_, m_.addressing, search_, m_.envelope, controls_.field,
-            observer_
-        );
-    }
-    if (m_.pieces.empty())
-    {
-        m_.noField = m_.fields.failure;
-    }
-
-    if (controls_.layers.onLevelSets)
-    {
-        const levelSetLayers onSets
-        (
-            makeLevelSets
-            (
-                m_.fields, wall_, m_.addressing, search_, m_.visibility,
-                m_.pointKinds, m_.graded, controls_, observer_
-            )
-        );
-        m_.field = onSets.field;
-        m_.spacing = onSets.spacing;
-    }
-    else
-    {
-        m_.field = m_.fields.anisotropic;
-        m_.spacing = m_.graded;
-    }
-}
-
-
-columnLines pipeline::linesOfField(const columnStarts& starts)
-{
-    if (m_.pieces.empty())
-    {
-        return makeColumnLines
-        (
-            m_.fields.background, m_.fields.isotropic, starts,
-            controls_.layers.onLevelSets
-          ? lineDirections::agreeing : lineDirections::unit
-        );
-    }
-
-    const dividedWall wall
-    {
-        wall_, m_.addressing, search_, m_.envelope, m_.pieces, pieceControls()
-    };
-    return makeLinesOfPieces
-    (
-        wall, starts, controls_.field, observer_, m_.noField
-    );
-}
-
-
-void pipeline::makeColumns()
-{
-    const layerFront& front = m_.front;
-    const layerSpacing spacing(m_.spacing.at(front.wallPoints));
-    const columnStarts starts
-    {
-        front.wallPoints, front.visibility.axes(), requestedHeights(spacing)
-    };
-    gradientLines straight
-    (
-        makeStraightLines
-        (
-            front.surface.points, starts.directions, starts.arcLengths
+            context, heights, mesh.front, clearance, controls, observer,
+            keepStages
         )
     );
+    layerColumns columns
+    (
+        makeColumns(mesh.front, clearance, guide, controls.layers, observer)
+    );
+    const layerSpacing spacing(guide.spacing);
+    mesh.noField = guide.noField;
 
-    const bool hasField = m_.pieces.size() || m_.noField.empty();
-    if (hasField && controls_.layers.alongField)
+    if (keepStages)
     {
-        columnLines along(linesOfField(starts));
-        if (!controls_.layers.onLevelSets)
-        {
-            const scalarField shares
-            (
-                straightShares(front, along.slopes, spacing.thickness)
-            );
-            straighten(straight, shares, along.lines);
-        }
-        m_.lines = std::move(along.lines);
+        mesh.guide = std::move(guide);
+        mesh.clearance = std::move(clearance);
+        mesh.columns = columns;
     }
     else
     {
-        m_.lines = std::move(straight);
+        guide = columnGuide();
+        returnMemory();
     }
 
-    observer_.begin("layerColumns");
-    m_.columns = makeLayerColumns
+    mesh.made = makeLayers
     (
-        front, m_.clearance, spacing, m_.lines, controls_.layers
+        context, heights, mesh.front, spacing, columns, controls.quality,
+        observer
     );
-    observer_.end(text(front.wallPoints.size(), " columns"));
+
+    return mesh;
 }
 
 
-void pipeline::makeLayers()
+static bool hasLayers(const prismLayerMesh& mesh)
 {
-    const layerFront& front = m_.front;
-    const layerSpacing spacing(m_.spacing.at(front.wallPoints));
-
-    observer_.begin("prismLayers");
-    layerMoveControls moves;
-    moves.quality = controls_.quality;
-    m_.made = makePrismLayers(front, spacing, m_.columns, moves);
-    nameCauses
-    (
-        front, m_.pointKinds, m_.request.at(front.wallPoints), spacing,
-        m_.columns, m_.made
-    );
-    observer_.end(sizesOf(m_.made));
-
-    observer_.begin("prismQuality");
-    m_.certificate = certify(m_.made.layers);
-    m_.bounds = controls_.quality;
-    m_.faces = boundsOfLayers
-    (
-        m_.made.layers, layerGeometry(m_.made.layers, front.addressing),
-        m_.bounds
-    );
-    observer_.end(sizesOf(m_.certificate));
-
-    if (!m_.certificate.valid())
-    {
-        FatalErrorInFunction
-            << "The layers could not be certified" << exit(FatalError);
-    }
+    return mesh.front.pointsWithoutDirection.empty()
+        && mesh.made.certified.pointsWithoutHeight.empty();
 }
 
-
-void pipeline::dropField()
-{
-    if (keepStages_)
-    {
-        return;
-    }
-    m_.envelope = offsetEnvelope();
-    m_.fields = wallFields();
-    m_.field.clear();
-    m_.lines = gradientLines();
-    returnMemory();
-}
-
-
-template<class Make>
-void pipeline::withFewerNormals(const Make& make)
-{
-    const scalar angle = controls_.layers.multipleNormalsAngle;
-
-    try
-    {
-        make(angle);
-    }
-    catch (const wallPointsError& e)
-    {
-        if (angle <= 0)
-        {
-            throw;
-        }
-
-        observer_.end
-        (
-            text("Not with multipleNormalsAngle ", angle, ", now with 0. ",
-                e.message().c_str())
-        );
-        make(0);
-    }
-}
-
-
-prismLayerMesh pipeline::run(const localHeights& local)
-{
-    makeHeights(local);
-    makeCones();
-    withFewerNormals([&](const scalar angle)
-    {
-        makeFront(angle);
-        makeField();
-        makeColumns();
-        dropField();
-        makeLayers();
-    });
-
-    if (!keepStages_)
-    {
-        m_.visibility = wallVisibility();
-        m_.front.visibility = wallVisibility();
-        m_.columns = layerColumns();
-    }
-
-    return std::move(m_);
-}
-
-} // End anonymous namespace
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
@@ -372,7 +92,53 @@ prismLayerMesh makePrismLayerMesh
     const bool keepStages
 )
 {
-    return pipeline(wall, controls, observer, keepStages).run(local);
+    observer.begin("wallVisibility");
+    const wallContext context(wall);
+    observer.end(sizesOf(context.kinds));
+
+    const wallHeights heights
+    (
+        makeHeights(context, controls.layers, local, observer)
+    );
+    const auto makeMesh = [&](const scalar angle)
+    {
+        return makeLayersOnFront
+        (
+            context, heights, angle, controls, observer, keepStages
+        );
+    };
+
+    prismLayerMesh mesh(makeMesh(controls.layers.multipleNormalsAngle));
+    if (!hasLayers(mesh) && controls.layers.multipleNormalsAngle > 0)
+    {
+        mesh = makeMesh(0);
+    }
+    if (!hasLayers(mesh))
+    {
+        throw errorOfPoints(context, mesh.front, mesh.made.certified);
+    }
+
+    mesh.certificate = makeCertificate(mesh.made.layers, observer);
+    mesh.bounds = controls.quality;
+    mesh.faces = boundsOfLayers
+    (
+        mesh.made.layers,
+        layerGeometry(mesh.made.layers, mesh.front.addressing), mesh.bounds
+    );
+    mesh.addressing = context.addressing;
+    mesh.pointKinds = context.kinds;
+    mesh.heights = heights;
+
+    if (keepStages)
+    {
+        mesh.visibility = context.visibility;
+    }
+    else
+    {
+        mesh.front.visibility = wallVisibility();
+    }
+
+    return mesh;
 }
 
 
@@ -381,15 +147,15 @@ void addFarField
     const farFieldControls& controls,
     farFieldDomain domain,
     const stageObserver& observer,
-    prismLayerMesh& m
+    prismLayerMesh& mesh
 )
 {
     observer.begin("farFieldMesh");
-    m.farField = makeFarFieldMesh
+    mesh.farField = makeFarFieldMesh
     (
-        m.made.layers, m.front.addressing, std::move(domain), controls
+        mesh.made.layers, mesh.front.addressing, std::move(domain), controls
     );
-    observer.end(sizesOf(m.farField));
+    observer.end(sizesOf(mesh.farField));
 }
 
 } // End namespace Foam

@@ -25,6 +25,12 @@ string sizesOf(const List<pointKind>& kinds)
 
 string sizesOf(const layerFront& front)
 {
+    if (front.pointsWithoutDirection.size())
+    {
+        return text("none: ", front.pointsWithoutDirection.size(),
+            " points have no direction from which all their faces are visible");
+    }
+
     return text(front.wallPoints.size(), " columns, ",
         front.extraColumnPoints().size(), " by multiple normals");
 }
@@ -54,8 +60,14 @@ string sizesOf(const backgroundMesh& mesh, const monotoneField& field)
 
 string sizesOf(const madeLayers& made)
 {
+    if (made.certified.pointsWithoutHeight.size())
+    {
+        return text("none: ", made.certified.pointsWithoutHeight.size(),
+            " points have no height left");
+    }
+
     return text(made.layers.faces.size()*made.layers.nLayers,
-        " cells; columns retreated ", made.nRetreats, " times");
+        " cells; columns retreated ", made.certified.nRetreats, " times");
 }
 
 

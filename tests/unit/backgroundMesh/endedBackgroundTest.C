@@ -148,7 +148,7 @@ TEST(endedBackground, levelSetsAreAsTheWall)
     {
         const surfaceTopology wall
         (
-            wallTopology(e->wall, e->s.addressing)
+            wallTopology(e->wall, e->s.context.addressing)
         );
 
         EXPECT_EQ(wall.nComponents, e->nComponents);

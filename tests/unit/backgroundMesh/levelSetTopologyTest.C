@@ -83,7 +83,7 @@ static void expectLevelSetsLikeWall
 {
     const stages s(wall, 5, thickness);
     const surfaceTopology levelSet(wallLevelSetTopology(s.background()));
-    const surfaceTopology expected(wallTopology(s.wall, s.addressing));
+    const surfaceTopology expected(wallTopology(s.wall, s.context.addressing));
 
     EXPECT_EQ(levelSet.nComponents, expected.nComponents);
     EXPECT_EQ(levelSet.eulerCharacteristic, expected.eulerCharacteristic);
@@ -265,7 +265,8 @@ TEST(splitWallBridges, secondTimeFindsNone)
     (
         splitWallBridges
         (
-            s.wall.faces, s.addressing.pointPoints, s.search, mesh
+            s.wall.faces, s.context.addressing.pointPoints, s.context.search,
+            mesh
         ),
         0
     );
@@ -354,7 +355,7 @@ TEST(splitSlitEdges, noneWithoutASlit)
     const stages s(testSurfaces::lBlock(6), 5, 0.15);
     backgroundMesh mesh(s.background());
 
-    EXPECT_EQ(splitSlitEdges(s.search, mesh), 0);
+    EXPECT_EQ(splitSlitEdges(s.context.search, mesh), 0);
 }
 
 

@@ -117,7 +117,7 @@ TEST(curvedSides, columnsOnThemHaveTheFirstHeightThatWasAsked)
     {
         const prismLayers& layers = c->run.made.layers;
         scalarField asked(nLayers + 1);
-        c->run.request.setHeights(0, thickness, asked);
+        c->run.heights.request.setHeights(0, thickness, asked);
 
         for (const label p : c->wall.border.pointSides().sortedToc())
         {

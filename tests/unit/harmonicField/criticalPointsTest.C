@@ -95,13 +95,16 @@ TEST(findCriticalPoints, noneInFieldsAroundBodies)
             controls.field.tolerance = 1e-12;
 
             const prismLayerMesh m(testSurfaces::layeredMesh(wall, controls));
-            EXPECT_EQ(m.fields.failure, "");
+            EXPECT_EQ(m.guide.fields.failure, "");
             EXPECT_TRUE
             (
-                findCriticalPoints(m.fields.background, m.field).none()
+                findCriticalPoints
+                (
+                    m.guide.fields.background, m.guide.field
+                ).none()
             );
-            EXPECT_GE(min(m.field), 0);
-            EXPECT_LE(max(m.field), 1);
+            EXPECT_GE(min(m.guide.field), 0);
+            EXPECT_LE(max(m.guide.field), 1);
         }
     }
 }

@@ -19,7 +19,7 @@ static layerColumns columnsOf(const prismLayerMesh& m)
 {
     return makeLayerColumns
     (
-        m.front, m.clearance, m.spacing, m.lines, layerControls()
+        m.front, m.clearance, m.guide.spacing, m.guide.lines, layerControls()
     );
 }
 
@@ -205,7 +205,7 @@ TEST(layerColumns, roomIsAllWhereNothingIsNear)
     const prismLayerMesh m(layeredMesh(wall, 6, 0.1));
     const layerColumns columns(columnsOf(m));
 
-    EXPECT_EQ(columns.maxThickness, m.spacing.thickness);
+    EXPECT_EQ(columns.maxThickness, m.guide.spacing.thickness);
     for (const squeezeCause cause : columns.causes)
     {
         EXPECT_EQ(cause, squeezeCause::none);
@@ -275,7 +275,7 @@ TEST(layerColumns, causeIsNoneExactlyWhereTheRoomIsAll)
         EXPECT_EQ
         (
             columns.causes[p] == squeezeCause::none,
-            columns.maxThickness[p] == m.spacing.thickness[p]
+            columns.maxThickness[p] == m.guide.spacing.thickness[p]
         );
     }
 }

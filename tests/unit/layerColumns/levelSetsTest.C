@@ -73,7 +73,7 @@ struct halfBall
         {
             if (mag(wall.points[p].z() - z) < 0.15)
             {
-                sum += mesh.spacing.thickness[p]/thickness;
+                sum += mesh.guide.spacing.thickness[p]/thickness;
                 ++n;
             }
         }
@@ -109,10 +109,13 @@ TEST(levelSets, haveTheHeightsAskedForOnASphere)
     const wallSurface wall(testSurfaces::sphere(16));
     const prismLayerMesh m(testSurfaces::layeredMesh(wall, onLevelSets()));
 
-    ASSERT_EQ(m.fields.failure, "");
+    ASSERT_EQ(m.guide.fields.failure, "");
     EXPECT_TRUE(m.columns.onLevelSets);
 
-    const faceHeights heights(makeFaceHeights(wall, m.request, m.made.layers));
+    const faceHeights heights
+    (
+        makeFaceHeights(wall, m.heights.request, m.made.layers)
+    );
     scalarField first(heights.firstOverRequest), all(heights.totalOverRequest);
     const percentiles spread(makePercentiles(all));
     const percentiles firstSpread(makePercentiles(first));
@@ -133,8 +136,9 @@ TEST(levelSets, energiesDescend)
     (
         samplingEnergies
         (
-            m.fields.background, m.field, m.visibility.axes(), m.pointKinds,
-            uniformSpacing(m.request)
+            m.guide.fields.background, m.guide.field, m.visibility.axes(),
+            m.pointKinds,
+            uniformSpacing(m.heights.request)
         )
     );
 
@@ -172,7 +176,8 @@ static scalar leastReachedInCorners(const wallSurface& wall, const word& tensor)
             least = min
             (
                 least,
-                m.visibility.heightCosine(q, column)/m.spacing.thickness[q]
+                m.visibility.heightCosine(q, column)
+               /m.guide.spacing.thickness[q]
             );
         }
     }
@@ -197,23 +202,23 @@ TEST(levelSets, everyLayerIsOnItsLevelSet)
     // spacing before smoothing has its energy
     const wallSurface wall(testSurfaces::sphere(16));
     const prismLayerMesh m(testSurfaces::layeredMesh(wall, onLevelSets()));
-    const layerSpacing uniform(uniformSpacing(m.request));
-    const backgroundMesh& mesh = m.fields.background;
+    const layerSpacing uniform(uniformSpacing(m.heights.request));
+    const backgroundMesh& mesh = m.guide.fields.background;
     const vectorField axes(m.visibility.axes());
     const scalarField energies
     (
-        samplingEnergies(mesh, m.field, axes, m.pointKinds, uniform)
+        samplingEnergies(mesh, m.guide.field, axes, m.pointKinds, uniform)
     );
     const layerSpacing sets
     (
-        levelSetSpacing(mesh, m.field, m.visibility, energies, uniform)
+        levelSetSpacing(mesh, m.guide.field, m.visibility, energies, uniform)
     );
     ASSERT_EQ(sets.given.size(), wall.points.size()*nLayers);
     const gradientLines lines
     (
         makeGradientLines
         (
-            mesh, m.field, identity(mesh.nWallPoints), axes, sets.given
+            mesh, m.guide.field, identity(mesh.nWallPoints), axes, sets.given
         )
     );
 
@@ -308,7 +313,7 @@ TEST(localConductivity, theChangeIsSmooth)
             ball.mesh.addressing,
             makeFaceHeights
             (
-                ball.wall, ball.mesh.request, ball.mesh.made.layers
+                ball.wall, ball.mesh.heights.request, ball.mesh.made.layers
             )
            .first
         )
@@ -326,7 +331,7 @@ TEST(localConductivity, areNoneWhereHeightsAreTheSame)
         testSurfaces::layeredMesh(ball.wall, onLevelSets())
     );
 
-    EXPECT_EQ(ball.mesh.field, plain.field);
+    EXPECT_EQ(ball.mesh.guide.field, plain.guide.field);
 }
 
 

@@ -32,7 +32,7 @@ static dividedWall divided(const stages& s, const pieceControls& controls)
 {
     return dividedWall
     {
-        s.wall, s.addressing, s.search, s.envelope,
+        s.context, s.envelope,
         divideWall(s.wall.points, s.envelope.radius, controls), controls
     };
 }
@@ -43,7 +43,7 @@ static columnStarts startsOf(const stages& s)
 {
     return columnStarts
     {
-        identity(s.wall.points.size()), s.visibility.axes(),
+        identity(s.wall.points.size()), s.context.visibility.axes(),
         requestedHeights(s.spacing)
     };
 }
@@ -121,7 +121,7 @@ TEST(wallPiece, hasAllFacesOfItsPoints)
         (
             makeWallPiece
             (
-                s.wall, s.addressing, s.envelope, part, wall.controls
+                s.wall, s.context.addressing, s.envelope, part, wall.controls
             )
         );
         EXPECT_LT(piece.points.size(), s.wall.points.size());
@@ -135,7 +135,7 @@ TEST(wallPiece, hasAllFacesOfItsPoints)
             EXPECT_EQ
             (
                 piece.pointPoints[p].size(),
-                s.addressing.pointPoints[part[p]].size()
+                s.context.addressing.pointPoints[part[p]].size()
             );
         }
         EXPECT_TRUE(piece.isWhole.found(false));

@@ -31,10 +31,16 @@ static scalarField sharesOf(const prismLayerMesh& m)
         m.front,
         scalarField
         (
-            mag(scaledGradients(m.fields.background, m.fields.isotropic)),
+            mag
+            (
+                scaledGradients
+                (
+                    m.guide.fields.background, m.guide.fields.isotropic
+                )
+            ),
             m.front.wallPoints
         ),
-        m.spacing.at(m.front.wallPoints).thickness
+        m.guide.spacing.at(m.front.wallPoints).thickness
     );
 }
 

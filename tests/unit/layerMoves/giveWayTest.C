@@ -31,7 +31,7 @@ static madeLayers withPriorityThickness(const prismLayerMesh& m)
 
     return makePrismLayers
     (
-        m.front, m.spacing.at(m.front.wallPoints), m.columns, moves
+        m.front, m.guide.spacing.at(m.front.wallPoints), m.columns, moves
     );
 }
 

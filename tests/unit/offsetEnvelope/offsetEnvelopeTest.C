@@ -46,7 +46,7 @@ TEST(offsetEnvelope, radiusIsAtMostTheClearance)
         EXPECT_LE(s.envelope.radius[p], wanted);
         nLower += s.envelope.radius[p] < wanted;
 
-        for (const label q : s.addressing.pointPoints[p])
+        for (const label q : s.context.addressing.pointPoints[p])
         {
             EXPECT_LE
             (
@@ -117,7 +117,10 @@ TEST(offsetEnvelope, noPointIsNearTheWall)
             const scalar height = s.envelope.gaps[i];
             EXPECT_FALSE
             (
-                s.search.nearer(s.envelope.points[i], (0.7 - 1e-9)*height)
+                s.context.search.nearer
+                (
+                    s.envelope.points[i], (0.7 - 1e-9)*height
+                )
             );
         }
     }

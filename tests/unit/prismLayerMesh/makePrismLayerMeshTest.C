@@ -46,7 +46,7 @@ TEST(makePrismLayerMesh, layersOnASphereAreCertified)
 
     EXPECT_TRUE(m.certificate.valid());
     EXPECT_EQ(m.certificate.nCells, 5*wall.faces.size());
-    EXPECT_EQ(m.fields.topology.eulerCharacteristic, 2);
+    EXPECT_EQ(m.guide.fields.topology.eulerCharacteristic, 2);
 }
 
 
@@ -97,7 +97,7 @@ TEST(makePrismLayerMesh, stagesAreToldInTheirOrder)
         wordList(begun),
         wordList
         ({
-            "layerSpacing", "wallVisibility", "layerFront", "wallClearance",
+            "wallVisibility", "layerSpacing", "layerFront", "wallClearance",
             "offsetEnvelope", "backgroundMesh", "isotropicField",
             "anisotropicField", "layerColumns", "prismLayers", "prismQuality"
         })
@@ -118,7 +118,10 @@ TEST(makePrismLayerMesh, powersOfTwoScaleEverything)
             layeredMesh(scaled(wall, factor), 5, 0.1*factor)
         );
 
-        EXPECT_EQ(other.fields.background.tets, m.fields.background.tets);
+        EXPECT_EQ
+        (
+            other.guide.fields.background.tets, m.guide.fields.background.tets
+        );
         EXPECT_EQ(countCauses(other.made), countCauses(m.made));
         EXPECT_LT
         (
@@ -190,7 +193,7 @@ TEST(makePrismLayerMesh, bothSolversGiveTheLayers)
         makePrismLayerMesh(wall, controls, localHeights(), unheard)
     );
 
-    EXPECT_LT(max(mag(b.field - a.field)), 1e-4);
+    EXPECT_LT(max(mag(b.guide.field - a.guide.field)), 1e-4);
 }
 
 

@@ -17,17 +17,15 @@ Foam::testSurfaces::stages::stages
 )
 :
     wall(w),
-    addressing(makeWallAddressing(wall)),
-    search(wall),
-    visibility(makeWallVisibility(wall, addressing)),
-    spacing(makeLayerSpacing(wall, addressing, layersOf(n, thickness))),
+    context(wall),
+    spacing(makeLayerSpacing(wall, context.addressing, layersOf(n, thickness))),
     clearance
     (
         makeWallClearance
         (
             wall,
-            search,
-            visibility,
+            context.search,
+            context.visibility,
             scalarField(2*envelopeControls().scale*spacing.thickness)
         )
     ),
@@ -35,11 +33,7 @@ Foam::testSurfaces::stages::stages
     (
         makeOffsetEnvelope
         (
-            wall,
-            addressing,
-            search,
-            visibility,
-            kindsOfPoints(wall, addressing, visibility),
+            context,
             min(envelopeControls().scale*spacing.thickness, clearance),
             envelopeControls().scale*spacing.thickness,
             backgroundMeshControls()
@@ -52,7 +46,7 @@ Foam::testSurfaces::stages::stages
 
 Foam::backgroundMesh Foam::testSurfaces::stages::background() const
 {
-    return makeBackgroundMesh(wall, addressing, search, envelope);
+    return makeBackgroundMesh(context, envelope);
 }
 
 

@@ -3,9 +3,12 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "prismCase.H"
+#include "caseWriter.H"
+#include "layerSurfaces.H"
+#include "polyMesh.H"
 #include "prismPolyMesh.H"
 #include "replacedFiles.H"
+#include "throwingErrors.H"
 #include "Time.H"
 #include "writeObjects.H"
 
@@ -47,9 +50,66 @@ static void refuseCoupled(const polyMesh& mesh)
 } // End namespace Foam
 
 
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::caseWriter::caseWriter
+(
+    const prismCase& files,
+    const processTeam& team,
+    Time& time
+)
+:
+    case_(files),
+    team_(team),
+    time_(time)
+{}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::prismCase::writeMesh
+void Foam::caseWriter::writeFaces
+(
+    const fileName& target,
+    const MeshedSurface<face>& surface,
+    replacedFiles& files
+) const
+{
+    const word name(target.name());
+    const fileName file(files.scratch(target, name)/name);
+
+    surface.write(file);
+    checkEnd(file, "# </faces>");
+}
+
+
+void Foam::caseWriter::writeSurface
+(
+    const fileName& target,
+    const wallSurface& surface,
+    replacedFiles& files
+) const
+{
+    writeFaces(target, toMeshedSurface(surface), files);
+}
+
+
+void Foam::caseWriter::writeOuter
+(
+    const prismLayers& layers,
+    const bool hasFarField,
+    replacedFiles& files
+) const
+{
+    writeFaces(case_.outerFile(), outerSurface(layers), files);
+
+    if (!hasFarField && endOnParts(layers))
+    {
+        writeFaces(case_.sidesFile(), sideSurface(layers), files);
+    }
+}
+
+
+void Foam::caseWriter::writeMesh
 (
     const polyMesh& mesh,
     const meshPiece* piece,
@@ -57,7 +117,10 @@ void Foam::prismCase::writeMesh
 ) const
 {
     // The scratch folder is the case while the mesh is written
-    const fileName scratch(files.scratch(polyMeshFolder(), polyMeshPath()));
+    const fileName scratch
+    (
+        files.scratch(case_.polyMeshFolder(), case_.polyMeshPath())
+    );
     const fileName caseName(time_.caseName());
     time_.caseName() = scratch.relative(time_.rootPath());
     const bool written =
@@ -70,7 +133,7 @@ void Foam::prismCase::writeMesh
     }
 
     // OpenFOAM does not look whether the last bytes of a file arrived
-    const fileName folder(scratch/polyMeshPath());
+    const fileName folder(scratch/case_.polyMeshPath());
     for (const fileName& file : readDir(folder, fileName::FILE))
     {
         checkEnd(folder/file, dividerEnd);
@@ -78,17 +141,17 @@ void Foam::prismCase::writeMesh
 }
 
 
-void Foam::prismCase::writePiece(meshPiece& piece, replacedFiles& files) const
+void Foam::caseWriter::writePiece(meshPiece& piece, replacedFiles& files) const
 {
     const autoPtr<polyMesh> mesh
     (
-        makePolyMesh(meshObject(), team_.processor(), piece)
+        makePolyMesh(case_.meshObject(), team_.processor(), piece)
     );
     writeMesh(mesh(), &piece, files);
 }
 
 
-Foam::autoPtr<Foam::polyMesh> Foam::prismCase::writeMesh
+Foam::autoPtr<Foam::polyMesh> Foam::caseWriter::writeMesh
 (
     prismLayers& layers,
     farFieldMesh& far,
@@ -101,7 +164,7 @@ Foam::autoPtr<Foam::polyMesh> Foam::prismCase::writeMesh
 
     if (!team_.isParallel() || !far.empty())
     {
-        mesh = makePrismPolyMesh(layers, far, meshObject());
+        mesh = makePrismPolyMesh(layers, far, case_.meshObject());
     }
 
     if (team_.isParallel())
@@ -125,6 +188,37 @@ Foam::autoPtr<Foam::polyMesh> Foam::prismCase::writeMesh
     }
 
     return mesh;
+}
+
+
+bool Foam::caseWriter::writeReceived() const
+{
+    meshPiece piece(team_.receivePiece());
+    replacedFiles files;
+    string failure;
+    const throwingErrors throwing(true);
+    IOstream::defaultPrecision(17);
+
+    try
+    {
+        writePiece(piece, files);
+    }
+    catch (const Foam::error& e)
+    {
+        failure = e.message();
+    }
+
+    const bool all = team_.tellWritten(failure);
+    if (all)
+    {
+        files.replaceAll();
+    }
+    else
+    {
+        files.removeScratch();
+    }
+
+    return all;
 }
 
 
