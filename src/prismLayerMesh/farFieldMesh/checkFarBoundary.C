@@ -34,32 +34,83 @@ static edge oddEdge(const faceList& faces)
 }
 
 
+//- Whether the first of some faces is inside of one of the closed bodies, by
+//  their first points, whose normals point outwards
+static bool isEnclosed
+(
+    const wallSurface& outer,
+    const label facei,
+    const labelUList& bodies,
+    disjointSets& bodyOf
+)
+{
+    const point x(outer.faces[facei].centre(outer.points));
+
+    for (const label body : bodies)
+    {
+        wallSurface one(outer);
+        one.faces = subsetList
+        (
+            outer.faces,
+            [&](const face& f) { return bodyOf.find(f[0]) == body; }
+        );
+
+        if (!wallSearch(one).inFront(x))
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+
 //- Whether each triangle of the outer surface of the layers is of a body that
-//  is not closed, or whose normals point inwards: it is around the fluid
+//  is around the fluid: it is not closed, or its normals point inwards, and it
+//  is no cavity of another body
 static boolList aroundFluid(const wallSurface& outer)
 {
-    disjointSets bodies(connectedPoints(outer.points.size(), outer.faces));
+    disjointSets bodyOf(connectedPoints(outer.points.size(), outer.faces));
     scalarField volumes(outer.points.size(), 0);
     for (const face& f : outer.faces)
     {
-        const label body = bodies.find(f[0]);
+        const label body = bodyOf.find(f[0]);
         volumes[body] += (outer.points[f[0]] - outer.points[body])
           & f.areaNormal(outer.points);
     }
-    boolList isAround(outer.points.size());
-    forAll(isAround, p)
-    {
-        isAround[p] = volumes[p] < 0;
-    }
+    bitSet isOpen(outer.points.size());
     for (const edge& e : openEdges(outer).toc())
     {
-        isAround[bodies.find(e.start())] = true;
+        isOpen.set(bodyOf.find(e.start()));
+    }
+
+    bitSet isAround(isOpen);
+    DynamicList<label> solids;
+    DynamicList<label> inward;
+    for (const label facei : largestFaces(outer))
+    {
+        const label body = bodyOf.find(outer.faces[facei][0]);
+        if (!isOpen.test(body))
+        {
+            (volumes[body] < 0 ? inward : solids).append
+            (
+                volumes[body] < 0 ? facei : body
+            );
+        }
+    }
+    for (const label facei : inward)
+    {
+        isAround.set
+        (
+            bodyOf.find(outer.faces[facei][0]),
+            !isEnclosed(outer, facei, solids, bodyOf)
+        );
     }
 
     boolList result(outer.faces.size());
     forAll(result, i)
     {
-        result[i] = isAround[bodies.find(outer.faces[i][0])];
+        result[i] = isAround.test(bodyOf.find(outer.faces[i][0]));
     }
 
     return result;

@@ -173,4 +173,30 @@ TEST(checkBodies, bodiesBesideEachOtherAreNot)
 }
 
 
+TEST(checkBodies, cavitiesOfOtherBodiesAreNotAroundTheFluid)
+{
+    const wallSurface hollow
+    (
+        testSurfaces::merge
+        (
+            testSurfaces::cube(1, 1),
+            testSurfaces::translated
+            (
+                testSurfaces::reversed(testSurfaces::cube(1, 0.5)),
+                vector(0.25, 0.25, 0.25)
+            )
+        )
+    );
+    const wallSurface both
+    (
+        testSurfaces::merge
+        (
+            hollow,
+            testSurfaces::translated(testSurfaces::cube(1, 1), vector(2, 0, 0))
+        )
+    );
+    EXPECT_NO_THROW(checkBodies(both, both.faces.size()));
+}
+
+
 // ************************************************************************* //
