@@ -16,7 +16,7 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Those on which this process may run, in ascending order
+//- Returns the processors on which this process may run, in ascending order
 static labelList ownProcessors()
 {
     cpu_set_t set;

@@ -24,7 +24,8 @@ class sideFacets
     const scalar tolerance_;
     tetDomain& domain_;
 
-    //- Of each side patch, and the points on it and another
+    //- Region of each side patch; points on each side patch that are on another
+    //  side patch, too
     List<planeRegion> regions_;
     List<DynamicList<label>> corners_;
 

@@ -27,14 +27,15 @@ class coreCutter
 
     const stayingCells stays_;
 
-    //- Of the surface of the cut, on points of the core
+    //- Triangles of the surface of the cut, on points of the core, and their
+    //  patches
     DynamicList<face> triangles_;
     DynamicList<label> patchIDs_;
 
     //- The core's face of each triangle
     DynamicList<label> faces_;
 
-    //- Of each plane, the faces there whose cells are gone
+    //- Faces in each plane whose cells are gone
     List<DynamicList<face>> onPlanes_;
 
     //- Edges of faces on planes whose cells stay, and of patches on the wall

@@ -58,8 +58,9 @@ class hexFaceMaker
     //- Numbers cells along the curve of the octree
     void number(label node);
 
-    //- Of all leaves: a face of a cell is the side of the leaf beyond it, if
-    //  that is smaller, be it a cell or not
+    //- Adds the corners of all leaves as points, also of leaves that are no
+    //  cells: a face of a cell is the side of the leaf beyond the face if that
+    //  leaf is smaller
     void addPoints();
 
     label find(const labelVector& at) const

@@ -29,7 +29,8 @@ class cellJoiner
     polyMeshParts& core_;
     const coreCut& cut_;
 
-    //- Of the core: cells that stay, with their labels here, or -1
+    //- Position of each cell of the core among the cells that stay, -1 if the
+    //  cell goes
     const labelList cells_;
 
     //- Tetrahedra on the triangles of the layers, of patches, and of the cut

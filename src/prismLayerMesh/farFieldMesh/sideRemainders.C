@@ -32,7 +32,7 @@ class endedBoundaryMaker
 
     endedBoundary made_;
 
-    //- Of each side patch
+    //- Region of each side patch
     List<planeRegion> regions_;
 
     //- Points of parts

@@ -12,7 +12,7 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Of a column on a side patch
+//- Returns the constraint of a column at x on a side patch
 static columnConstraint onSide(const sidePatch& side, const point& x)
 {
     if (!side.isCurved())
@@ -33,7 +33,8 @@ static columnConstraint onSide(const sidePatch& side, const point& x)
 }
 
 
-//- Of a column on two side patches, whose common line has a unit tangent
+//- Returns the constraint of a column at x on two side patches.
+//  tangent: unit tangent of the common line of both
 static columnConstraint onBothSides
 (
     const sidePatch& first,

@@ -71,7 +71,7 @@ static boundBox boxOf
 }
 
 
-//- Of the outer surface
+//- Returns the bounding boxes of the outer faces of some front faces
 static std::vector<boundBox> boxesOf
 (
     const prismLayers& layers,

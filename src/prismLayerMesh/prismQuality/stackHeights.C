@@ -11,7 +11,8 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- The same of a quadrilateral, with vectors from its middle, in half the time
+//- Returns three times the volume of the pyramid on a quadrilateral. Computes
+//  it with vectors from the middle, in half the time of pyramid3().
 static scalar quadPyramid3
 (
     const point& p0,

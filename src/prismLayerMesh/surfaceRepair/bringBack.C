@@ -60,10 +60,11 @@ class returner
         return held_[p] == wrapTargets::none && targets_.hasEdge(p);
     }
 
-    //- Of triangles over their longest edges
+    //- Returns the height of each triangle over its longest edge
     scalarField heights() const;
 
-    //- Of the angles between the axes of points' visibility cones and faces
+    //- Returns for each point the sine of the smallest angle between the axis
+    //  of its visibility cone and a face
     scalarField sines() const;
 
     //- Faces that are flatter than they may be, or around points with narrower

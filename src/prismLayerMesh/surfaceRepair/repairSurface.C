@@ -59,7 +59,7 @@ class surfaceRepairer
 
     void stitch();
 
-    //- Those of patches that are to have no layers
+    //- Returns the faces of patches that are to have no layers
     bitSet facesOnSides() const;
 
     void wrap(const nearestSurface& given);

@@ -28,7 +28,8 @@ class pointBuckets
 
 public:
 
-    //- Of n items; keyOf(i) is the first point of item i, and the rest of it
+    //- Sorts n items into buckets by their first points.
+    //  keyOf(i): returns the first point of item i, and the rest of its points
     template<class KeyOf>
     pointBuckets(const label nPoints, const label n, const KeyOf& keyOf)
     :

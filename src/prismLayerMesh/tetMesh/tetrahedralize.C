@@ -38,7 +38,9 @@ const struct
     label pointsPerSecond = 16000;
     label shortest = 2;
 
-    //- The same for tetrahedra of given sizes, of which there may be so many
+    //- CPU time of the first attempt for tetrahedra of given sizes [s], and the
+    //  number of tetrahedra, if there may be so many, for which it has one
+    //  second more
     label sizedSeconds = 10;
     label tetsPerSecond = 6000;
 

@@ -32,7 +32,7 @@ class partDivider
 
     sidePlane plane_;
 
-    //- Of each point the distance from the plane: 0 for those on it
+    //- Distance [m] of each point from the plane, 0 for points on the plane
     scalarField distances_;
 
     //- The points at which edges cross the plane

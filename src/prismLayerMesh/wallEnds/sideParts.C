@@ -35,7 +35,7 @@ class partFinder
 {
     const wallSurface& surface_;
 
-    //- Of each face; parts are of one sector
+    //- Sector of each face. A part is in one sector.
     const labelList& sectors_;
 
     const wallSides edges_;
@@ -227,8 +227,8 @@ public:
 
     sideParts find();
 
-    //- Of each curved part not all of which is seen along its mean normal, a
-    //  face that is not
+    //- Returns for each curved part that is not wholly seen along its mean
+    //  normal a face that is not seen
     Map<label> unseen() const;
 
     //- Errors: FatalError if a part is not joined to the wall
