@@ -4,8 +4,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "meshFarField.H"
+#include "farBoundary.H"
 #include "farFieldFaults.H"
 #include "farFieldReport.H"
+#include "makeFarFieldMesh.H"
 #include "makeSizeBounds.H"
 #include "prismPolyMesh.H"
 

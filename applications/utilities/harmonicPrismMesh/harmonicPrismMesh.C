@@ -52,6 +52,7 @@ Usage
 #include "argList.H"
 #include "caseWriter.H"
 #include "farFieldReport.H"
+#include "layerStages.H"
 #include "layerSurfaces.H"
 #include "OSspecific.H"
 #include "polyMesh.H"
@@ -251,9 +252,10 @@ static void meshWall
     );
     if (controls.farField.isWanted())
     {
-        addFarField
+        made.farField = makeFarField
         (
-            controls.farField, std::move(domain), log.observer(), made
+            made.made.layers, made.front.addressing, std::move(domain),
+            controls.farField, log.observer()
         );
     }
     if (pictures)

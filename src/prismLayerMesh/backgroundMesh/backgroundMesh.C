@@ -206,22 +206,22 @@ backgroundMesh makeBackgroundMesh
 
 backgroundMesh makeBackgroundMesh
 (
-    const wallPiece& piece,
+    const fieldBlock& block,
     const wallSearch& search
 )
 {
-    tetDomain domain(wallAndEnvelope(piece.wall, piece.envelope));
+    tetDomain domain(wallAndEnvelope(block.wall, block.envelope));
     const faceList triangles(domain.facets);
-    addBox(boxAround(domain.points, piece.envelope), domain);
+    addBox(boxAround(domain.points, block.envelope), domain);
 
     const tetMesh filled(tetrahedralize(domain));
     backgroundMesh mesh
     (
-        withPointData(piece.wall, piece.envelope, domain, filled.points)
+        withPointData(block.wall, block.envelope, domain, filled.points)
     );
     const auto isWhole = [&](const label p)
     {
-        return mesh.onWall(p) && piece.isWhole[p];
+        return mesh.onWall(p) && block.isWhole[p];
     };
     boolList isFront
     (
@@ -246,7 +246,7 @@ backgroundMesh makeBackgroundMesh
     }
     setTets
     (
-        subset(isFront, filled.tets), triangles, piece.pointPoints, search, mesh
+        subset(isFront, filled.tets), triangles, block.pointPoints, search, mesh
     );
 
     return mesh;

@@ -5,6 +5,7 @@
 
 #include "farFieldReport.H"
 #include "DynamicField.H"
+#include "faceBoundsReport.H"
 #include "makeFarFieldMesh.H"
 #include "prismPolyMesh.H"
 #include "UIndirectList.H"

@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layerReport.H"
-#include "dictionary.H"
+#include "faceBoundsReport.H"
 #include "StringStream.H"
 #include "Switch.H"
 

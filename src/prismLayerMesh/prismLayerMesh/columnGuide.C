@@ -62,7 +62,7 @@ static labelListList blocksOf
 )
 {
     return wall.border.sides.empty()
-      ? divideWall(wall.points, envelope.radius, pieceControls())
+      ? divideWall(wall.points, envelope.radius, blockControls())
       : labelListList();
 }
 
@@ -117,9 +117,9 @@ static columnGuide fieldGuide
     {
         const dividedWall divided
         {
-            context, guide.envelope, guide.blocks, pieceControls()
+            context, guide.envelope, guide.blocks, blockControls()
         };
-        along = makeLinesOfPieces
+        along = makeLinesOfBlocks
         (
             divided, starts, controls.field, observer, guide.noField
         );

@@ -232,7 +232,7 @@ wallFields makeFields
 }
 
 
-columnLines makeLinesOfPieces
+columnLines makeLinesOfBlocks
 (
     const dividedWall& wall,
     const columnStarts& starts,
@@ -246,7 +246,7 @@ columnLines makeLinesOfPieces
     observer.end
     (
         failure.empty()
-      ? text(wall.parts.size(), " pieces")
+      ? text(wall.parts.size(), " blocks")
       : "no field in front of " + failure
     );
 

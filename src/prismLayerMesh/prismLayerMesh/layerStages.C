@@ -170,6 +170,26 @@ layerCertificate makeCertificate
 }
 
 
+farFieldMesh makeFarField
+(
+    const prismLayers& layers,
+    const wallAddressing& frontAddressing,
+    farFieldDomain domain,
+    const farFieldControls& controls,
+    const stageObserver& observer
+)
+{
+    observer.begin("farFieldMesh");
+    const farFieldMesh far
+    (
+        makeFarFieldMesh(layers, frontAddressing, std::move(domain), controls)
+    );
+    observer.end(sizesOf(far));
+
+    return far;
+}
+
+
 wallPointsError errorOfPoints
 (
     const wallContext& context,

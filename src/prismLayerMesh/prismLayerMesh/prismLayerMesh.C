@@ -141,23 +141,6 @@ prismLayerMesh makePrismLayerMesh
     return mesh;
 }
 
-
-void addFarField
-(
-    const farFieldControls& controls,
-    farFieldDomain domain,
-    const stageObserver& observer,
-    prismLayerMesh& mesh
-)
-{
-    observer.begin("farFieldMesh");
-    mesh.farField = makeFarFieldMesh
-    (
-        mesh.made.layers, mesh.front.addressing, std::move(domain), controls
-    );
-    observer.end(sizesOf(mesh.farField));
-}
-
 } // End namespace Foam
 
 // ************************************************************************* //

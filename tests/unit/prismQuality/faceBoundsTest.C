@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "faceBounds.H"
+#include "faceBoundsReport.H"
 #include "memoryMesh.H"
 #include "openSurfaces.H"
 #include "testLayers.H"

@@ -17,10 +17,10 @@
 using namespace Foam;
 using testSurfaces::stages;
 
-//- Pieces of a few hundred points
-static pieceControls smallPieces()
+//- Blocks of a few hundred points
+static blockControls smallBlocks()
 {
-    pieceControls controls;
+    blockControls controls;
     controls.maxPoints = 400;
     controls.leastWidth = 2;
 
@@ -28,7 +28,7 @@ static pieceControls smallPieces()
 }
 
 
-static dividedWall divided(const stages& s, const pieceControls& controls)
+static dividedWall divided(const stages& s, const blockControls& controls)
 {
     return dividedWall
     {
@@ -82,14 +82,14 @@ TEST(divideWall, everyPointIsOfOnePart)
     const stages s(testSurfaces::sphere(12), 4, 0.05);
     const labelListList parts
     (
-        divideWall(s.wall.points, s.envelope.radius, smallPieces())
+        divideWall(s.wall.points, s.envelope.radius, smallBlocks())
     );
     labelList nParts(s.wall.points.size(), 0);
 
     ASSERT_GT(parts.size(), 2);
     for (const labelList& part : parts)
     {
-        EXPECT_LE(part.size(), smallPieces().maxPoints);
+        EXPECT_LE(part.size(), smallBlocks().maxPoints);
         for (const label p : part)
         {
             ++nParts[p];
@@ -102,48 +102,48 @@ TEST(divideWall, everyPointIsOfOnePart)
 TEST(divideWall, narrowPartsStay)
 {
     const stages s(testSurfaces::sphere(12), 4, 0.05);
-    const pieceControls controls(smallPieces());
+    const blockControls controls(smallBlocks());
     const scalarField wide(s.wall.points.size(), 2/controls.reach);
 
     EXPECT_TRUE(divideWall(s.wall.points, wide, controls).empty());
 }
 
 
-TEST(wallPiece, hasAllFacesOfItsPoints)
+TEST(fieldBlock, hasAllFacesOfItsPoints)
 {
     const stages s(testSurfaces::torus(48, 24, 1, 0.4), 4, 0.05);
-    const dividedWall wall(divided(s, smallPieces()));
+    const dividedWall wall(divided(s, smallBlocks()));
     ASSERT_GT(wall.parts.size(), 2);
 
     for (const labelList& part : wall.parts)
     {
-        const wallPiece piece
+        const fieldBlock block
         (
-            makeWallPiece
+            makeFieldBlock
             (
                 s.wall, s.context.addressing, s.envelope, part, wall.controls
             )
         );
-        EXPECT_LT(piece.points.size(), s.wall.points.size());
-        EXPECT_LT(piece.envelope.points.size(), s.envelope.points.size());
-        EXPECT_EQ(labelList(SubList<label>(piece.points, piece.nOwn)), part);
-        EXPECT_EQ(piece.wall.points, pointField(s.wall.points, piece.points));
+        EXPECT_LT(block.points.size(), s.wall.points.size());
+        EXPECT_LT(block.envelope.points.size(), s.envelope.points.size());
+        EXPECT_EQ(labelList(SubList<label>(block.points, block.nOwn)), part);
+        EXPECT_EQ(block.wall.points, pointField(s.wall.points, block.points));
 
-        for (label p = 0; p < piece.nOwn; ++p)
+        for (label p = 0; p < block.nOwn; ++p)
         {
-            EXPECT_TRUE(piece.isWhole[p]);
+            EXPECT_TRUE(block.isWhole[p]);
             EXPECT_EQ
             (
-                piece.pointPoints[p].size(),
+                block.pointPoints[p].size(),
                 s.context.addressing.pointPoints[part[p]].size()
             );
         }
-        EXPECT_TRUE(piece.isWhole.found(false));
+        EXPECT_TRUE(block.isWhole.found(false));
     }
 }
 
 
-TEST(pieceLines, areNearToThoseOfTheWholeField)
+TEST(blockLines, areNearToThoseOfTheWholeField)
 {
     const wallSurface ball(testSurfaces::sphere(12));
     const wallSurface shapes[] =
@@ -159,27 +159,27 @@ TEST(pieceLines, areNearToThoseOfTheWholeField)
     for (const wallSurface& shape : shapes)
     {
         const stages s(shape, 6, 0.05);
-        const dividedWall wall(divided(s, smallPieces()));
+        const dividedWall wall(divided(s, smallBlocks()));
         ASSERT_GT(wall.parts.size(), 1);
 
         string failure;
-        const columnLines pieces
+        const columnLines blocks
         (
             makeColumnLines(wall, startsOf(s), fieldControls(), failure)
         );
         const columnLines whole(linesOfWhole(s));
 
         EXPECT_EQ(failure, "");
-        EXPECT_LT(apart(s, pieces, whole), 0.05);
-        EXPECT_LT(max(mag(pieces.slopes - whole.slopes)), 0.1);
+        EXPECT_LT(apart(s, blocks, whole), 0.05);
+        EXPECT_LT(max(mag(blocks.slopes - whole.slopes)), 0.1);
     }
 }
 
 
-TEST(pieceLines, areTheSameOnAnyNumberOfThreads)
+TEST(blockLines, areTheSameOnAnyNumberOfThreads)
 {
     const stages s(testSurfaces::sphere(12), 4, 0.05);
-    const dividedWall wall(divided(s, smallPieces()));
+    const dividedWall wall(divided(s, smallBlocks()));
     const label nThreads = omp_get_max_threads();
     string failure;
     List<columnLines> made;
@@ -201,7 +201,7 @@ TEST(pieceLines, areTheSameOnAnyNumberOfThreads)
 }
 
 
-TEST(pieceLines, areStraightWherePiecesFail)
+TEST(blockLines, areStraightWhereBlocksFail)
 {
     const wallSurface ball(testSurfaces::sphere(12));
     const stages s
@@ -218,12 +218,12 @@ TEST(pieceLines, areStraightWherePiecesFail)
     (
         makeColumnLines
         (
-            divided(s, smallPieces()), starts, fieldControls(), failure
+            divided(s, smallBlocks()), starts, fieldControls(), failure
         )
     );
 
     EXPECT_NE(failure.find("TetGen"), std::string::npos) << failure;
-    EXPECT_NE(failure.find(" pieces of the wall, "), std::string::npos);
+    EXPECT_NE(failure.find(" blocks of the wall, "), std::string::npos);
     const pointField straight
     (
         makeStraightLines

@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "wallPiece.H"
+#include "fieldBlock.H"
 #include "boundBox.H"
 #include "ListOps.H"
 
@@ -14,12 +14,12 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- How far a piece goes beyond its points [m]
+//- How far a block goes beyond its points [m]
 static scalar reachOf
 (
     const scalarField& radius,
     const labelUList& own,
-    const pieceControls& controls
+    const blockControls& controls
 )
 {
     return controls.reach*max(scalarField(radius, own));
@@ -30,7 +30,7 @@ static void divide
 (
     const pointField& points,
     const scalarField& radius,
-    const pieceControls& controls,
+    const blockControls& controls,
     labelList& part,
     DynamicList<labelList>& parts
 )
@@ -85,7 +85,7 @@ static labelList facesIn(const wallSurface& wall, const boundBox& box)
 }
 
 
-//- The points that a piece is for, then the others of its faces
+//- The points that a block is for, then the others of its faces
 static labelList pointsOf
 (
     const wallSurface& wall,
@@ -142,7 +142,7 @@ labelListList divideWall
 (
     const pointField& points,
     const scalarField& radius,
-    const pieceControls& controls
+    const blockControls& controls
 )
 {
     labelList all(identity(points.size()));
@@ -153,13 +153,13 @@ labelListList divideWall
 }
 
 
-wallPiece makeWallPiece
+fieldBlock makeFieldBlock
 (
     const wallSurface& wall,
     const wallAddressing& addressing,
     const offsetEnvelope& envelope,
     const labelList& own,
-    const pieceControls& controls
+    const blockControls& controls
 )
 {
     boundBox box(wall.points, own, false);
@@ -171,16 +171,16 @@ wallPiece makeWallPiece
     box.max() += reach;
 
     const labelList inside(facesIn(wall, box));
-    wallPiece piece;
-    piece.points = pointsOf(wall, own, inside);
-    piece.nOwn = own.size();
-    piece.envelope = envelopeOf(envelope, piece.points, box);
-    piece.wall.points = pointField(wall.points, piece.points);
+    fieldBlock block;
+    block.points = pointsOf(wall, own, inside);
+    block.nOwn = own.size();
+    block.envelope = envelopeOf(envelope, block.points, box);
+    block.wall.points = pointField(wall.points, block.points);
 
-    const labelList local(invert(wall.points.size(), piece.points));
-    labelList nFaces(piece.points.size(), 0);
-    piece.wall.faces = faceList(wall.faces, inside);
-    for (face& f : piece.wall.faces)
+    const labelList local(invert(wall.points.size(), block.points));
+    labelList nFaces(block.points.size(), 0);
+    block.wall.faces = faceList(wall.faces, inside);
+    for (face& f : block.wall.faces)
     {
         inplaceRenumber(local, f);
         for (const label p : f)
@@ -189,21 +189,21 @@ wallPiece makeWallPiece
         }
     }
 
-    piece.isWhole.setSize(nFaces.size());
-    piece.pointPoints.setSize(nFaces.size());
-    forAll(piece.points, p)
+    block.isWhole.setSize(nFaces.size());
+    block.pointPoints.setSize(nFaces.size());
+    forAll(block.points, p)
     {
-        const label q = piece.points[p];
-        piece.isWhole[p] = nFaces[p] == addressing.pointFaces[q].size();
-        piece.pointPoints[p] =
+        const label q = block.points[p];
+        block.isWhole[p] = nFaces[p] == addressing.pointFaces[q].size();
+        block.pointPoints[p] =
             UIndirectList<label>(local, addressing.pointPoints[q]);
         inplaceSubsetList
         (
-            piece.pointPoints[p], [](const label r) { return r >= 0; }
+            block.pointPoints[p], [](const label r) { return r >= 0; }
         );
     }
 
-    return piece;
+    return block;
 }
 
 } // End namespace Foam

@@ -20,8 +20,8 @@ namespace Foam
 namespace
 {
 
-//- The lines of the pieces, and how they come from their processes
-class piecewiseLines
+//- The lines of the blocks, and how they come from their processes
+class blockwiseLines
 {
     const dividedWall& wall_;
     const columnStarts& starts_;
@@ -34,23 +34,23 @@ class piecewiseLines
 
     labelList columnsAt(const labelUList& points) const;
 
-    //- The lines of the columns of a piece, and of others around them
-    columnLines makePiece(const labelList& own) const;
+    //- The lines of the columns of a block, and of others around them
+    columnLines makeBlock(const labelList& own) const;
 
-    //- Write, and read, those of the columns of a piece
+    //- Write, and read, those of the columns of a block
     void write(const columnLines& lines, label nColumns, std::FILE* out) const;
     bool read(const labelUList& columns, std::FILE* in);
 
 public:
 
-    piecewiseLines
+    blockwiseLines
     (
         const dividedWall& wall,
         const columnStarts& starts,
         const fieldControls& controls
     );
 
-    //- Make a piece in a process of its own. Returns the reason why there is
+    //- Make a block in a process of its own. Returns the reason why there is
     //  none, empty if there is one.
     string makeIsolated(const labelList& own);
 
@@ -58,7 +58,7 @@ public:
 };
 
 
-piecewiseLines::piecewiseLines
+blockwiseLines::blockwiseLines
 (
     const dividedWall& wall,
     const columnStarts& starts,
@@ -84,7 +84,7 @@ piecewiseLines::piecewiseLines
 {}
 
 
-labelList piecewiseLines::columnsAt(const labelUList& points) const
+labelList blockwiseLines::columnsAt(const labelUList& points) const
 {
     DynamicList<label> columns(points.size());
     for (const label p : points)
@@ -96,11 +96,11 @@ labelList piecewiseLines::columnsAt(const labelUList& points) const
 }
 
 
-columnLines piecewiseLines::makePiece(const labelList& own) const
+columnLines blockwiseLines::makeBlock(const labelList& own) const
 {
-    const wallPiece piece
+    const fieldBlock block
     (
-        makeWallPiece
+        makeFieldBlock
         (
             wall_.context.wall, wall_.context.addressing, wall_.envelope, own,
             wall_.controls
@@ -108,15 +108,15 @@ columnLines piecewiseLines::makePiece(const labelList& own) const
     );
     const backgroundMesh mesh
     (
-        makeBackgroundMesh(piece, wall_.context.search)
+        makeBackgroundMesh(block, wall_.context.search)
     );
     const monotoneField field
     (
         makeMonotoneField(mesh, cotangentWeights(mesh), controls_)
     );
 
-    const labelList columns(columnsAt(piece.points));
-    const labelList local(invert(columns_.size(), piece.points));
+    const labelList columns(columnsAt(block.points));
+    const labelList local(invert(columns_.size(), block.points));
     const label n = starts_.nSamples();
     columnStarts starts;
     starts.wallPoints.setSize(columns.size());
@@ -133,7 +133,7 @@ columnLines piecewiseLines::makePiece(const labelList& own) const
 }
 
 
-void piecewiseLines::write
+void blockwiseLines::write
 (
     const columnLines& made,
     const label nColumns,
@@ -147,7 +147,7 @@ void piecewiseLines::write
 }
 
 
-bool piecewiseLines::read(const labelUList& columns, std::FILE* in)
+bool blockwiseLines::read(const labelUList& columns, std::FILE* in)
 {
     const label n = starts_.nSamples();
     scalarField slopes(columns.size());
@@ -180,7 +180,7 @@ bool piecewiseLines::read(const labelUList& columns, std::FILE* in)
 }
 
 
-string piecewiseLines::makeIsolated(const labelList& own)
+string blockwiseLines::makeIsolated(const labelList& own)
 {
     const labelList columns(columnsAt(own));
     string failure;
@@ -193,7 +193,7 @@ string piecewiseLines::makeIsolated(const labelList& own)
         columnLines made;
         try
         {
-            made = makePiece(own);
+            made = makeBlock(own);
             if (!std::isfinite(sum(made.slopes) + sum(mag(made.lines.points))))
             {
                 reason = "its lines are not finite";
@@ -251,7 +251,7 @@ static string summary(const labelListList& parts, const UList<string>& failures)
     }
 
     return nFailed
-      ? name(nFailed) + " of " + name(parts.size()) + " pieces of the wall, "
+      ? name(nFailed) + " of " + name(parts.size()) + " blocks of the wall, "
       + name(nPoints) + " points: " + first
       : string();
 }
@@ -267,7 +267,7 @@ columnLines makeColumnLines
     string& failure
 )
 {
-    piecewiseLines lines(wall, starts, controls);
+    blockwiseLines lines(wall, starts, controls);
     List<string> failures(wall.parts.size());
 
     // The largest first, so that threads end together
