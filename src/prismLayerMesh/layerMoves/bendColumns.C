@@ -37,18 +37,18 @@ class bentColumn
 {
     layerEditor& editor_;
     const label c_;
-    const columnState before_;
+    const columnState& before_;
 
     //- Lengths that a column of unit displacement in a shape moves, by level
     List<FixedList<scalar, nShapes>> shapes_;
 
 public:
 
-    bentColumn(layerEditor& editor, const label c)
+    bentColumn(layerEditor& editor, const label c, const columnState& before)
     :
         editor_(editor),
         c_(c),
-        before_(editor.state(c)),
+        before_(before),
         shapes_(before_.points.size())
     {
         const point& root = editor.layers()(c, 0);
@@ -64,8 +64,6 @@ public:
                 {height, height*t, height*sqr(1 - t), height*pow4(1 - u)};
         }
     }
-
-    const columnState& before() const { return before_; }
 
     void displace(const bendVector& x)
     {
@@ -130,8 +128,8 @@ static bool bend
     const layerGeometry& geometry,
     const bendAims& aims,
     const label c,
-    const std::function<bool(label)>& isAtFault,
-    bentColumn& column
+    const columnState& before,
+    const std::function<bool(label)>& isAtFault
 )
 {
     const layerMoveControls& controls = editor.controls();
@@ -144,6 +142,7 @@ static bool bend
         return false;
     }
 
+    bentColumn column(editor, c, before);
     const label nPoorFaces = cells.nPoorFaces();
     const normalEquations step(linearise(column, cells, residuals));
     const labelList& around = editor.front().addressing.pointFaces[c];
@@ -182,55 +181,23 @@ static bool bend
 labelList bendColumns
 (
     layerEditor& editor,
-    layerGeometry& geometry,
+    editedGeometry& geometry,
     const bendAims& aims,
     const labelUList& columns,
     const std::function<bool(label)>& isAtFault
 )
 {
-    const labelListList& pointFaces = editor.front().addressing.pointFaces;
-    DynamicList<DynamicList<label>> groups;
-    for (const label c : columns)
-    {
-        if (!editor.isFixed(c))
+    const layerGeometry* current = nullptr;
+
+    return editor.inColours
+    (
+        columns,
+        [&]() { current = &geometry.now(); },
+        [&](const label c, const columnState& before)
         {
-            groups(editor.colours()[c]).append(c);
+            return bend(editor, *current, aims, c, before, isAtFault);
         }
-    }
-
-    DynamicList<label> bent;
-
-    for (const labelUList& group : groups)
-    {
-        List<autoPtr<bentColumn>> bending(group.size());
-        boolList bends(group.size(), false);
-
-        #pragma omp parallel for schedule(dynamic, 4) if (group.size() > 8)
-        forAll(group, i)
-        {
-            bending[i].reset(new bentColumn(editor, group[i]));
-            bends[i] = bend
-            (
-                editor, geometry, aims, group[i], isAtFault, bending[i]()
-            );
-        }
-
-        labelHashSet changed;
-        forAll(group, i)
-        {
-            if (bends[i])
-            {
-                editor.accept(group[i], bending[i]->before());
-                changed.insert(pointFaces[group[i]]);
-                bent.append(group[i]);
-            }
-        }
-        geometry.update(changed.sortedToc());
-    }
-
-    sort(bent);
-
-    return labelList(std::move(bent));
+    );
 }
 
 } // End namespace Foam

@@ -117,11 +117,14 @@ namespace
 class layerCertifier
 {
     layerEditor& editor_;
-    layerJudge& judge_;
+    const layerJudge& judge_;
 
     //- How often each column has turned, and tried to lean
     labelList nTurns_;
     labelList nLeans_;
+
+    //- How often columns moved because a centre was outside
+    Map<label> nCentreTries_;
 
     certification made_;
 
@@ -140,6 +143,10 @@ class layerCertifier
     //- Lower columns. False if some have no height left; then all stay.
     bool retreat(const labelUList& columns, squeezeCause cause);
 
+    //- Whether columns of a stack, whose centres are outside, may move again
+    //  because of it. Each question is a try.
+    bool mayTry(const label facei);
+
     //- Stacks that have a fault now. Those below what is attainable come first;
     //  the rest is judged once there are none.
     labelList faultyStacks();
@@ -153,7 +160,7 @@ class layerCertifier
 
 public:
 
-    layerCertifier(layerEditor& editor, layerJudge& judge)
+    layerCertifier(layerEditor& editor, const layerJudge& judge)
     :
         editor_(editor),
         judge_(judge),
@@ -224,6 +231,21 @@ bool layerCertifier::retreat
 }
 
 
+bool layerCertifier::mayTry(const label facei)
+{
+    if (made_.tolerated.test(facei))
+    {
+        return false;
+    }
+    made_.tolerated.set
+    (
+        facei, ++nCentreTries_(facei, 0) == editor_.controls().maxCentreTries
+    );
+
+    return true;
+}
+
+
 labelList layerCertifier::faultyStacks()
 {
     const labelList moved(editor_.touchedSince(cellsJudged_));
@@ -256,16 +278,18 @@ labelList layerCertifier::faultyStacks()
             stackFault::notPositive, stackFault::centreOutside
         )
     );
-    judge_.useCentreTries(faults);
 
-    labelList faulty(faults.size());
-    forAll(faults, i)
+    DynamicList<label> faulty(faults.size());
+    for (const faultyStack& stack : faults)
     {
-        faulty[i] = faults[i].facei;
+        if (stack.fault == stackFault::notPositive || mayTry(stack.facei))
+        {
+            faulty.append(stack.facei);
+        }
     }
     unjudged_ = labelHashSet(faulty);
 
-    return faulty;
+    return labelList(std::move(faulty));
 }
 
 
@@ -325,7 +349,7 @@ certification layerCertifier::run()
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-certification certifyLayers(layerEditor& editor, layerJudge& judge)
+certification certifyLayers(layerEditor& editor, const layerJudge& judge)
 {
     return layerCertifier(editor, judge).run();
 }

@@ -97,7 +97,7 @@ bool growColumns
     {
         const label c = columnsOnPoint[i];
         before[i] = editor.state(c);
-        editor.setThickness(c, grown, before[i].straightened);
+        editor.setThickness(c, grown);
     }
 
     const bool stays = anyAtFault(editor, columnsOnPoint, isAtFault);

@@ -27,6 +27,9 @@ class improvement
     layerEditor& editor_;
     const layerJudge& judge_;
 
+    //- Front faces with cells whose centres may be outside
+    const bitSet& tolerated_;
+
     //- Columns that had to be rolled back, and stay
     boolList barred_;
 
@@ -49,7 +52,13 @@ class improvement
     }
 
     //- Front faces moved in the last round; now another one begins
-    labelList beginRound();
+    labelList beginRound()
+    {
+        const labelList moved(editor_.touchedSince(roundBegan_));
+        roundBegan_ = editor_.now();
+
+        return moved;
+    }
 
     //- The columns of stacks that had not to be rolled back
     labelList notBarredOf(const labelUList& stacks) const
@@ -71,27 +80,62 @@ class improvement
     labelList faultyFaces();
 
     //- Roll back a column, and those on its point
-    void rollBack(label c);
+    void rollBack(const label c)
+    {
+        for (const label q : editor_.columnsBeside(c))
+        {
+            if (editor_.isChanged(q))
+            {
+                editor_.rollBack(q);
+                barred_[q] = true;
+            }
+        }
+    }
 
     //- Roll back columns until all can be certified
     void settle();
 
     //- Bend columns of faces that are beyond bounds, of stacks that are looked
-    //  at, and of those around columns that bend. The geometry is up to date
-    //  before and after. Returns the columns that bent and stay so.
+    //  at, and of stacks around columns that bend. Returns the columns that
+    //  bent and stay so.
     labelHashSet bendTo
     (
         const faceAims& bounds,
         bendAims& aims,
-        layerGeometry& geometry,
+        editedGeometry& geometry,
         labelList looked
     );
 
 public:
 
-    improvement(layerEditor& editor, const layerJudge& judge);
+    improvement
+    (
+        layerEditor& editor,
+        const layerJudge& judge,
+        const bitSet& tolerated
+    )
+    :
+        editor_(editor),
+        judge_(judge),
+        tolerated_(tolerated),
+        barred_(editor.thickness().size(), false),
+        judged_(editor.now())
+    {
+        editor_.record();
+    }
 
-    void leanAndGrow();
+    void leanAndGrow()
+    {
+        for (label round = 0; round < editor_.controls().maxRounds; ++round)
+        {
+            const labelList faces(beginRound());
+            lean(faces);
+            grow(faces);
+            settle();
+        }
+        lean(beginRound());
+        settle();
+    }
 
     //- Fit columns to the first heights that are asked for, those that have to
     //  be rolled back again nearer to the wall
@@ -99,7 +143,11 @@ public:
 
     void limitJumps();
 
-    void fitAll();
+    void fitAll()
+    {
+        fitThickness(editor_);
+        settle();
+    }
 
     //- Columns that bent with heights that give way, in ascending order
     labelList gaveWay() const { return gaveWay_.sortedToc(); }
@@ -108,26 +156,6 @@ public:
     //  as the user's priority is with heights that give way
     void bend();
 };
-
-
-improvement::improvement(layerEditor& editor, const layerJudge& judge)
-:
-    editor_(editor),
-    judge_(judge),
-    barred_(editor.thickness().size(), false),
-    judged_(editor.now())
-{
-    editor_.record();
-}
-
-
-labelList improvement::beginRound()
-{
-    const labelList moved(editor_.touchedSince(roundBegan_));
-    roundBegan_ = editor_.now();
-
-    return moved;
-}
 
 
 void improvement::lean(const labelUList& faces)
@@ -190,7 +218,11 @@ labelList improvement::faultyFaces()
 
     for (const faultyStack& stack : judge_.findFaults(moved))
     {
-        faulty.append(stack.facei);
+        const bool isOutside = stack.fault == stackFault::centreOutside;
+        if (!isOutside || !tolerated_.test(stack.facei))
+        {
+            faulty.append(stack.facei);
+        }
     }
     for (const labelPair& pair : judge_.findOverlapping(moved))
     {
@@ -199,19 +231,6 @@ labelList improvement::faultyFaces()
     }
 
     return labelList(std::move(faulty));
-}
-
-
-void improvement::rollBack(const label c)
-{
-    for (const label q : editor_.columnsBeside(c))
-    {
-        if (editor_.isChanged(q))
-        {
-            editor_.rollBack(q);
-            barred_[q] = true;
-        }
-    }
 }
 
 
@@ -238,21 +257,6 @@ void improvement::settle()
     }
 
     editor_.keep();
-}
-
-
-void improvement::leanAndGrow()
-{
-    for (label round = 0; round < editor_.controls().maxRounds; ++round)
-    {
-        const labelList faces(beginRound());
-        lean(faces);
-        grow(faces);
-        settle();
-    }
-
-    lean(beginRound());
-    settle();
 }
 
 
@@ -287,18 +291,11 @@ void improvement::limitJumps()
 }
 
 
-void improvement::fitAll()
-{
-    fitThickness(editor_);
-    settle();
-}
-
-
 labelHashSet improvement::bendTo
 (
     const faceAims& bounds,
     bendAims& aims,
-    layerGeometry& geometry,
+    editedGeometry& geometry,
     labelList looked
 )
 {
@@ -311,7 +308,7 @@ labelHashSet improvement::bendTo
     {
         const labelList columns
         (
-            notBarredOf(poorStacks(geometry, looked, bounds))
+            notBarredOf(poorStacks(geometry.now(), looked, bounds))
         );
         aims.hold(editor_, columns);
 
@@ -330,7 +327,6 @@ labelHashSet improvement::bendTo
             }
         }
         looked = editor_.touchedSince(then);
-        geometry.update(looked);
     }
 
     return bent;
@@ -343,10 +339,10 @@ void improvement::bend()
     const qualityControls& quality = controls.quality;
 
     bendAims aims(bendAims::withMargins(controls));
-    layerGeometry geometry(editor_.layers(), editor_.front().addressing);
+    editedGeometry geometry(editor_);
     const label then = editor_.now();
     const labelList all(identity(editor_.layers().faces.size()));
-    labelList poor(poorStacks(geometry, all, aims.faces));
+    labelList poor(poorStacks(geometry.now(), all, aims.faces));
     bendTo(aims.faces, aims, geometry, poor);
 
     if (quality.priority == qualityControls::priorities::quality)
@@ -359,7 +355,10 @@ void improvement::bend()
 
         const auto giveWay = [&]()
         {
-            poor.append(geometry.withNeighbours(editor_.touchedSince(then)));
+            poor.append
+            (
+                geometry.now().withNeighbours(editor_.touchedSince(then))
+            );
             inplaceUniqueSort(poor);
             gaveWay_ |= bendTo(bounds, aims, geometry, poor);
         };
@@ -375,9 +374,14 @@ void improvement::bend()
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-labelList improveLayers(layerEditor& editor, const layerJudge& judge)
+labelList improveLayers
+(
+    layerEditor& editor,
+    const layerJudge& judge,
+    const bitSet& tolerated
+)
 {
-    improvement better(editor, judge);
+    improvement better(editor, judge, tolerated);
     better.leanAndGrow();
 
     if (!editor.proposed().onLevelSets)

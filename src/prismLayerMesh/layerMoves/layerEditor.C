@@ -4,7 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layerEditor.H"
-#include "geometricHeights.H"
+
+#include <algorithm>
 
 namespace Foam
 {
@@ -46,21 +47,18 @@ static labelList columnColours
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void layerEditor::updateHeights(const label c)
+scalarList layerEditor::heightsFor(const label c, const scalar thickness) const
 {
-    const label n = spacing_.nLayers;
-    SubList<scalar> heights(heights_, n + 1, c*(n + 1));
+    scalarList heights(spacing_.nLayers + 1);
+    spacing_.setHeights(c, thickness, heights);
 
-    spacing_.setHeights(c, thickness_[c], heights);
+    return heights;
 }
 
 
-vector layerEditor::standing(const label c, const scalar height) const
+void layerEditor::setHeights(const label c, const scalarList& heights)
 {
-    const scalar s = straightened_[c];
-
-    return (1 - s)*proposed_.interpolated(offsets_, c, height)
-      + s*proposed_.axisOffset(front_.visibility, c, height);
+    SubList<scalar>(heights_, heights.size(), c*heights.size()) = heights;
 }
 
 
@@ -72,8 +70,7 @@ vector layerEditor::allowedOffset
 ) const
 {
     const wallVisibility& visibility = front_.visibility;
-    const scalar stretch =
-        proposed_.stretch(c, proposed_.heights[c*spacing_.nLayers + i]);
+    const scalar stretch = proposed_.stretch(c, heights(c)[i]);
 
     if (constraints_.empty())
     {
@@ -90,20 +87,6 @@ vector layerEditor::allowedOffset
 
     return allowed*visibility.heightCosine(c, offset)
        /max(visibility.heightCosine(c, allowed), VSMALL);
-}
-
-
-void layerEditor::build(const label c, const label lowest)
-{
-    const scalar* heights = this->heights(c);
-
-    for (label i = lowest; i <= spacing_.nLayers; ++i)
-    {
-        layers_.points[layers_.index(c, i)] = constraint(c).allowedPoint
-        (
-            front_.surface.points[c] + heights[i]*standing(c, heights[i])
-        );
-    }
 }
 
 
@@ -125,8 +108,6 @@ layerEditor::layerEditor
     constraints_(constraints),
     smoother_(front.surface, front.addressing),
     colours_(columnColours(front.surface.faces, front.addressing)),
-    offsets_(proposed.offsets),
-    straightened_(front.wallPoints.size(), 0),
     thickness_(proposed.maxThickness),
     causes_(proposed.causes),
     heights_(front.wallPoints.size()*(spacing.nLayers + 1)),
@@ -146,8 +127,15 @@ layerEditor::layerEditor
     forAll(surface.points, c)
     {
         layers_.points[layers_.index(c, 0)] = surface.points[c];
-        updateHeights(c);
-        build(c);
+        setHeights(c, heightsFor(c, thickness_[c]));
+
+        for (label i = 1; i <= spacing.nLayers; ++i)
+        {
+            const scalar h = heights(c)[i];
+            const vector offset(proposed.interpolated(proposed.offsets, c, h));
+            layers_.points[layers_.index(c, i)] =
+                constraint(c).allowedPoint(surface.points[c] + h*offset);
+        }
     }
 }
 
@@ -178,23 +166,35 @@ labelList layerEditor::columnsBeside(const label c) const
 }
 
 
-vector layerEditor::straightenedOffset(const label c, const label i) const
+vector layerEditor::offsetAt(const label c, const scalar height) const
 {
-    const scalar s = straightened_[c];
+    const scalar* heights = this->heights(c);
+    const label n = spacing_.nLayers;
+    const label i =
+        std::lower_bound(heights + 1, heights + n + 1, height) - heights;
 
-    return (1 - s)*offset(c, i)
-      + s*proposed_.axisOffset
-        (
-            front_.visibility, c, proposed_.heights[c*spacing_.nLayers + i]
-        );
+    if (i > n)
+    {
+        const vectorField& o = proposed_.offsets;
+        return offset(c, n) + proposed_.interpolated(o, c, height)
+          - proposed_.interpolated(o, c, heights[n]);
+    }
+    if (i == 1)
+    {
+        return offset(c, 1);
+    }
+
+    const vector lower(offset(c, i - 1));
+    const scalar share =
+        (height - heights[i - 1])/(heights[i] - heights[i - 1]);
+
+    return lower + share*(offset(c, i) - lower);
 }
 
 
 scalar layerEditor::turnShare(const label c, const label i) const
 {
-    const label n = spacing_.nLayers;
-
-    return ::sqrt(proposed_.heights[c*n + i]/proposed_.heights[c*n + n - 1]);
+    return ::sqrt(heights(c)[i]/spacing_.thickness[c]);
 }
 
 
@@ -205,8 +205,6 @@ columnState layerEditor::state(const label c) const
     return columnState
     {
         pointField(SubList<point>(layers_.points, n, layers_.index(c, 1))),
-        vectorField(SubList<vector>(offsets_, n, c*n)),
-        straightened_[c],
         thickness_[c],
         causes_[c]
     };
@@ -217,25 +215,7 @@ void layerEditor::setThickness
 (
     const label c,
     const scalar thickness,
-    const scalar straightened
-)
-{
-    if (!isFixed(c))
-    {
-        thickness_[c] = thickness;
-        straightened_[c] = straightened;
-        updateHeights(c);
-        build(c);
-    }
-}
-
-
-void layerEditor::setDirections
-(
-    const label c,
-    const vectorField& directions,
-    const scalar straightened,
-    const label lowest
+    const scalar axisShare
 )
 {
     if (isFixed(c))
@@ -244,17 +224,48 @@ void layerEditor::setDirections
     }
 
     const label n = spacing_.nLayers;
-    straightened_[c] = straightened;
+    const scalarList heights(heightsFor(c, thickness));
+    pointField points(n);
 
-    // Offsets are for the heights asked for
-    const label above = proposed_.layerAt(c, heights(c)[lowest - 1]);
-
-    for (label i = max(above - 1, 0); i < n; ++i)
+    for (label i = 1; i <= n; ++i)
     {
-        offsets_[c*n + i] = allowedOffset(c, i, directions[i]);
+        const scalar h = heights[i];
+        const vector own(offsetAt(c, h));
+        const vector axis(proposed_.axisOffset(front_.visibility, c, h));
+
+        points[i - 1] = constraint(c).allowedPoint
+        (
+            layers_(c, 0) + h*(own + axisShare*(axis - own))
+        );
     }
 
-    build(c, max(lowest - 1, 1));
+    thickness_[c] = thickness;
+    setHeights(c, heights);
+    SubList<point>(layers_.points, n, layers_.index(c, 1)) = points;
+}
+
+
+void layerEditor::setDirections
+(
+    const label c,
+    const columnState& before,
+    const vectorField& directions,
+    const label lowest
+)
+{
+    for (label i = lowest; i <= spacing_.nLayers && !isFixed(c); ++i)
+    {
+        const scalar h = heights(c)[i];
+        const vector own((before.points[i - 1] - layers_(c, 0))/h);
+        const vector placed(own - allowedOffset(c, i, own));
+        const bool isKept = mag(placed) <= controls_.maxDisplacement;
+        const vector turned(allowedOffset(c, i, directions[i - 1]));
+
+        layers_.points[layers_.index(c, i)] = constraint(c).allowedPoint
+        (
+            layers_(c, 0) + h*(isKept ? vector(turned + placed) : turned)
+        );
+    }
 }
 
 

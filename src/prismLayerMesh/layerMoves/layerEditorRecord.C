@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layerEditor.H"
-#include "limitGradient.H"
+#include "ListOps.H"
 
 namespace Foam
 {
@@ -16,14 +16,12 @@ void layerEditor::restore(const label c, const columnState& before)
     const label n = spacing_.nLayers;
 
     SubList<point>(layers_.points, n, layers_.index(c, 1)) = before.points;
-    SubList<vector>(offsets_, n, c*n) = before.offsets;
-    straightened_[c] = before.straightened;
     causes_[c] = before.cause;
 
     if (thickness_[c] != before.thickness)
     {
         thickness_[c] = before.thickness;
-        updateHeights(c);
+        setHeights(c, heightsFor(c, before.thickness));
     }
 }
 
@@ -35,68 +33,6 @@ void layerEditor::accept(const label c, const columnState& before)
         before_.insert(c, before);
     }
     touch(c);
-}
-
-
-labelList layerEditor::lower
-(
-    const labelUList& columns,
-    const scalar share,
-    const scalar straightenShare
-)
-{
-    for (const label c : columns)
-    {
-        if (!isFixed(c))
-        {
-            remember(c);
-            thickness_[c] *= share;
-            straightened_[c] += straightenShare*(1 - straightened_[c]);
-        }
-    }
-
-    const Map<scalar> followers
-    (
-        limitGradientFrom
-        (
-            columns, front_.surface, front_.addressing,
-            layerColumns::maxSlope, thickness_
-        )
-    );
-    labelHashSet lowered(columns);
-
-    forAllConstIters(followers, iter)
-    {
-        const label c = iter.key();
-
-        if (isFixed(c))
-        {
-            thickness_[c] = iter.val();
-        }
-        else if (lowered.insert(c))
-        {
-            const scalar now = thickness_[c];
-            thickness_[c] = iter.val();
-            remember(c);
-            thickness_[c] = now;
-        }
-    }
-
-    const labelList changed(lowered.sortedToc());
-
-    #pragma omp parallel for schedule(static, 64) if (changed.size() > 128)
-    forAll(changed, i)
-    {
-        const label c = changed[i];
-        setThickness(c, thickness_[c], straightened_[c]);
-    }
-
-    for (const label c : changed)
-    {
-        touch(c);
-    }
-
-    return changed;
 }
 
 
@@ -117,11 +53,18 @@ void layerEditor::touch(const label c)
 
 labelList layerEditor::touchedSince(const label then) const
 {
-    return bitSet
-    (
-        layers_.faces.size(),
-        SubList<label>(journal_, journal_.size() - then, then)
-    ).toc();
+    const SubList<label> since(journal_, journal_.size() - then, then);
+
+    // In proportion to what has changed, unless that is much
+    if (since.size() > layers_.faces.size()/16)
+    {
+        return bitSet(layers_.faces.size(), since).toc();
+    }
+
+    labelList faces(since);
+    inplaceUniqueSort(faces);
+
+    return faces;
 }
 
 

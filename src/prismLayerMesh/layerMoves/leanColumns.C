@@ -27,9 +27,9 @@ static List<vectorField> trialDirections
 
     for (label i = 0; i < n; ++i)
     {
-        means[i] = editor.neighboursOffset(c, i);
-        own[i] = editor.straightenedOffset(c, i);
-        shares[i] = editor.turnShare(c, i);
+        means[i] = editor.neighboursOffset(c, i + 1);
+        own[i] = editor.offset(c, i + 1);
+        shares[i] = editor.turnShare(c, i + 1);
     }
 
     DynamicList<vectorField> all;
@@ -87,6 +87,7 @@ static label bestOf
 (
     layerEditor& editor,
     const label c,
+    const columnState& before,
     const List<vectorField>& directions,
     const stackPenalty& penalty,
     scalar least
@@ -98,7 +99,7 @@ static label bestOf
 
     forAll(directions, k)
     {
-        editor.setDirections(c, directions[k], 0, n);
+        editor.setDirections(c, before, directions[k], n);
         outermost[k] = penaltyAround(editor, c, penalty, n, least);
     }
 
@@ -110,7 +111,7 @@ static label bestOf
             break;
         }
 
-        editor.setDirections(c, directions[k], 0);
+        editor.setDirections(c, before, directions[k]);
         const scalar sum = penaltyAround(editor, c, penalty, 1, least);
 
         if (sum < least)
@@ -144,7 +145,7 @@ static bool lean
     }
 
     const List<vectorField> directions(trialDirections(editor, c));
-    const label best = bestOf(editor, c, directions, penalty, least);
+    const label best = bestOf(editor, c, before, directions, penalty, least);
     ++nTries;
 
     if (best < 0)
@@ -154,7 +155,7 @@ static bool lean
         return false;
     }
 
-    editor.setDirections(c, directions[best], 0);
+    editor.setDirections(c, before, directions[best]);
 
     return true;
 }
@@ -171,45 +172,24 @@ labelList leanColumns
     labelList& nTries
 )
 {
-    const labelList& colours = editor.colours();
-    DynamicList<DynamicList<label>> groups;
-
+    DynamicList<label> trying(columns.size());
     for (const label c : columns)
     {
-        if (nTries[c] < maxTries && !editor.isFixed(c))
+        if (nTries[c] < maxTries)
         {
-            groups(colours[c]).append(c);
+            trying.append(c);
         }
     }
 
-    DynamicList<label> leaned;
-
-    for (const labelUList& group : groups)
-    {
-        List<columnState> before(group.size());
-        boolList leans(group.size(), false);
-
-        #pragma omp parallel for schedule(dynamic, 4) if (group.size() > 8)
-        forAll(group, i)
+    return editor.inColours
+    (
+        trying,
+        []() {},
+        [&](const label c, const columnState& before)
         {
-            const label c = group[i];
-            before[i] = editor.state(c);
-            leans[i] = lean(editor, c, penalty, before[i], nTries[c]);
+            return lean(editor, c, penalty, before, nTries[c]);
         }
-
-        forAll(group, i)
-        {
-            if (leans[i])
-            {
-                editor.accept(group[i], before[i]);
-                leaned.append(group[i]);
-            }
-        }
-    }
-
-    sort(leaned);
-
-    return labelList(std::move(leaned));
+    );
 }
 
 } // End namespace Foam

@@ -67,7 +67,17 @@ static heightLimits firstHeights
 static void lowerFirst(layerEditor& editor, const label c, const scalar factor)
 {
     const label n = editor.spacing().nLayers;
-    const scalar* before = editor.heights(c);
+    pointField points(n + 1);
+    scalarList before(n + 1);
+    forAll(points, i)
+    {
+        points[i] = editor.layers()(c, i);
+        before[i] = editor.front().visibility.heightCosine
+        (
+            c, points[i] - points[0]
+        );
+    }
+
     const scalar first = factor*before[1];
     scalarList after(n + 1, 0.0);
     after[1] = first;
@@ -78,12 +88,6 @@ static void lowerFirst(layerEditor& editor, const label c, const scalar factor)
         (
             n, first, fittedRatio(n, first, before[n]), before[n], after
         );
-    }
-
-    pointField points(n + 1);
-    forAll(points, i)
-    {
-        points[i] = editor.layers()(c, i);
     }
 
     label k = 1;

@@ -18,7 +18,7 @@ madeLayers makePrismLayers
 )
 {
     layerEditor editor(front, spacing, columns, controls, front.constraints);
-    layerJudge judge
+    const layerJudge judge
     (
         editor.layers(), front.surface, front.visibility, controls
     );
@@ -29,7 +29,7 @@ madeLayers makePrismLayers
     {
         return made;
     }
-    made.gaveWay = improveLayers(editor, judge);
+    made.gaveWay = improveLayers(editor, judge, made.certified.tolerated);
     made.thickness = editor.thickness();
     made.causes = editor.causes();
     made.layers = editor.release();

@@ -4,6 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "retreatColumns.H"
+#include "HashSet.H"
+#include "limitGradient.H"
 #include "scaledJacobian.H"
 
 namespace Foam
@@ -16,23 +18,52 @@ void retreatColumns
     const squeezeCause cause
 )
 {
+    const layerFront& front = editor.front();
     const layerMoveControls& controls = editor.controls();
-    const labelList lowered
-    (
-        editor.lower(columns, controls.retreatFactor, controls.straightenShare)
-    );
+    Map<scalar> thickness;
 
     for (const label c : columns)
     {
-        editor.setCause(c, cause);
+        if (!editor.isFixed(c))
+        {
+            thickness.insert(c, controls.retreatFactor*editor.thickness()[c]);
+        }
+    }
+    const labelHashSet retreating(thickness.toc());
+    followGradient
+    (
+        front.surface, front.addressing, layerColumns::maxSlope,
+        editor.thickness(), thickness
+    );
+
+    const labelList lowered(thickness.sortedToc());
+    for (const label c : lowered)
+    {
+        editor.remember(c);
+    }
+
+    #pragma omp parallel for schedule(static, 64) if (lowered.size() > 128)
+    forAll(lowered, i)
+    {
+        const label c = lowered[i];
+        editor.setThickness
+        (
+            c, thickness[c],
+            retreating.found(c) ? controls.straightenShare : 0
+        );
     }
 
     for (const label c : lowered)
     {
-        if (editor.causes()[c] == squeezeCause::none)
+        if (retreating.found(c))
+        {
+            editor.setCause(c, cause);
+        }
+        else if (editor.causes()[c] == squeezeCause::none)
         {
             editor.setCause(c, squeezeCause::neighbour);
         }
+        editor.touch(c);
     }
 }
 
@@ -44,10 +75,7 @@ scalar jacobianOfRetreat(layerEditor& editor, const label facei, const label c)
 
     editor.setThickness
     (
-        c,
-        controls.retreatFactor*before.thickness,
-        before.straightened
-      + controls.straightenShare*(1 - before.straightened)
+        c, controls.retreatFactor*before.thickness, controls.straightenShare
     );
     const scalar worst = worstJacobian(editor.layers(), facei);
     editor.restore(c, before);

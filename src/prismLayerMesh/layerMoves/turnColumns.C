@@ -25,13 +25,13 @@ static List<vectorField> turnedDirections
         const label c = columns[k];
         directions[k].setSize(n);
 
-        for (label i = 0; i < n; ++i)
+        for (label i = 1; i <= n; ++i)
         {
-            const vector& own = editor.offset(c, i);
+            const vector own(editor.offset(c, i));
             const scalar share =
                 editor.controls().turnShare*editor.turnShare(c, i);
 
-            directions[k][i] =
+            directions[k][i - 1] =
                 own + share*(editor.neighboursOffset(c, i) - own);
         }
     }
@@ -78,7 +78,7 @@ bool turnColumns
     forAll(turning, k)
     {
         const label c = turning[k];
-        editor.setDirections(c, directions[k], editor.straightened(c));
+        editor.setDirections(c, editor.state(c), directions[k]);
     }
 
     for (const label c : turning)

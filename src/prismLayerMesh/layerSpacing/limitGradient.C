@@ -13,25 +13,25 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Lower values to bound(from, to) > values[from] of their neighbours, from
-//  some points on. Returns the values that were lowered, as they were.
-template<class Bound>
-static Map<scalar> lowerFrom
+//- Lower values to bound(from, to) of their neighbours, from some points on.
+//  get(p) is the value of a point, set(p, value) lowers it.
+template<class Bound, class Get, class Set>
+static void lowerFrom
 (
     const labelUList& points,
     const wallAddressing& addressing,
     const Bound& bound,
-    scalarField& values
+    const Get& get,
+    const Set& set
 )
 {
     // Dijkstra: a value is final when it is the lowest of those left
     typedef std::pair<scalar, label> entry;
     std::priority_queue<entry, std::vector<entry>, std::greater<entry>> front;
-    Map<scalar> before;
 
     for (const label p : points)
     {
-        front.push(entry(values[p], p));
+        front.push(entry(get(p), p));
     }
 
     while (!front.empty())
@@ -40,7 +40,7 @@ static Map<scalar> lowerFrom
         front.pop();
         const label from = lowest.second;
 
-        if (lowest.first > values[from])
+        if (lowest.first > get(from))
         {
             continue;
         }
@@ -49,16 +49,13 @@ static Map<scalar> lowerFrom
         {
             const scalar limit = bound(from, to);
 
-            if (limit < values[to])
+            if (limit < get(to))
             {
-                before.insert(to, values[to]);
-                values[to] = limit;
+                set(to, limit);
                 front.push(entry(limit, to));
             }
         }
     }
-
-    return before;
 }
 
 
@@ -85,22 +82,19 @@ static labelList lowerAll
         }
     }
 
-    return lowerFrom(low.toc(), addressing, bound, values).sortedToc();
-}
+    labelHashSet lowered;
+    lowerFrom
+    (
+        low.toc(), addressing, bound,
+        [&](const label p) { return values[p]; },
+        [&](const label p, const scalar value)
+        {
+            values[p] = value;
+            lowered.insert(p);
+        }
+    );
 
-
-//- The bound on the gradient
-static auto gradientBound
-(
-    const pointField& points,
-    const scalar slope,
-    const scalarField& values
-)
-{
-    return [&points, slope, &values](const label from, const label to)
-    {
-        return values[from] + slope*mag(points[to] - points[from]);
-    };
+    return lowered.sortedToc();
 }
 
 
@@ -114,25 +108,44 @@ labelList limitGradient
     scalarField& values
 )
 {
+    const pointField& points = wall.points;
+
     return lowerAll
     (
-        addressing, gradientBound(wall.points, slope, values), values
+        addressing,
+        [&](const label from, const label to)
+        {
+            return values[from] + slope*mag(points[to] - points[from]);
+        },
+        values
     );
 }
 
 
-Map<scalar> limitGradientFrom
+void followGradient
 (
-    const labelUList& points,
     const wallSurface& wall,
     const wallAddressing& addressing,
     const scalar slope,
-    scalarField& values
+    const scalarField& values,
+    Map<scalar>& lowered
 )
 {
-    return lowerFrom
+    const pointField& points = wall.points;
+    const auto get = [&](const label p)
+    {
+        return lowered.lookup(p, values[p]);
+    };
+
+    lowerFrom
     (
-        points, addressing, gradientBound(wall.points, slope, values), values
+        lowered.sortedToc(), addressing,
+        [&](const label from, const label to)
+        {
+            return get(from) + slope*mag(points[to] - points[from]);
+        },
+        get,
+        [&](const label p, const scalar value) { lowered.set(p, value); }
     );
 }
 

@@ -39,8 +39,7 @@ bool layerJudge::isCentreOutside(const label facei) const
     const scalar surelyInside =
         isPrism ? controls_.centreJacobian*attainable_[facei] : GREAT;
 
-    return centreTriesLeft_[facei] > 0
-        && worstJacobian(layers_, facei, surelyInside) < surelyInside
+    return worstJacobian(layers_, facei, surelyInside) < surelyInside
         && !hasPositivePyramids(layers_, facei);
 }
 
@@ -58,8 +57,7 @@ layerJudge::layerJudge
     layers_(layers),
     controls_(controls),
     attainable_(attainableJacobians(front, visibility)),
-    bodies_(findBodies(layers)),
-    centreTriesLeft_(front.faces.size(), controls.maxCentreTries)
+    bodies_(findBodies(layers))
 {}
 
 
@@ -155,16 +153,6 @@ List<labelPair> layerJudge::findOverlapping(const labelUList& faces) const
     }
 
     return pairs;
-}
-
-
-void layerJudge::useCentreTries(const UList<faultyStack>& faults)
-{
-    for (const faultyStack& stack : faults)
-    {
-        centreTriesLeft_[stack.facei] -=
-            stack.fault == stackFault::centreOutside;
-    }
 }
 
 } // End namespace Foam

@@ -28,13 +28,13 @@ struct leaningColumn
     static constexpr label column = 30;
 
     editedColumns m;
-    layerGeometry geometry;
+    editedGeometry geometry;
     bendAims aims;
 
     explicit leaningColumn(const scalar share = 1)
     :
         m(fronts()[0]),
-        geometry(m.editor.layers(), m.front.addressing)
+        geometry(m.editor)
     {
         aims.faces = faceAims{::cos(degToRad(60.0)), 3};
         aims.firstHeightWeight = 10;
@@ -51,7 +51,7 @@ struct leaningColumn
               + share*heights[i]*across()
             );
         }
-        geometry.update(m.front.addressing.pointFaces[column]);
+        m.editor.touch(column);
     }
 
     vector across() const
@@ -62,12 +62,12 @@ struct leaningColumn
         );
     }
 
-    scalar lack() const
+    scalar lack()
     {
         scalar sum = 0;
         for (const label facei : m.front.addressing.pointFaces[column])
         {
-            sum += geometry.lack(facei, aims.faces);
+            sum += geometry.now().lack(facei, aims.faces);
         }
         return sum;
     }
@@ -159,7 +159,7 @@ TEST(bendColumns, geometryFollows)
 
     forAll(one.m.front.surface.faces, facei)
     {
-        EXPECT_EQ(one.geometry.centres(facei), anew.centres(facei));
+        EXPECT_EQ(one.geometry.now().centres(facei), anew.centres(facei));
     }
 }
 
@@ -169,7 +169,7 @@ TEST(bendColumns, poorStacksAreThoseAroundALeaningColumn)
     leaningColumn one;
     const labelList all(identity(one.m.front.surface.faces.size()));
 
-    const labelList poor(poorStacks(one.geometry, all, one.aims.faces));
+    const labelList poor(poorStacks(one.geometry.now(), all, one.aims.faces));
     const labelList columns(one.m.editor.layers().columnsOf(poor));
 
     EXPECT_TRUE(columns.found(leaningColumn::column));
@@ -187,7 +187,7 @@ TEST(bendColumns, numberOfThreadsChangesNothing)
     {
         omp_set_num_threads(n);
         editedColumns m(fronts()[2]);
-        layerGeometry geometry(m.editor.layers(), m.front.addressing);
+        editedGeometry geometry(m.editor);
         bendAims aims;
         aims.faces = faceAims{::cos(degToRad(5.0)), 0.01};
         const labelList all(identity(m.nColumns()));

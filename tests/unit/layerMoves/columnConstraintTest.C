@@ -94,7 +94,7 @@ static void forAllMoves(editedColumns& m, const Test& test)
     test("fitThickness");
     limitHeightJumps(m.editor, neighboursOnWall(m.front));
     test("limitHeightJumps");
-    layerGeometry geometry(m.editor.layers(), m.front.addressing);
+    editedGeometry geometry(m.editor);
     bendAims aims;
     aims.faces = faceAims{0.95, 0.5};
     aims.hold(m.editor, all);
@@ -218,22 +218,21 @@ TEST(columnConstraint, columnsInAPlaneKeepTheirHeight)
     {
         if (isConstrained(front, c))
         {
+            const point& root = front.surface.points[c];
+            const scalar before =
+                front.visibility.heightCosine(c, m.end(c) - root);
             m.editor.setDirections
             (
-                c,
+                c, m.editor.state(c),
                 vectorField
                 (
                     4, front.visibility.cones[c].axis + vector(0, 0, 1)
-                ),
-                0
+                )
             );
 
             EXPECT_NEAR
             (
-                front.visibility.heightCosine
-                (
-                    c, m.end(c) - front.surface.points[c]
-                )/m.spacing.thickness[c],
+                front.visibility.heightCosine(c, m.end(c) - root)/before,
                 1, 1e-12
             );
         }

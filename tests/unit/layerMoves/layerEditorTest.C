@@ -75,6 +75,65 @@ TEST(layerEditor, whatIsTouchedCanBeAskedAgain)
 }
 
 
+TEST(layerEditor, columnsOfTheSameThicknessStayWhereTheyArePlaced)
+{
+    for (const layerFront& front : fronts())
+    {
+        editedColumns m(front);
+        m.editor.setPoint
+        (
+            3, 2, m.editor.layers()(3, 2) + vector(0.001, 0.002, 0.003)
+        );
+        const pointField placed(m.editor.layers().points);
+        m.editor.setThickness(3, m.editor.thickness()[3]);
+
+        EXPECT_TRUE(movedColumns(m, placed).empty());
+    }
+}
+
+
+TEST(layerEditor, lowerColumnsStandWhereTheyWerePlaced)
+{
+    for (const layerFront& front : fronts())
+    {
+        editedColumns m(front);
+        for (label i = 1; i <= 4; ++i)
+        {
+            const vector aside(m.editor.heights(3)[i]*vector(0.1, 0.2, 0.3));
+            m.editor.setPoint(3, i, m.editor.layers()(3, i) + aside);
+        }
+        const scalar thickness = 0.6*m.editor.thickness()[3];
+        const vector offset(m.editor.offsetAt(3, thickness));
+        m.editor.setThickness(3, thickness);
+
+        EXPECT_NEAR
+        (
+            mag(m.end(3) - m.editor.layers()(3, 0) - thickness*offset), 0, 1e-15
+        );
+    }
+}
+
+
+TEST(layerEditor, turnedColumnsAreAsFarBesideAsTheyWerePlaced)
+{
+    for (const layerFront& front : fronts())
+    {
+        editedColumns m(front), other(front);
+        const vector d(0.05*(m.end(3) - m.editor.layers()(3, 0)));
+        const vectorField directions
+        (
+            4, front.visibility.cones[3].axis + vector(0.05, 0.1, 0.15)
+        );
+        m.editor.setPoint(3, 4, m.end(3) + d);
+
+        m.editor.setDirections(3, m.editor.state(3), directions);
+        other.editor.setDirections(3, other.editor.state(3), directions);
+
+        EXPECT_NEAR(mag(m.end(3) - other.end(3) - d), 0, 1e-15);
+    }
+}
+
+
 TEST(layerEditor, touchedFacesAreThoseAroundMovedColumns)
 {
     for (const layerFront& front : fronts())
@@ -99,9 +158,8 @@ static void change(editedColumns& m, const label c)
     m.editor.setThickness(c, 0.7*m.editor.thickness()[c], 0.4);
     m.editor.setDirections
     (
-        c,
-        vectorField(4, aside + m.front.visibility.cones[c].axis),
-        0.3
+        c, m.editor.state(c),
+        vectorField(4, aside + m.front.visibility.cones[c].axis)
     );
     m.editor.setPoint(c, 2, m.editor.layers()(c, 2) + 0.001*aside);
     m.editor.setCause(c, squeezeCause::intersection);

@@ -30,7 +30,7 @@ struct namedColumns
         made
         {
             m.editor.layers(), m.editor.thickness(), m.editor.causes(),
-            labelList(), 0
+            labelList(), certification()
         }
     {}
 
