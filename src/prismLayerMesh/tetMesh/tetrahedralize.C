@@ -32,8 +32,8 @@ const struct
     label maxAttempts = 12;
 
     //- CPU time of the first attempt [s], and the points for which it has one
-    //  second more: twice the time of any success. Later attempts have half
-    //  the time of the last one each, but not less than the shortest time.
+    //  second more: twice the time of any success. The second attempt has half
+    //  of it, later ones a quarter, but not less than the shortest time.
     label seconds = 3;
     label pointsPerSecond = 16000;
     label shortest = 2;
@@ -42,7 +42,7 @@ const struct
     //  number of tetrahedra, if there may be so many, for which it has one
     //  second more
     label sizedSeconds = 10;
-    label tetsPerSecond = 6000;
+    label tetsPerSecond = 24000;
 
     //- Tetrahedra that there may be for each point that is added
     label tetsPerPoint = 4;
@@ -284,7 +284,7 @@ static tetMesh attempts(const tetDomain& domain, const tetRun& how)
             {
                 return read(domain, rotation, result, mesh);
             },
-            max(how.seconds >> attempt, tuned.shortest)
+            max(how.seconds >> min(attempt, 2), tuned.shortest)
         );
 
         if
