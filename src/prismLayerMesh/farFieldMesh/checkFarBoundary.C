@@ -34,40 +34,48 @@ static edge oddEdge(const faceList& faces)
 }
 
 
-//- Whether the first of some faces is inside of one of the closed bodies, by
-//  their first points, whose normals point outwards
-static bool isEnclosed
+//- Sets to false what is said of the bodies of faces that are inside of a solid
+//  body. solids and cavities: a face of each of these bodies.
+static void removeEnclosed
 (
     const wallSurface& outer,
-    const label facei,
-    const labelUList& bodies,
-    disjointSets& bodyOf
+    const labelUList& solids,
+    const labelUList& cavities,
+    disjointSets& bodyOf,
+    bitSet& isAround
 )
 {
-    const point x(outer.faces[facei].centre(outer.points));
-
-    for (const label body : bodies)
+    if (cavities.empty())
     {
+        return;
+    }
+
+    for (const label solid : solids)
+    {
+        const label body = bodyOf.find(outer.faces[solid][0]);
         wallSurface one(outer);
         one.faces = subsetList
         (
             outer.faces,
             [&](const face& f) { return bodyOf.find(f[0]) == body; }
         );
+        const wallSearch search(one);
 
-        if (!wallSearch(one).inFront(x))
+        for (const label facei : cavities)
         {
-            return true;
+            const face& f = outer.faces[facei];
+            if (!search.inFront(f.centre(outer.points)))
+            {
+                isAround.unset(bodyOf.find(f[0]));
+            }
         }
     }
-
-    return false;
 }
 
 
 //- Whether each triangle of the outer surface of the layers is of a body that
-//  is around the fluid: it is not closed, or its normals point inwards, and it
-//  is no cavity of another body
+//  is around the fluid: the body is not closed, or its normals point inwards,
+//  and it is no cavity of another body
 static boolList aroundFluid(const wallSurface& outer)
 {
     disjointSets bodyOf(connectedPoints(outer.points.size(), outer.faces));
@@ -78,34 +86,26 @@ static boolList aroundFluid(const wallSurface& outer)
         volumes[body] += (outer.points[f[0]] - outer.points[body])
           & f.areaNormal(outer.points);
     }
-    bitSet isOpen(outer.points.size());
+    bitSet isAround(outer.points.size());
     for (const edge& e : openEdges(outer).toc())
     {
-        isOpen.set(bodyOf.find(e.start()));
+        isAround.set(bodyOf.find(e.start()));
     }
 
-    bitSet isAround(isOpen);
-    DynamicList<label> solids;
-    DynamicList<label> inward;
+    DynamicList<label> solids, inward;
     for (const label facei : largestFaces(outer))
     {
         const label body = bodyOf.find(outer.faces[facei][0]);
-        if (!isOpen.test(body))
+        if (!isAround.test(body))
         {
-            (volumes[body] < 0 ? inward : solids).append
-            (
-                volumes[body] < 0 ? facei : body
-            );
+            (volumes[body] < 0 ? inward : solids).append(facei);
         }
     }
     for (const label facei : inward)
     {
-        isAround.set
-        (
-            bodyOf.find(outer.faces[facei][0]),
-            !isEnclosed(outer, facei, solids, bodyOf)
-        );
+        isAround.set(bodyOf.find(outer.faces[facei][0]));
     }
+    removeEnclosed(outer, solids, inward, bodyOf, isAround);
 
     boolList result(outer.faces.size());
     forAll(result, i)
