@@ -28,7 +28,7 @@ typedef CGAL::Box_intersection_d::Box_with_info_d
 static const std::ptrdiff_t cutoff = 1000;
 
 //- Triangles are looked at in slabs of space with about so many of the first
-//  each, and some more that are in several (doc/numbers.md)
+//  each, and some more that are in several (benchmarks/numbers/README.md)
 static const std::size_t perSlab = 20000;
 
 //- Slabs are chosen by so many triangles for each
