@@ -68,10 +68,22 @@ static bool isBody(const unionMesh& mesh)
 static void removeNeedles(const double length, unionMesh& body)
 {
     unionMesh cleaned(body);
+    const double capCosine = std::cos(degToRad(160.0));
+
+    #if CGAL_VERSION_NR >= 1060000000
+    PMP::remove_almost_degenerate_faces
+    (
+        cleaned,
+        CGAL::parameters::cap_threshold(capCosine)
+            .needle_threshold(4)
+            .collapse_length_threshold(length)
+    );
+    #else
     PMP::experimental::remove_almost_degenerate_faces
     (
-        cleaned, std::cos(degToRad(160.0)), 4, length
+        cleaned, capCosine, 4, length
     );
+    #endif
 
     if (isBody(cleaned))
     {
