@@ -6,8 +6,8 @@
 #include "tetImprover.H"
 #include "faceQuality.H"
 #include "farFieldMeshControls.H"
-#include "orientation.H"
 #include "splitTets.H"
+#include "tetrahedralize.H"
 
 namespace Foam
 {
@@ -80,27 +80,6 @@ scalar tetImprover::lackOf(const labelUList& tets, const scalar bound) const
 }
 
 
-bool tetImprover::positive(const UList<tetCell>& tets) const
-{
-    for (const tetCell& tet : tets)
-    {
-        if
-        (
-            orientation
-            (
-                points_[tet[0]], points_[tet[1]],
-                points_[tet[2]], points_[tet[3]]
-            ) <= 0
-        )
-        {
-            return false;
-        }
-    }
-
-    return true;
-}
-
-
 bool tetImprover::replace
 (
     const labelUList& old,
@@ -108,7 +87,7 @@ bool tetImprover::replace
     const label newPoint
 )
 {
-    if (!positive(made))
+    if (!allPositive(points_, made))
     {
         return false;
     }

@@ -5,6 +5,7 @@
 
 #include "tetImprover.H"
 #include "farFieldMeshControls.H"
+#include "tetrahedralize.H"
 #include "HashSet.H"
 
 namespace Foam
@@ -26,7 +27,7 @@ bool tetImprover::step(const label p, const scalar distance, scalar& least)
         points_[p] = from + distance*direction;
         const scalar there = lackOf(around, least);
 
-        if (there < least && positive(tets_.subset(around)))
+        if (there < least && allPositive(points_, tets_.subset(around)))
         {
             least = there;
             to = points_[p];

@@ -309,7 +309,7 @@ static tetMesh attempts(const tetDomain& domain, const tetRun& how)
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-bool allPositive(const pointField& x, const tetCellList& tets)
+bool allPositive(const UList<point>& x, const UList<tetCell>& tets)
 {
     for (const tetCell& tet : tets)
     {
