@@ -15,25 +15,6 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- An edge with an odd number of faces; not valid if there is none
-static edge oddEdge(const faceList& faces)
-{
-    edgeHashSet odd(3*faces.size());
-    for (const face& f : faces)
-    {
-        for (const edge& e : f.edges())
-        {
-            if (!odd.insert(e))
-            {
-                odd.erase(e);
-            }
-        }
-    }
-
-    return odd.size() ? odd.begin().key() : edge();
-}
-
-
 //- Sets to false what is said of the bodies of faces that are inside of a solid
 //  body. solids and cavities: a face of each of these bodies.
 static void removeEnclosed
@@ -87,7 +68,7 @@ static boolList aroundFluid(const wallSurface& outer)
           & f.areaNormal(outer.points);
     }
     bitSet isAround(outer.points.size());
-    for (const edge& e : openEdges(outer).toc())
+    for (const edge& e : openEdges(outer.faces))
     {
         isAround.set(bodyOf.find(e.start()));
     }
@@ -147,12 +128,12 @@ void checkFarBoundary(const wallSurface& both, const label nOuter)
             << exit(FatalError);
     }
 
-    const edge open(oddEdge(both.faces));
-    if (open.valid())
+    const edgeHashSet open(openEdges(both.faces));
+    if (open.size())
     {
         FatalErrorInFunction
             << "The far boundary is not around the wall: it is open at "
-            << open.centre(both.points) << exit(FatalError);
+            << open.begin().key().centre(both.points) << exit(FatalError);
     }
 
     checkBodies(both, nOuter);

@@ -113,7 +113,7 @@ static bool flipOnce(wallSurface& surface, const bool inPlane)
 static boolList findInner(const wallSurface& surface)
 {
     boolList isInner(surface.points.size(), true);
-    for (const edge& e : openEdges(surface))
+    for (const edge& e : openEdges(surface.faces))
     {
         isInner[e.start()] = isInner[e.end()] = false;
     }
@@ -227,10 +227,10 @@ static void smoothOnce
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-edgeHashSet openEdges(const wallSurface& surface)
+edgeHashSet openEdges(const faceList& faces)
 {
     edgeHashSet open;
-    for (const face& f : surface.faces)
+    for (const face& f : faces)
     {
         for (const edge& e : f.edges())
         {
