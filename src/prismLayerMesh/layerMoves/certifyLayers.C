@@ -174,7 +174,6 @@ public:
 
 bool layerCertifier::lean(const labelUList& columns)
 {
-    const layerMoveControls& controls = editor_.controls();
     const auto penalty = [&]
     (
         const label facei,
@@ -182,16 +181,12 @@ bool layerCertifier::lean(const labelUList& columns)
         const scalar enough
     )
     {
-        return jacobianPenalty
-        (
-            editor_.layers(), facei,
-            controls.goodJacobian*judge_.attainable(facei), enough, lowest
-        );
+        return judge_.penalty(facei, lowest, enough);
     };
 
     return leanColumns
     (
-        editor_, columns, penalty, controls.maxLeans, nLeans_
+        editor_, columns, penalty, editor_.controls().maxLeans, nLeans_
     ).size();
 }
 

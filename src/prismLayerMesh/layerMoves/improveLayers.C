@@ -160,7 +160,6 @@ public:
 
 void improvement::lean(const labelUList& faces)
 {
-    const layerMoveControls& controls = editor_.controls();
     const auto penalty = [&]
     (
         const label facei,
@@ -168,11 +167,7 @@ void improvement::lean(const labelUList& faces)
         const scalar enough
     )
     {
-        const scalar own = jacobianPenalty
-        (
-            editor_.layers(), facei,
-            controls.goodJacobian*judge_.attainable(facei), enough, lowest
-        );
+        const scalar own = judge_.penalty(facei, lowest, enough);
 
         return lowest == 1 && own <= enough && isAtFault(facei)
           ? forbidden : own;
@@ -180,7 +175,13 @@ void improvement::lean(const labelUList& faces)
 
     const labelList leaning
     (
-        notBarredOf(judge_.findBelowAttainable(faces, controls.goodJacobian))
+        notBarredOf
+        (
+            judge_.findBelowAttainable
+            (
+                faces, editor_.controls().goodJacobian
+            )
+        )
     );
     labelList nTries(barred_.size(), 0);
     leanColumns(editor_, leaning, penalty, 1, nTries);

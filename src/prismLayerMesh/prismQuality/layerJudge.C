@@ -63,6 +63,21 @@ layerJudge::layerJudge
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+scalar layerJudge::penalty
+(
+    const label facei,
+    const label lowest,
+    const scalar enough
+) const
+{
+    return jacobianPenalty
+    (
+        layers_, facei, controls_.goodJacobian*attainable_[facei], enough,
+        lowest
+    );
+}
+
+
 bool layerJudge::isBelowAttainable(const label facei, const scalar share) const
 {
     const scalar smallest = share*attainable_[facei];
