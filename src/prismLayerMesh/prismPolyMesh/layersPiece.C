@@ -6,6 +6,7 @@
 #include "layersPiece.H"
 #include "bitSet.H"
 #include "facesBeyond.H"
+#include "readWallSurface.H"
 #include "SubField.H"
 
 #include <tuple>
@@ -219,25 +220,10 @@ static void addBetween
 //- Drop the points that no face has
 static void dropUnused(meshPiece& piece)
 {
-    bitSet isUsed(piece.points.size());
-    for (const face& f : piece.faces)
-    {
-        isUsed.set(f);
-    }
-    if (isUsed.all())
-    {
-        return;
-    }
-
-    const labelList used(isUsed.toc());
-    const labelList newPoints(invert(piece.points.size(), used));
-    piece.points = pointField(piece.points, used);
+    const labelList newPoints(removeUnusedPoints(piece.faces, piece.points));
+    const labelList used(invert(piece.points.size(), newPoints));
     piece.pointAddressing =
         labelList(UIndirectList<label>(piece.pointAddressing, used));
-    for (face& f : piece.faces)
-    {
-        inplaceRenumber(newPoints, f);
-    }
 }
 
 

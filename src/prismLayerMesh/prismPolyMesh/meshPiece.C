@@ -7,6 +7,7 @@
 #include "DynamicList.H"
 #include "labelIOList.H"
 #include "processorPolyPatch.H"
+#include "readWallSurface.H"
 
 namespace Foam
 {
@@ -25,9 +26,8 @@ class pieceMaker
 
     meshPiece piece_;
 
-    //- Labels in the piece, -1 of what is not in it
+    //- Labels of cells in the piece, -1 for cells that are not in it
     labelList localCells_;
-    labelList localPoints_;
 
     DynamicList<face> faces_;
     DynamicList<label> owner_;
@@ -111,30 +111,13 @@ class pieceMaker
 
     void addPoints()
     {
-        for (const face& f : faces_)
-        {
-            UIndirectList<label>(localPoints_, f) = 0;
-        }
-
-        DynamicList<label> used;
-        forAll(localPoints_, p)
-        {
-            if (localPoints_[p] == 0)
-            {
-                localPoints_[p] = used.size();
-                used.append(p);
-            }
-        }
-
-        piece_.points = pointField(mesh_.points(), used);
-        piece_.pointAddressing.transfer(used);
-        for (face& f : faces_)
-        {
-            for (label& p : f)
-            {
-                p = localPoints_[p];
-            }
-        }
+        piece_.points = mesh_.points();
+        piece_.faces.transfer(faces_);
+        const labelList newPoints
+        (
+            removeUnusedPoints(piece_.faces, piece_.points)
+        );
+        piece_.pointAddressing = invert(piece_.points.size(), newPoints);
     }
 
     void addZones()
@@ -166,8 +149,7 @@ public:
         mesh_(mesh),
         processorOfCell_(processorOfCell),
         processor_(processor),
-        localCells_(mesh.nCells(), -1),
-        localPoints_(mesh.nPoints(), -1)
+        localCells_(mesh.nCells(), -1)
     {}
 
     meshPiece make()
@@ -189,7 +171,6 @@ public:
         addPoints();
         addZones();
 
-        piece_.faces.transfer(faces_);
         piece_.owner.transfer(owner_);
         piece_.neighbour.transfer(neighbour_);
         piece_.faceAddressing.transfer(addressing_);
