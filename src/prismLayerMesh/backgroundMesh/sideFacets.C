@@ -16,63 +16,51 @@ namespace Foam
 namespace
 {
 
-class sideFacets
+struct sideFacets
 {
-    const wallSurface& wall_;
-    const offsetEnvelope& envelope_;
-    const boundBox& box_;
-    const scalar tolerance_;
-    tetDomain& domain_;
+    const wallSurface& wall;
+    const offsetEnvelope& envelope;
+    const boundBox& box;
+    tetDomain& domain;
+
+    const scalar tolerance = 1e-9*box.mag();
 
     //- Region of each side patch; points on each side patch that are on another
     //  side patch, too
-    List<planeRegion> regions_;
-    List<DynamicList<label>> corners_;
+    List<planeRegion> regions = List<planeRegion>(wall.border.sides.size());
+    List<DynamicList<label>> corners =
+        List<DynamicList<label>>(regions.size());
 
     //- Points of the border of the wall, and of parts
-    equalPoints labels_;
-
-    DynamicList<label> added_;
-
-
-    label labelOf(const point& x)
-    {
-        if (labels_.insert(x, domain_.points.size()))
-        {
-            added_.append(domain_.points.size());
-            domain_.points.append(x);
-        }
-
-        return labels_.find(x);
-    }
+    equalPoints labels{};
 
 
     void addCorner(const label p, const labelPair& sides)
     {
         if (sides.second() >= 0 && sides.first() != sides.second())
         {
-            corners_[sides.first()].append(p);
-            corners_[sides.second()].append(p);
+            corners[sides.first()].append(p);
+            corners[sides.second()].append(p);
         }
     }
 
 
     void addBorder()
     {
-        const Map<labelPair> sides(wall_.border.pointSides());
+        const Map<labelPair> sides(wall.border.pointSides());
         forAllConstIters(sides, iter)
         {
-            labels_.insert(wall_.points[iter.key()], iter.key());
+            labels.insert(wall.points[iter.key()], iter.key());
             addCorner(iter.key(), iter.val());
         }
 
-        forAll(wall_.border.edges, i)
+        forAll(wall.border.edges, i)
         {
-            const label s = wall_.border.edgeSides[i];
+            const label s = wall.border.edgeSides[i];
 
-            if (!wall_.border.sides[s].isPart())
+            if (!wall.border.sides[s].isPart())
             {
-                regions_[s].edges.append(wall_.border.edges[i]);
+                regions[s].edges.append(wall.border.edges[i]);
             }
         }
     }
@@ -80,42 +68,45 @@ class sideFacets
 
     void addEnvelope()
     {
-        forAll(envelope_.sides, i)
+        forAll(envelope.sides, i)
         {
-            const label p = wall_.points.size() + i;
+            const label p = wall.points.size() + i;
 
-            for (const label s : envelope_.sides[i])
+            for (const label s : envelope.sides[i])
             {
                 if (s >= 0)
                 {
-                    regions_[s].points.append(p);
+                    regions[s].points.append(p);
                 }
             }
-            addCorner(p, envelope_.sides[i]);
+            addCorner(p, envelope.sides[i]);
         }
     }
 
 
     void addParts()
     {
-        forAll(regions_, s)
+        forAll(regions, s)
         {
-            const sidePatch& side = wall_.border.sides[s];
-            regions_[s].isCurved = side.isCurved();
+            const sidePatch& side = wall.border.sides[s];
+            regions[s].isCurved = side.isCurved();
 
             for (label p = 0; side.isCurved() && p < side.points.size(); ++p)
             {
-                regions_[s].points.append(labelOf(side.points[p]));
+                regions[s].points.append
+                (
+                    labels.labelIn(domain.points, side.points[p])
+                );
             }
 
             for (const edge& e : outline(side.faces))
             {
-                regions_[s].boundary.append
+                regions[s].boundary.append
                 (
                     edge
                     (
-                        labelOf(side.points[e.start()]),
-                        labelOf(side.points[e.end()])
+                        labels.labelIn(domain.points, side.points[e.start()]),
+                        labels.labelIn(domain.points, side.points[e.end()])
                     )
                 );
             }
@@ -126,8 +117,8 @@ class sideFacets
     //- The edges of parts that are in side planes
     void addEdgesOfParts()
     {
-        const List<sidePatch>& sides = wall_.border.sides;
-        const pointField& points = domain_.points;
+        const List<sidePatch>& sides = wall.border.sides;
+        const pointField& points = domain.points;
 
         forAll(sides, s)
         {
@@ -138,14 +129,14 @@ class sideFacets
                     continue;
                 }
 
-                for (const edge& e : regions_[part].boundary)
+                for (const edge& e : regions[part].boundary)
                 {
                     const point& a = points[e.start()];
                     const point& b = points[e.end()];
 
-                    if (sides[s].hasEdge(a, b, tolerance_))
+                    if (sides[s].hasEdge(a, b, tolerance))
                     {
-                        regions_[s].edges.append(e);
+                        regions[s].edges.append(e);
                     }
                 }
             }
@@ -155,9 +146,9 @@ class sideFacets
 
     void addPlanes()
     {
-        const convexPolyhedron cut(cutBox(box_, wall_.border.sides));
-        const label first = domain_.points.size();
-        domain_.points.append(cut.points);
+        const convexPolyhedron cut(cutBox(box, wall.border.sides));
+        const label first = domain.points.size();
+        domain.points.append(cut.points);
 
         forAll(cut.faces, facei)
         {
@@ -166,62 +157,44 @@ class sideFacets
 
             for (label k = 1; s < 0 && k + 1 < f.size(); ++k)
             {
-                domain_.facets.append(face({f[0], f[k], f[k + 1]}));
+                domain.facets.append(face({f[0], f[k], f[k + 1]}));
             }
             for (label k = 0; s >= 0 && k < f.size(); ++k)
             {
-                regions_[s].boundary.append(f.faceEdge(k));
+                regions[s].boundary.append(f.faceEdge(k));
             }
         }
     }
-
-
-public:
-
-    sideFacets
-    (
-        const wallSurface& wall,
-        const offsetEnvelope& envelope,
-        const boundBox& box,
-        tetDomain& domain
-    )
-    :
-        wall_(wall),
-        envelope_(envelope),
-        box_(box),
-        tolerance_(1e-9*box.mag()),
-        domain_(domain),
-        regions_(wall.border.sides.size()),
-        corners_(regions_.size())
-    {}
 
 
     labelList add()
     {
         addBorder();
         addEnvelope();
+        const label nBefore = domain.points.size();
         addParts();
+        const label nAdded = domain.points.size() - nBefore;
         addEdgesOfParts();
-        if (hasPlanes(wall_.border.sides) || enclosedVolume(wall_) > 0)
+        if (hasPlanes(wall.border.sides) || enclosedVolume(wall) > 0)
         {
             addPlanes();
         }
 
-        forAll(regions_, s)
+        forAll(regions, s)
         {
-            planeRegion& region = regions_[s];
-            region.normal = -wall_.border.sides[s].normal;
+            planeRegion& region = regions[s];
+            region.normal = -wall.border.sides[s].normal;
             for (DynamicList<edge>* edges : {&region.boundary, &region.edges})
             {
                 *edges = dividedEdges
                 (
-                    domain_.points, *edges, corners_[s], tolerance_
+                    domain.points, *edges, corners[s], tolerance
                 );
             }
-            domain_.facets.append(triangulatePlane(domain_.points, region));
+            domain.facets.append(triangulatePlane(domain.points, region));
         }
 
-        return labelList(std::move(added_));
+        return identity(nAdded, nBefore);
     }
 };
 
@@ -238,7 +211,7 @@ labelList addSideFacets
     tetDomain& domain
 )
 {
-    return sideFacets(wall, envelope, box, domain).add();
+    return sideFacets{wall, envelope, box, domain}.add();
 }
 
 } // End namespace Foam

@@ -60,8 +60,6 @@ class endedBoundaryMaker
     //- The outer edges of the layers on side patches
     void addLayers();
 
-    label labelOf(const point& x);
-
     void addEdge(const label s, const edge& e);
 
     //- The outline of parts, beyond the layers
@@ -136,17 +134,6 @@ void endedBoundaryMaker::addLayers()
 }
 
 
-label endedBoundaryMaker::labelOf(const point& x)
-{
-    if (labels_.insert(x, points().size()))
-    {
-        points().append(x);
-    }
-
-    return labels_.find(x);
-}
-
-
 void endedBoundaryMaker::addEdge(const label s, const edge& e)
 {
     const point& a = points()[e.start()];
@@ -174,16 +161,16 @@ void endedBoundaryMaker::addParts()
             const point& b = sides_[s].points[e.end()];
             labelPair ends;
 
+            const auto labelOf = [&](const label top, const point& x)
+            {
+                return top < 0 ? labels_.labelIn(points(), x) : top;
+            };
+
             if (!border_.covers(a, b, ends))
             {
                 addEdge
                 (
-                    s,
-                    edge
-                    (
-                        ends.first() < 0 ? labelOf(a) : ends.first(),
-                        ends.second() < 0 ? labelOf(b) : ends.second()
-                    )
+                    s, edge(labelOf(ends.first(), a), labelOf(ends.second(), b))
                 );
             }
         }
