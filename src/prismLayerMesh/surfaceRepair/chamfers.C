@@ -22,33 +22,33 @@ static constexpr scalar nearShare = 0.25;
 namespace
 {
 
-class chamferSplitter
+struct chamferSplitter
 {
-    const tangentPlanes& planes_;
-    const sharpLines& lines_;
-    wallSurface& wrap_;
+    const tangentPlanes& planes;
+    const sharpLines& lines;
+    wallSurface& wrap;
 
     //- Labels of the points of edges, after those of the wrap
-    EdgeMap<label> onEdges_;
+    EdgeMap<label> onEdges{};
 
-    DynamicList<point> middles_;
-    DynamicList<point> targets_;
+    DynamicList<point> middles{};
+    DynamicList<point> targets{};
 
 
     //- Add a point that is to go to where the planes of others meet; -1 if they
     //  do not
     label add(const UList<label>& p, const point& middle, const scalar reach)
     {
-        const pointIndexHit hit(planes_.meet(p, middle, lines_, reach));
+        const pointIndexHit hit(planes.meet(p, middle, lines, reach));
         if (!hit.hit())
         {
             return -1;
         }
 
-        middles_.append(middle);
-        targets_.append(hit.rawPoint());
+        middles.append(middle);
+        targets.append(hit.rawPoint());
 
-        return wrap_.points.size() + middles_.size() - 1;
+        return wrap.points.size() + middles.size() - 1;
     }
 
 
@@ -57,24 +57,24 @@ class chamferSplitter
         scalar longest = 0;
         for (const edge& e : f.edges())
         {
-            if (!planes_.areAcross(e.start(), e.end()))
+            if (!planes.areAcross(e.start(), e.end()))
             {
                 return -1;
             }
-            longest = max(longest, e.mag(wrap_.points));
+            longest = max(longest, e.mag(wrap.points));
         }
 
-        return add(f, f.centre(wrap_.points), longest);
+        return add(f, f.centre(wrap.points), longest);
     }
 
 
     //- Between points of the wrap and new ones, where these are yet
     scalar distance(const label p, const label q) const
     {
-        const label n = wrap_.points.size();
+        const label n = wrap.points.size();
         const auto at = [&](const label r)
         {
-            return r < n ? wrap_.points[r] : middles_[r - n];
+            return r < n ? wrap.points[r] : middles[r - n];
         };
 
         return mag(at(p) - at(q));
@@ -88,7 +88,7 @@ class chamferSplitter
 
         forAll(f, k)
         {
-            const auto middle = onEdges_.cfind(f.faceEdge(k));
+            const auto middle = onEdges.cfind(f.faceEdge(k));
             all.append(f[k]);
             if (middle.found())
             {
@@ -104,7 +104,7 @@ class chamferSplitter
     void split(const face& f, DynamicList<face>& parts)
     {
         const face all(withMiddles(f));
-        const label nOld = wrap_.points.size();
+        const label nOld = wrap.points.size();
         const label n = all.size();
 
         const label centre = addCorner(f);
@@ -153,46 +153,31 @@ class chamferSplitter
     }
 
 
-public:
-
-    chamferSplitter
-    (
-        const tangentPlanes& planes,
-        const sharpLines& lines,
-        wallSurface& wrap
-    )
-    :
-        planes_(planes),
-        lines_(lines),
-        wrap_(wrap)
-    {}
-
-
     pointField split(const edgeList& across)
     {
         for (const edge& e : across)
         {
             const label p =
-                add(labelList(e), e.centre(wrap_.points), e.mag(wrap_.points));
+                add(labelList(e), e.centre(wrap.points), e.mag(wrap.points));
             if (p >= 0)
             {
-                onEdges_.insert(e, p);
+                onEdges.insert(e, p);
             }
         }
 
-        DynamicList<face> faces(wrap_.faces.size());
-        DynamicList<label> patchIDs(wrap_.faces.size());
-        forAll(wrap_.faces, facei)
+        DynamicList<face> faces(wrap.faces.size());
+        DynamicList<label> patchIDs(wrap.faces.size());
+        forAll(wrap.faces, facei)
         {
-            split(wrap_.faces[facei], faces);
-            patchIDs.setSize(faces.size(), wrap_.patchIDs[facei]);
+            split(wrap.faces[facei], faces);
+            patchIDs.setSize(faces.size(), wrap.patchIDs[facei]);
         }
 
-        wrap_.faces.transfer(faces);
-        wrap_.patchIDs.transfer(patchIDs);
-        wrap_.points.append(middles_);
+        wrap.faces.transfer(faces);
+        wrap.patchIDs.transfer(patchIDs);
+        wrap.points.append(middles);
 
-        return pointField(std::move(targets_));
+        return pointField(std::move(targets));
     }
 };
 
@@ -273,7 +258,7 @@ pointField splitChamfers
     wallSurface& wrap
 )
 {
-    return chamferSplitter(planes, lines, wrap).split(across);
+    return chamferSplitter{planes, lines, wrap}.split(across);
 }
 
 } // End namespace Foam

@@ -20,32 +20,32 @@ static constexpr scalar nearShare = 0.25;
 namespace
 {
 
-class planeCutter
+struct planeCutter
 {
-    const sidePatch& plane_;
-    const scalarField& distances_;
-    wallSurface& surface_;
+    const sidePatch& plane;
+    const scalarField& distances;
+    wallSurface& surface;
 
     //- Labels of the points of edges on the plane, after those of the surface
-    EdgeMap<label> cuts_;
-    DynamicList<point> cutPoints_;
+    EdgeMap<label> cuts{};
+    DynamicList<point> cutPoints{};
 
     //- The point of an edge that is on the plane
     label cut(const edge& e)
     {
-        if (!cuts_.found(e))
+        if (!cuts.found(e))
         {
             const label a = min(e.start(), e.end());
             const label b = max(e.start(), e.end());
-            const scalar t = distances_[a]/(distances_[a] - distances_[b]);
-            const pointField& points = surface_.points;
+            const scalar t = distances[a]/(distances[a] - distances[b]);
+            const pointField& points = surface.points;
             const point x((1 - t)*points[a] + t*points[b]);
 
-            cuts_.insert(e, points.size() + cutPoints_.size());
-            cutPoints_.append(x - plane_.distance(x)*plane_.normal);
+            cuts.insert(e, points.size() + cutPoints.size());
+            cutPoints.append(x - plane.distance(x)*plane.normal);
         }
 
-        return cuts_[e];
+        return cuts[e];
     }
 
     //- The part of a face that is not beyond the plane
@@ -55,14 +55,14 @@ class planeCutter
 
         forAll(f, k)
         {
-            const scalar d = distances_[f[k]];
+            const scalar d = distances[f[k]];
             const edge e(f.faceEdge(k));
 
             if (d <= 0)
             {
                 left.append(f[k]);
             }
-            if (d*distances_[e.end()] < 0)
+            if (d*distances[e.end()] < 0)
             {
                 left.append(cut(e));
             }
@@ -71,37 +71,23 @@ class planeCutter
         return left;
     }
 
-public:
-
-    planeCutter
-    (
-        const sidePatch& plane,
-        const scalarField& distances,
-        wallSurface& surface
-    )
-    :
-        plane_(plane),
-        distances_(distances),
-        surface_(surface)
-    {}
-
     void cutAll()
     {
-        DynamicList<face> faces(surface_.faces.size());
+        DynamicList<face> faces(surface.faces.size());
         DynamicList<label> patchIDs(faces.size());
         const auto add = [&](const face& f, const label facei)
         {
             faces.append(f);
-            patchIDs.append(surface_.patchIDs[facei]);
+            patchIDs.append(surface.patchIDs[facei]);
         };
 
-        forAll(surface_.faces, facei)
+        forAll(surface.faces, facei)
         {
-            const face& f = surface_.faces[facei];
+            const face& f = surface.faces[facei];
             const bool isInFront = std::any_of
             (
                 f.begin(), f.end(),
-                [&](const label p) { return distances_[p] < 0; }
+                [&](const label p) { return distances[p] < 0; }
             );
 
             // Faces on the plane are beyond it
@@ -117,10 +103,10 @@ public:
             }
         }
 
-        surface_.points.append(cutPoints_);
-        surface_.faces.transfer(faces);
-        surface_.patchIDs.transfer(patchIDs);
-        removeUnusedPoints(surface_.faces, surface_.points);
+        surface.points.append(cutPoints);
+        surface.faces.transfer(faces);
+        surface.patchIDs.transfer(patchIDs);
+        removeUnusedPoints(surface.faces, surface.points);
     }
 };
 
@@ -220,7 +206,7 @@ void cutOff
     const scalarField& distances
 )
 {
-    planeCutter(plane, distances, surface).cutAll();
+    planeCutter{plane, distances, surface}.cutAll();
 }
 
 
