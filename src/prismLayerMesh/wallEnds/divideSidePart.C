@@ -18,53 +18,54 @@ namespace Foam
 namespace
 {
 
-class partDivider
+struct partDivider
 {
-    sectoredSurface& sectored_;
-    wallSurface& surface_;
-    const label part_;
-    const scalar tolerance_;
-    const labelList faces_;
+    sectoredSurface& sectored;
+    const label part;
+    const scalar tolerance;
+
+    wallSurface& surface = sectored.surface;
+    const labelList faces = findIndices(sectored.parts, part);
 
     //- Edges between the part and the wall, and points of other parts
-    edgeHashSet border_;
-    bitSet onOthers_;
+    edgeHashSet border{};
+    bitSet onOthers{};
 
-    sidePlane plane_;
+    sidePlane plane{};
 
     //- Distance [m] of each point from the plane, 0 for points on the plane
-    scalarField distances_;
+    scalarField distances = scalarField(surface.points.size());
 
     //- The points at which edges cross the plane
-    EdgeMap<label> crossings_;
+    EdgeMap<label> crossings{};
 
 
     void findBorder()
     {
         edgeHashSet edges;
-        for (const label f : faces_)
+        for (const label f : faces)
         {
-            edges.insert(surface_.faces[f].edges());
+            edges.insert(surface.faces[f].edges());
         }
 
-        onOthers_.setSize(surface_.points.size());
-        forAll(surface_.faces, facei)
+        onOthers.setSize(surface.points.size());
+        forAll(surface.faces, facei)
         {
-            const face& f = surface_.faces[facei];
+            const face& f = surface.faces[facei];
 
-            if (sectored_.parts[facei] < 0)
+            if (sectored.parts[facei] < 0)
             {
                 for (const edge& e : f.edges())
                 {
                     if (edges.found(e))
                     {
-                        border_.insert(e);
+                        border.insert(e);
                     }
                 }
             }
-            else if (sectored_.parts[facei] != part_)
+            else if (sectored.parts[facei] != part)
             {
-                onOthers_.set(f);
+                onOthers.set(f);
             }
         }
     }
@@ -74,13 +75,13 @@ class partDivider
     //  their normals to one of those that differ most, and to the other
     void setPlane()
     {
-        vectorField areas(faces_.size());
+        vectorField areas(faces.size());
         point middle(Zero);
-        forAll(faces_, i)
+        forAll(faces, i)
         {
-            const face& f = surface_.faces[faces_[i]];
-            areas[i] = f.areaNormal(surface_.points);
-            middle += mag(areas[i])*f.centre(surface_.points);
+            const face& f = surface.faces[faces[i]];
+            areas[i] = f.areaNormal(surface.points);
+            middle += mag(areas[i])*f.centre(surface.points);
         }
 
         vectorField normals(areas);
@@ -98,8 +99,8 @@ class partDivider
             (isFirst ? ofFirst : ofSecond) += areas[i];
         }
 
-        plane_.origin = middle/max(sum(mag(areas)), VSMALL);
-        plane_.normal = normalised(ofFirst - ofSecond);
+        plane.origin = middle/max(sum(mag(areas)), VSMALL);
+        plane.normal = normalised(ofFirst - ofSecond);
     }
 
 
@@ -109,18 +110,18 @@ class partDivider
     {
         labelHashSet nearest;
 
-        for (const edge& e : border_)
+        for (const edge& e : border)
         {
-            if (distances_[e.start()]*distances_[e.end()] < 0)
+            if (distances[e.start()]*distances[e.end()] < 0)
             {
                 const bool first =
-                    mag(distances_[e.start()]) < mag(distances_[e.end()]);
+                    mag(distances[e.start()]) < mag(distances[e.end()]);
                 const label p = first ? e.start() : e.end();
                 const label q = e.otherVertex(p);
 
-                if (!onOthers_.test(p) || !onOthers_.test(q))
+                if (!onOthers.test(p) || !onOthers.test(q))
                 {
-                    nearest.insert(onOthers_.test(p) ? q : p);
+                    nearest.insert(onOthers.test(p) ? q : p);
                 }
             }
         }
@@ -131,10 +132,10 @@ class partDivider
 
     void setDistances()
     {
-        forAll(distances_, p)
+        forAll(distances, p)
         {
-            const scalar d = plane_.distance(surface_.points[p]);
-            distances_[p] = mag(d) < tolerance_ ? 0 : d;
+            const scalar d = plane.distance(surface.points[p]);
+            distances[p] = mag(d) < tolerance ? 0 : d;
         }
     }
 
@@ -145,25 +146,25 @@ class partDivider
     {
         setDistances();
         const labelList ends(nearPoints());
-        const pointField& points = surface_.points;
+        const pointField& points = surface.points;
 
         if (ends.size())
         {
-            plane_.origin = points[ends[0]];
+            plane.origin = points[ends[0]];
             const pointField apart(points, ends);
             const vector along
             (
                 apart[findMax(scalarField(mag(apart - apart[0])))] - apart[0]
             );
             const vector e(normalised(along));
-            plane_.normal =
-                normalised(plane_.normal - (plane_.normal & e)*e);
+            plane.normal =
+                normalised(plane.normal - (plane.normal & e)*e);
             setDistances();
         }
 
         for (const label p : nearPoints())
         {
-            distances_[p] = 0;
+            distances[p] = 0;
         }
     }
 
@@ -171,32 +172,32 @@ class partDivider
     void findCrossings()
     {
         DynamicList<point> added;
-        const label nPoints = surface_.points.size();
+        const label nPoints = surface.points.size();
 
-        for (const label f : faces_)
+        for (const label f : faces)
         {
-            for (const edge& e : surface_.faces[f].edges())
+            for (const edge& e : surface.faces[f].edges())
             {
-                const scalar a = distances_[e.start()];
-                const scalar b = distances_[e.end()];
+                const scalar a = distances[e.start()];
+                const scalar b = distances[e.end()];
 
                 if
                 (
-                    a*b < 0 && !border_.found(e)
-                 && crossings_.insert(e, nPoints + added.size())
+                    a*b < 0 && !border.found(e)
+                 && crossings.insert(e, nPoints + added.size())
                 )
                 {
                     added.append
                     (
-                        (b*surface_.points[e.start()]
-                      - a*surface_.points[e.end()])/(b - a)
+                        (b*surface.points[e.start()]
+                      - a*surface.points[e.end()])/(b - a)
                     );
                 }
             }
         }
 
-        surface_.points.append(added);
-        distances_.resize(surface_.points.size(), 0);
+        surface.points.append(added);
+        distances.resize(surface.points.size(), 0);
     }
 
 
@@ -212,7 +213,7 @@ class partDivider
         {
             const face f(left.remove());
             label k = 0;
-            while (k < f.size() && !crossings_.found(f.faceEdge(k)))
+            while (k < f.size() && !crossings.found(f.faceEdge(k)))
             {
                 ++k;
             }
@@ -223,7 +224,7 @@ class partDivider
                 continue;
             }
 
-            const label x = crossings_[f.faceEdge(k)];
+            const label x = crossings[f.faceEdge(k)];
             for (label i = 1; i < f.size(); ++i)
             {
                 const edge e(f.faceEdge((k + i) % f.size()));
@@ -248,10 +249,10 @@ class partDivider
         DynamicList<face> added;
         DynamicList<label> from;
 
-        forAll(surface_.faces, facei)
+        forAll(surface.faces, facei)
         {
-            const DynamicList<face> all(pieces(surface_.faces[facei]));
-            surface_.faces[facei] = all[0];
+            const DynamicList<face> all(pieces(surface.faces[facei]));
+            surface.faces[facei] = all[0];
 
             for (label i = 1; i < all.size(); ++i)
             {
@@ -260,29 +261,11 @@ class partDivider
             }
         }
 
-        surface_.faces.append(added);
-        extend(surface_.patchIDs, from);
-        extend(sectored_.parts, from);
-        extend(sectored_.sectors, from);
+        surface.faces.append(added);
+        extend(surface.patchIDs, from);
+        extend(sectored.parts, from);
+        extend(sectored.sectors, from);
     }
-
-
-public:
-
-    partDivider
-    (
-        sectoredSurface& sectored,
-        const label part,
-        const scalar tolerance
-    )
-    :
-        sectored_(sectored),
-        surface_(sectored.surface),
-        part_(part),
-        tolerance_(tolerance),
-        faces_(findIndices(sectored.parts, part)),
-        distances_(surface_.points.size())
-    {}
 
 
     void divide()
@@ -293,13 +276,13 @@ public:
         findCrossings();
         cutFaces();
 
-        const label sector = max(sectored_.sectors) + 1;
-        for (const label f : findIndices(sectored_.parts, part_))
+        const label sector = max(sectored.sectors) + 1;
+        for (const label f : findIndices(sectored.parts, part))
         {
-            const scalarField d(distances_, surface_.faces[f]);
+            const scalarField d(distances, surface.faces[f]);
             if (sum(d) > 0)
             {
-                sectored_.sectors[f] = sector;
+                sectored.sectors[f] = sector;
             }
         }
     }
@@ -317,7 +300,7 @@ void divideSidePart
     const scalar tolerance
 )
 {
-    partDivider(sectored, part, tolerance).divide();
+    partDivider{sectored, part, tolerance}.divide();
 }
 
 } // End namespace Foam
