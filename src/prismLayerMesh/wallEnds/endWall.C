@@ -18,40 +18,42 @@ namespace Foam
 namespace
 {
 
-class wallEnder
+struct wallEnder
 {
-    wallSurface surface_;
-    const wallSurfaceControls& controls_;
-    const layerControls& layers_;
-    const scalar tolerance_;
-    wallSides edges_;
+    wallSurface surface;
+    const wallSurfaceControls& controls;
+    const layerControls& layers;
+
+    const scalar tolerance =
+        sideTolerance*boundBox(surface.points, false).mag();
+    wallSides edges{};
 
     //- Side patch of each face, -1 of the wall
-    labelList sideOfFace_;
+    labelList sideOfFace{};
 
-    List<sidePatch> sides_;
+    List<sidePatch> sides{};
 
     //- How many of them are parts of planes; planes without faces follow
-    label nParts_ = 0;
+    label nParts = 0;
 
     //- Side patches of each point of the surface
-    List<DynamicList<label>> pointSides_;
+    List<DynamicList<label>> pointSides{};
 
-    wallSurface wall_;
+    wallSurface wall{};
 
 
     //- The plane that is nearest to both ends of an edge, -1 if none is near
     label planeOf(const wallSide& edge) const
     {
         label nearest = -1;
-        scalar least = tolerance_;
+        scalar least = tolerance;
 
-        for (label s = nParts_; s < sides_.size(); ++s)
+        for (label s = nParts; s < sides.size(); ++s)
         {
             const scalar distance = max
             (
-                mag(sides_[s].distance(surface_.points[edge.low])),
-                mag(sides_[s].distance(surface_.points[edge.high]))
+                mag(sides[s].distance(surface.points[edge.low])),
+                mag(sides[s].distance(surface.points[edge.high]))
             );
 
             if (distance <= least)
@@ -66,10 +68,10 @@ class wallEnder
 
     bitSet pointsOn(const label s) const
     {
-        bitSet on(pointSides_.size());
-        forAll(pointSides_, p)
+        bitSet on(pointSides.size());
+        forAll(pointSides, p)
         {
-            on.set(p, pointSides_[p].found(s));
+            on.set(p, pointSides[p].found(s));
         }
 
         return on;
@@ -77,9 +79,9 @@ class wallEnder
 
     void addPointSide(const label p, const label s)
     {
-        if (!pointSides_[p].found(s))
+        if (!pointSides[p].found(s))
         {
-            pointSides_[p].append(s);
+            pointSides[p].append(s);
         }
     }
 
@@ -98,21 +100,6 @@ class wallEnder
 
     void takeWall();
 
-public:
-
-    wallEnder
-    (
-        const wallSurface& surface,
-        const wallSurfaceControls& controls,
-        const layerControls& layers
-    )
-    :
-        surface_(surface),
-        controls_(controls),
-        layers_(layers),
-        tolerance_(sideTolerance*boundBox(surface.points, false).mag())
-    {}
-
     wallSurface end(wallReading& reading);
 };
 
@@ -122,14 +109,14 @@ void wallEnder::addBorder(const wallSide& edge, const label side)
     addPointSide(edge.low, side);
     addPointSide(edge.high, side);
 
-    if (sideOfFace_[edge.facei] < 0)
+    if (sideOfFace[edge.facei] < 0)
     {
-        wall_.border.edges.append
+        wall.border.edges.append
         (
             edge.up
           ? Foam::edge(edge.low, edge.high) : Foam::edge(edge.high, edge.low)
         );
-        wall_.border.edgeSides.append(side);
+        wall.border.edgeSides.append(side);
     }
 }
 
@@ -138,13 +125,13 @@ void wallEnder::findBorders()
 {
     DynamicList<point> lost;
 
-    for (label e = 0; e < edges_.nEdges(); ++e)
+    for (label e = 0; e < edges.nEdges(); ++e)
     {
-        const label start = edges_.edgeStarts[e];
-        const wallSide& first = edges_.sides[start];
-        const label side = sideOfFace_[first.facei];
+        const label start = edges.edgeStarts[e];
+        const wallSide& first = edges.sides[start];
+        const label side = sideOfFace[first.facei];
 
-        if (edges_.edgeStarts[e + 1] - start == 1)
+        if (edges.edgeStarts[e + 1] - start == 1)
         {
             const label plane = planeOf(first);
 
@@ -157,14 +144,14 @@ void wallEnder::findBorders()
                 lost.append
                 (
                     0.5
-                   *(surface_.points[first.low] + surface_.points[first.high])
+                   *(surface.points[first.low] + surface.points[first.high])
                 );
             }
             continue;
         }
 
-        const wallSide& second = edges_.sides[start + 1];
-        const label other = sideOfFace_[second.facei];
+        const wallSide& second = edges.sides[start + 1];
+        const label other = sideOfFace[second.facei];
 
         if (side < 0 && other >= 0)
         {
@@ -177,7 +164,7 @@ void wallEnder::findBorders()
     }
 
     OStringStream bound;
-    bound << tolerance_;
+    bound << tolerance;
     refuseAt
     (
         lost,
@@ -191,13 +178,13 @@ void wallEnder::findBorders()
 
 void wallEnder::addPointsOfSides()
 {
-    forAll(sideOfFace_, facei)
+    forAll(sideOfFace, facei)
     {
-        for (const label p : surface_.faces[facei])
+        for (const label p : surface.faces[facei])
         {
-            if (sideOfFace_[facei] >= 0)
+            if (sideOfFace[facei] >= 0)
             {
-                addPointSide(p, sideOfFace_[facei]);
+                addPointSide(p, sideOfFace[facei]);
             }
         }
     }
@@ -206,26 +193,26 @@ void wallEnder::addPointsOfSides()
 
 void wallEnder::checkSides() const
 {
-    for (label s = nParts_; s < sides_.size(); ++s)
+    for (label s = nParts; s < sides.size(); ++s)
     {
-        if (!wall_.border.edgeSides.found(s))
+        if (!wall.border.edgeSides.found(s))
         {
             FatalErrorInFunction
                 << "No border of the wall is on the side plane "
-                << sides_[s].name << " at " << sides_[s].origin
+                << sides[s].name << " at " << sides[s].origin
                 << exit(FatalError);
         }
 
-        checkInFront(surface_, sides_[s], pointsOn(s), tolerance_);
+        checkInFront(surface, sides[s], pointsOn(s), tolerance);
     }
 
-    for (const edge& e : wall_.border.edges)
+    for (const edge& e : wall.border.edges)
     {
-        if (pointSides_[e.start()].size() > 2)
+        if (pointSides[e.start()].size() > 2)
         {
             FatalErrorInFunction
                 << "More than two side patches meet at the point "
-                << surface_.points[e.start()] << " of the wall"
+                << surface.points[e.start()] << " of the wall"
                 << exit(FatalError);
         }
     }
@@ -234,15 +221,15 @@ void wallEnder::checkSides() const
 
 void wallEnder::putOnPlanes(wallReading& reading)
 {
-    forAll(pointSides_, p)
+    forAll(pointSides, p)
     {
-        const point x = surface_.points[p];
+        const point x = surface.points[p];
 
-        if (pointSides_[p].size())
+        if (pointSides[p].size())
         {
-            surface_.points[p] = onAll(sides_, pointSides_[p], x);
+            surface.points[p] = onAll(sides, pointSides[p], x);
 
-            const scalar distance = mag(surface_.points[p] - x);
+            const scalar distance = mag(surface.points[p] - x);
             reading.pointsPutOnSides += distance > 0;
             reading.largestMove = max(reading.largestMove, distance);
         }
@@ -252,53 +239,53 @@ void wallEnder::putOnPlanes(wallReading& reading)
 
 void wallEnder::takeWall()
 {
-    List<DynamicList<face>> facesOfSides(sides_.size());
+    List<DynamicList<face>> facesOfSides(sides.size());
     DynamicList<face> faces;
     DynamicList<label> patchIDs;
 
-    forAll(surface_.faces, facei)
+    forAll(surface.faces, facei)
     {
-        const label s = sideOfFace_[facei];
+        const label s = sideOfFace[facei];
 
         if (s < 0)
         {
-            faces.append(surface_.faces[facei]);
-            patchIDs.append(surface_.patchIDs[facei]);
+            faces.append(surface.faces[facei]);
+            patchIDs.append(surface.patchIDs[facei]);
         }
         else
         {
-            facesOfSides[s].append(surface_.faces[facei]);
+            facesOfSides[s].append(surface.faces[facei]);
         }
     }
 
-    forAll(sides_, s)
+    forAll(sides, s)
     {
-        sides_[s].faces.transfer(facesOfSides[s]);
-        sides_[s].points = surface_.points;
-        removeUnusedPoints(sides_[s].faces, sides_[s].points);
+        sides[s].faces.transfer(facesOfSides[s]);
+        sides[s].points = surface.points;
+        removeUnusedPoints(sides[s].faces, sides[s].points);
 
-        if (sides_[s].isCurved())
+        if (sides[s].isCurved())
         {
-            sides_[s].shape = std::make_shared<const sideShape>
+            sides[s].shape = std::make_shared<const sideShape>
             (
-                sides_[s].points, sides_[s].faces
+                sides[s].points, sides[s].faces
             );
         }
     }
 
-    wall_.faces.transfer(faces);
-    wall_.patchIDs.transfer(patchIDs);
-    wall_.points = surface_.points;
-    const labelList numbers(removeUnusedPoints(wall_.faces, wall_.points));
+    wall.faces.transfer(faces);
+    wall.patchIDs.transfer(patchIDs);
+    wall.points = surface.points;
+    const labelList numbers(removeUnusedPoints(wall.faces, wall.points));
 
-    for (edge& e : wall_.border.edges)
+    for (edge& e : wall.border.edges)
     {
         e = edge(numbers[e.start()], numbers[e.end()]);
     }
 
-    wall_.patchNames = surface_.patchNames;
-    wall_.border.sides = sides_;
-    mergePatches(wall_);
+    wall.patchNames = surface.patchNames;
+    wall.border.sides = sides;
+    mergePatches(wall);
 }
 
 
@@ -306,23 +293,23 @@ wallSurface wallEnder::end(wallReading& reading)
 {
     reading.flippedFaces += orientOpenWall
     (
-        surface_, controls_.sidePlanes, controls_.fluidOutside
+        surface, controls.sidePlanes, controls.fluidOutside
     );
 
-    const sideParts parts(findSideParts(surface_, layers_, tolerance_));
-    edges_ = makeWallSides(surface_.faces, surface_.points.size());
-    pointSides_.setSize(surface_.points.size());
-    sideOfFace_ = parts.sideOfFace;
-    sides_ = parts.sides;
-    nParts_ = sides_.size();
-    sides_.append(controls_.sidePlanes);
+    const sideParts parts(findSideParts(surface, layers, tolerance));
+    edges = makeWallSides(surface.faces, surface.points.size());
+    pointSides.setSize(surface.points.size());
+    sideOfFace = parts.sideOfFace;
+    sides = parts.sides;
+    nParts = sides.size();
+    sides.append(controls.sidePlanes);
 
     findBorders();
     checkSides();
     putOnPlanes(reading);
     takeWall();
 
-    return std::move(wall_);
+    return std::move(wall);
 }
 
 } // End anonymous namespace
@@ -381,7 +368,7 @@ wallSurface endWall
     wallSurface wall
     (
         hasSides
-      ? wallEnder(surface, controls, layers).end(reading) : surface
+      ? wallEnder{surface, controls, layers}.end(reading) : surface
     );
     wall.patchTypes = patchTypes(wall.patchNames, layers);
     checkSides(wall.border.sides, wall.patchNames);
