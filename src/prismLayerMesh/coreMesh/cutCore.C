@@ -19,34 +19,34 @@ namespace Foam
 namespace
 {
 
-class coreCutter
+struct coreCutter
 {
-    const polyMeshParts& core_;
-    const coreObstacles& obstacles_;
-    const UList<sidePatch>& planes_;
-
-    const stayingCells stays_;
+    const polyMeshParts& core;
+    const coreObstacles& obstacles;
+    const UList<sidePatch>& planes;
+    const stayingCells& stays;
 
     //- Triangles of the surface of the cut, on points of the core, and their
     //  patches
-    DynamicList<face> triangles_;
-    DynamicList<label> patchIDs_;
+    DynamicList<face> triangles{};
+    DynamicList<label> patchIDs{};
 
     //- The core's face of each triangle
-    DynamicList<label> faces_;
+    DynamicList<label> faces{};
 
     //- Faces in each plane whose cells are gone
-    List<DynamicList<face>> onPlanes_;
+    List<DynamicList<face>> onPlanes =
+        List<DynamicList<face>>(planes.size());
 
     //- Edges of faces on planes whose cells stay, and of patches on the wall
-    edgeHashSet stayingEdges_;
-    edgeHashSet wallEdges_;
+    edgeHashSet stayingEdges{};
+    edgeHashSet wallEdges{};
 
-    label nInternal() const { return core_.topology.neighbour.size(); }
+    label nInternal() const { return core.topology.neighbour.size(); }
 
     const face& faceOf(const label facei) const
     {
-        return core_.topology.faces[facei];
+        return core.topology.faces[facei];
     }
 
     void addCells(coreCut& cut) const;
@@ -72,37 +72,20 @@ class coreCutter
 
     void moveTriangles(coreCut& cut);
 
-public:
-
-    coreCutter
-    (
-        const polyMeshParts& core,
-        const coreObstacles& obstacles,
-        const scalar gap,
-        const UList<sidePatch>& planes
-    )
-    :
-        core_(core),
-        obstacles_(obstacles),
-        planes_(planes),
-        stays_(core, obstacles, gap, planes),
-        onPlanes_(planes.size())
-    {}
-
     coreCut cut();
 };
 
 
 void coreCutter::addCells(coreCut& cut) const
 {
-    disjointSets parts(stays_.parts());
+    disjointSets parts(stays.parts());
     DynamicList<label> cells;
     DynamicList<label> room;
     DynamicList<label> first;
 
-    for (label celli = 0; celli < core_.nCells; ++celli)
+    for (label celli = 0; celli < core.nCells; ++celli)
     {
-        if (stays_[celli])
+        if (stays[celli])
         {
             cells.append(celli);
             if (parts.find(celli) == celli)
@@ -110,7 +93,7 @@ void coreCutter::addCells(coreCut& cut) const
                 first.append(celli);
             }
         }
-        else if (stays_.makesRoom(celli))
+        else if (stays.makesRoom(celli))
         {
             room.append(celli);
         }
@@ -126,7 +109,7 @@ pointField coreCutter::seedsOf(const labelUList& cells) const
 {
     pointField centres;
     scalarField volumes;
-    setCentresAndVolumes(core_, cells, centres, volumes);
+    setCentresAndVolumes(core, cells, centres, volumes);
 
     return centres;
 }
@@ -134,7 +117,7 @@ pointField coreCutter::seedsOf(const labelUList& cells) const
 
 label coreCutter::nStaying(const label patchi) const
 {
-    const polyMeshTopology& t = core_.topology;
+    const polyMeshTopology& t = core.topology;
     const SubList<label> owners
     (
         t.owner, t.patchSizes[patchi], t.patchStarts[patchi]
@@ -143,18 +126,18 @@ label coreCutter::nStaying(const label patchi) const
     return std::count_if
     (
         owners.begin(), owners.end(),
-        [&](const label celli) { return stays_[celli]; }
+        [&](const label celli) { return stays[celli]; }
     );
 }
 
 
 void coreCutter::refuseCoupled(const label patchi) const
 {
-    const polyMeshTopology& t = core_.topology;
+    const polyMeshTopology& t = core.topology;
     const label start = t.patchStarts[patchi];
-    const dictionary& entry = core_.patches.entries[patchi];
+    const dictionary& entry = core.patches.entries[patchi];
     const word neighbour(entry.lookupOrDefault<word>("neighbourPatch", ""));
-    const label other = core_.patches.names.find(neighbour);
+    const label other = core.patches.names.find(neighbour);
 
     // Both of a pair may be behind the obstacles
     const bool isGone = !nStaying(patchi) && (other < 0 || !nStaying(other));
@@ -163,19 +146,19 @@ void coreCutter::refuseCoupled(const label patchi) const
     {
         if
         (
-            stays_[t.owner[facei]]
-         || (isGone && !stays_.inFluid(facei))
+            stays[t.owner[facei]]
+         || (isGone && !stays.inFluid(facei))
         )
         {
             continue;
         }
 
-        const point centre(faceOf(facei).centre(core_.points));
+        const point centre(faceOf(facei).centre(core.points));
         FatalErrorInFunction
             << "The layers need room at the patch "
-            << core_.patches.names[patchi] << " of type "
+            << core.patches.names[patchi] << " of type "
             << entry.get<word>("type") << ", at " << centre << ", "
-            << obstacles_.surface.footOf(centre).distance << " from them" << nl
+            << obstacles.surface.footOf(centre).distance << " from them" << nl
             << "Make the cells between the patch and the layers smaller, or"
             << " farField.gap, or move the patch away" << exit(FatalError);
     }
@@ -189,73 +172,73 @@ void coreCutter::addPolygon
     const label patchi
 )
 {
-    for (const face& f : splitPolygon(core_.points, faceOf(facei)))
+    for (const face& f : splitPolygon(core.points, faceOf(facei)))
     {
-        triangles_.append(turned ? f.reverseFace() : f);
-        patchIDs_.append(patchi);
-        faces_.append(facei);
+        triangles.append(turned ? f.reverseFace() : f);
+        patchIDs.append(patchi);
+        faces.append(facei);
     }
 }
 
 
 void coreCutter::addBoundary(const label facei, const label patchi)
 {
-    const label plane = stays_.planeOf(facei);
+    const label plane = stays.planeOf(facei);
 
     if (plane < 0)
     {
-        if (stays_.inFluid(facei))
+        if (stays.inFluid(facei))
         {
             addPolygon(facei, true, patchi);
         }
         return;
     }
 
-    onPlanes_[plane].append(faceOf(facei));
+    onPlanes[plane].append(faceOf(facei));
 }
 
 
 void coreCutter::addPatches()
 {
-    const polyMeshTopology& t = core_.topology;
+    const polyMeshTopology& t = core.topology;
 
     forAll(t.patchStarts, patchi)
     {
         // Further patches without a name are behind the obstacles
         const bool isWall =
-            patchi >= core_.patches.names.size()
-         || stays_.wallPatches().found(core_.patches.names[patchi]);
+            patchi >= core.patches.names.size()
+         || stays.wallPatches().found(core.patches.names[patchi]);
         const label start = t.patchStarts[patchi];
         const label end = isWall ? start : start + t.patchSizes[patchi];
-        if (!isWall && !stays_.isPlain(patchi))
+        if (!isWall && !stays.isPlain(patchi))
         {
             refuseCoupled(patchi);
         }
         for (label i = end; i < start + t.patchSizes[patchi]; ++i)
         {
-            wallEdges_.insert(faceOf(i).edges());
+            wallEdges.insert(faceOf(i).edges());
         }
         for (label facei = start; facei < end; ++facei)
         {
-            if (!stays_[t.owner[facei]])
+            if (!stays[t.owner[facei]])
             {
                 addBoundary(facei, patchi);
             }
-            else if (planes_.size() && stays_.planeOf(facei) >= 0)
+            else if (planes.size() && stays.planeOf(facei) >= 0)
             {
-                stayingEdges_.insert(faceOf(facei).edges());
+                stayingEdges.insert(faceOf(facei).edges());
             }
         }
     }
 
-    forAll(onPlanes_, s)
+    forAll(onPlanes, s)
     {
-        if (onPlanes_[s].empty())
+        if (onPlanes[s].empty())
         {
             FatalErrorInFunction
                 << "The mesh around the layers has no faces at the layers on"
-                << " the plane of " << planes_[s].name << ", through "
-                << planes_[s].origin << nl
+                << " the plane of " << planes[s].name << ", through "
+                << planes[s].origin << nl
                 << "It must end in that plane" << exit(FatalError);
         }
     }
@@ -264,18 +247,18 @@ void coreCutter::addPatches()
 
 void coreCutter::addFences(coreCut& cut) const
 {
-    cut.borders.setSize(onPlanes_.size());
-    cut.fences.setSize(onPlanes_.size());
+    cut.borders.setSize(onPlanes.size());
+    cut.fences.setSize(onPlanes.size());
 
-    forAll(onPlanes_, s)
+    forAll(onPlanes, s)
     {
-        for (const edge& e : outline(onPlanes_[s]))
+        for (const edge& e : outline(onPlanes[s]))
         {
-            if (stayingEdges_.found(e))
+            if (stayingEdges.found(e))
             {
                 cut.borders[s].append(e);
             }
-            else if (!wallEdges_.found(e))
+            else if (!wallEdges.found(e))
             {
                 cut.fences[s].append(e);
             }
@@ -286,32 +269,32 @@ void coreCutter::addFences(coreCut& cut) const
 
 void coreCutter::addCut(coreCut& cut)
 {
-    const polyMeshTopology& t = core_.topology;
-    cut.nBoundary = triangles_.size();
-    cut.boundaryFaces = faces_;
+    const polyMeshTopology& t = core.topology;
+    cut.nBoundary = triangles.size();
+    cut.boundaryFaces = faces;
 
     for (label facei = 0; facei < nInternal(); ++facei)
     {
-        const bool nei = stays_[t.neighbour[facei]];
-        if (stays_[t.owner[facei]] != nei)
+        const bool nei = stays[t.neighbour[facei]];
+        if (stays[t.owner[facei]] != nei)
         {
-            addPolygon(facei, nei, core_.patches.names.size());
+            addPolygon(facei, nei, core.patches.names.size());
         }
     }
 
-    const label n = faces_.size() - cut.nBoundary;
-    cut.cutFaces = SubList<label>(faces_, n, cut.nBoundary);
+    const label n = faces.size() - cut.nBoundary;
+    cut.cutFaces = SubList<label>(faces, n, cut.nBoundary);
     cut.cutCells.setSize(n);
     forAll(cut.cutFaces, i)
     {
         const label own = t.owner[cut.cutFaces[i]];
-        cut.cutCells[i] = stays_[own] ? own : t.neighbour[cut.cutFaces[i]];
+        cut.cutCells[i] = stays[own] ? own : t.neighbour[cut.cutFaces[i]];
     }
 
     DynamicList<boundBox> boxes;
     for (const label celli : labelHashSet(cut.cutCells).sortedToc())
     {
-        boxes.append(stays_.box(celli));
+        boxes.append(stays.box(celli));
     }
     cut.cutBoxes.transfer(boxes);
 }
@@ -319,7 +302,7 @@ void coreCutter::addCut(coreCut& cut)
 
 void coreCutter::moveTriangles(coreCut& cut)
 {
-    labelList own(core_.points.size(), -1);
+    labelList own(core.points.size(), -1);
     DynamicList<label> used;
     const auto ownLabel = [&](const label p)
     {
@@ -331,7 +314,7 @@ void coreCutter::moveTriangles(coreCut& cut)
         return own[p];
     };
 
-    for (face& f : triangles_)
+    for (face& f : triangles)
     {
         for (label& p : f)
         {
@@ -351,9 +334,9 @@ void coreCutter::moveTriangles(coreCut& cut)
         }
     }
 
-    cut.surface.points = pointField(core_.points, used);
-    cut.surface.faces.transfer(triangles_);
-    cut.surface.patchIDs.transfer(patchIDs_);
+    cut.surface.points = pointField(core.points, used);
+    cut.surface.faces.transfer(triangles);
+    cut.surface.patchIDs.transfer(patchIDs);
     cut.points.transfer(used);
 }
 
@@ -361,7 +344,7 @@ void coreCutter::moveTriangles(coreCut& cut)
 coreCut coreCutter::cut()
 {
     coreCut made;
-    made.wallPatches = stays_.wallPatches();
+    made.wallPatches = stays.wallPatches();
     addCells(made);
 
     if (made.cells.empty())
@@ -392,7 +375,9 @@ coreCut cutCore
     const UList<sidePatch>& planes
 )
 {
-    return coreCutter(core, obstacles, gap, planes).cut();
+    const stayingCells stays(core, obstacles, gap, planes);
+
+    return coreCutter{core, obstacles, planes, stays}.cut();
 }
 
 } // End namespace Foam
