@@ -29,17 +29,18 @@ label patchOf(const word& name, const word& type, meshPatches& patches)
 }
 
 
-class coreBoundaryMaker
+struct coreBoundaryMaker
 {
-    const prismLayers& layers_;
-    const wallSurface& outer_;
-    const farFieldControls& controls_;
-    const std::function<scalar(const point&)>& size_;
-    const List<sidePatch>& sides_;
-    farFieldDomain& domain_;
-    coreCut& cut_;
+    const prismLayers& layers;
+    const wallSurface& outer;
+    const farFieldControls& controls;
+    const std::function<scalar(const point&)>& size;
+    farFieldDomain& domain;
+    coreCut& cut;
 
-    bool isHexCore() const { return controls_.type == "hexCore"; }
+    const List<sidePatch>& sides = layers.border.sides;
+
+    bool isHexCore() const { return controls.type == "hexCore"; }
 
     //- Whether cells of the core stay on all side patches
     bool staysOnSides() const;
@@ -62,37 +63,16 @@ class coreBoundaryMaker
 
     tetBoundary makeAround();
 
-public:
-
-    coreBoundaryMaker
-    (
-        const prismLayers& layers,
-        const wallSurface& outer,
-        const farFieldControls& controls,
-        const std::function<scalar(const point&)>& size,
-        farFieldDomain& domain,
-        coreCut& cut
-    )
-    :
-        layers_(layers),
-        outer_(outer),
-        controls_(controls),
-        size_(size),
-        sides_(layers.border.sides),
-        domain_(domain),
-        cut_(cut)
-    {}
-
     tetBoundary make()
     {
-        return sides_.size() && staysOnSides() ? makeOnPlanes() : makeAround();
+        return sides.size() && staysOnSides() ? makeOnPlanes() : makeAround();
     }
 };
 
 
 bool coreBoundaryMaker::staysOnSides() const
 {
-    for (const sidePatch& side : sides_)
+    for (const sidePatch& side : sides)
     {
         const bool alongAxis = cmptMax(cmptMag(side.normal)) > 1 - 1e-12;
 
@@ -108,12 +88,12 @@ bool coreBoundaryMaker::staysOnSides() const
 
 boundBox coreBoundaryMaker::box() const
 {
-    boundBox box(domain_.boundary.surface.points, false);
-    box.add(domain_.core.points);
+    boundBox box(domain.boundary.surface.points, false);
+    box.add(domain.core.points);
 
     if (box.empty())
     {
-        box = boundBox(layers_.points, false);
+        box = boundBox(layers.points, false);
         box.inflate(0.01);
     }
 
@@ -125,7 +105,7 @@ boundBox coreBoundaryMaker::boxBehindPlanes() const
 {
     boundBox box(this->box());
 
-    for (const sidePatch& side : sides_)
+    for (const sidePatch& side : sides)
     {
         for (direction d = 0; d < 3; ++d)
         {
@@ -146,24 +126,24 @@ boundBox coreBoundaryMaker::boxBehindPlanes() const
 
 hexCoreBox coreBoundaryMaker::hexBox() const
 {
-    const farBoundary& boundary = domain_.boundary;
-    const bool onSides = sides_.empty() || staysOnSides();
+    const farBoundary& boundary = domain.boundary;
+    const bool onSides = sides.empty() || staysOnSides();
     hexCoreBox made;
     made.box = onSides ? boxBehindPlanes() : box();
 
-    if (!onSides || (boundary.boxPatches.empty() && sides_.empty()))
+    if (!onSides || (boundary.boxPatches.empty() && sides.empty()))
     {
         return made;
     }
 
     labelList planeOn(6, -1);
-    forAll(sides_, s)
+    forAll(sides, s)
     {
         for (direction d = 0; d < 3; ++d)
         {
-            if (mag(sides_[s].normal[d]) > 0.5)
+            if (mag(sides[s].normal[d]) > 0.5)
             {
-                planeOn[2*d + (sides_[s].normal[d] > 0)] = s;
+                planeOn[2*d + (sides[s].normal[d] > 0)] = s;
             }
         }
     }
@@ -180,7 +160,7 @@ hexCoreBox coreBoundaryMaker::hexBox() const
             }
         }
     }
-    for (const sidePatch& side : sides_)
+    for (const sidePatch& side : sides)
     {
         patchOf(side.name, side.type, made.patches);
     }
@@ -194,7 +174,7 @@ hexCoreBox coreBoundaryMaker::hexBox() const
             made.sidePatches[i] = made.patches.names.find
             (
                 planeOn[i] >= 0
-              ? sides_[planeOn[i]].name
+              ? sides[planeOn[i]].name
               : boundary.surface.patchNames[boundary.boxPatches[i]]
             );
         }
@@ -206,8 +186,8 @@ hexCoreBox coreBoundaryMaker::hexBox() const
 
 void coreBoundaryMaker::addSidePatches()
 {
-    polyMeshParts& core = domain_.core;
-    for (const sidePatch& side : sides_)
+    polyMeshParts& core = domain.core;
+    for (const sidePatch& side : sides)
     {
         if (!core.patches.names.found(side.name))
         {
@@ -240,8 +220,8 @@ void coreBoundaryMaker::setCore(const coreObstacles& obstacles)
 {
     if (isHexCore())
     {
-        domain_.core =
-            makeHexCore(hexBox(), obstacles, size_, controls_.maxCells);
+        domain.core =
+            makeHexCore(hexBox(), obstacles, size, controls.maxCells);
     }
 }
 
@@ -249,8 +229,8 @@ void coreBoundaryMaker::setCore(const coreObstacles& obstacles)
 tetBoundary coreBoundaryMaker::makeOnPlanes()
 {
     // Closed by coarse triangles of planes and box
-    farBoundary coarse(domain_.boundary);
-    if (coarse.boxPatches.empty() && domain_.core.nCells)
+    farBoundary coarse(domain.boundary);
+    if (coarse.boxPatches.empty() && domain.core.nCells)
     {
         farBoundaryControls boxControls;
         boxControls.type = "box";
@@ -261,27 +241,27 @@ tetBoundary coreBoundaryMaker::makeOnPlanes()
     (
         makeEndedBoundary
         (
-            layers_, coarse, [](const point&) { return GREAT; }
+            layers, coarse, [](const point&) { return GREAT; }
         )
     );
     tetBoundary closing;
     closing.surface = ended.surface;
     closing.columns = ended.columns;
 
-    const wallSearch surface(outer_);
-    const wallSurface closed(joined(outer_, closing));
-    checkBodies(closed, outer_.faces.size());
+    const wallSearch surface(outer);
+    const wallSurface closed(joined(outer, closing));
+    checkBodies(closed, outer.faces.size());
     const wallSearch fluid(closed);
     const coreObstacles obstacles{surface, fluid};
     setCore(obstacles);
     addSidePatches();
-    cut_ = cutCore(domain_.core, obstacles, controls_.gap, sides_);
+    cut = cutCore(domain.core, obstacles, controls.gap, sides);
 
     tetBoundary made
     (
-        makePlaneBoundary(layers_, cut_, domain_.core.patches, size_)
+        makePlaneBoundary(layers, cut, domain.core.patches, size)
     );
-    addCut(cut_, domain_.core.patches, made);
+    addCut(cut, domain.core.patches, made);
 
     return made;
 }
@@ -289,28 +269,28 @@ tetBoundary coreBoundaryMaker::makeOnPlanes()
 
 tetBoundary coreBoundaryMaker::makeAround()
 {
-    if (!isHexCore() && sides_.size())
+    if (!isHexCore() && sides.size())
     {
         FatalErrorInFunction
-            << "The layers end on the side patch " << sides_[0].name
+            << "The layers end on the side patch " << sides[0].name
             << ", which is no plane of surface.sidePlanes" << nl
             << "Layers that end on other side patches need a far field of type"
             << " tet or hexCore" << exit(FatalError);
     }
 
     tetBoundary made;
-    if (domain_.boundary.boxPatches.empty() || sides_.size())
+    if (domain.boundary.boxPatches.empty() || sides.size())
     {
-        made = makeTetBoundary(layers_, domain_.boundary, size_);
+        made = makeTetBoundary(layers, domain.boundary, size);
     }
 
-    const wallSurface both(joined(outer_, made));
-    checkBodies(both, outer_.faces.size());
+    const wallSurface both(joined(outer, made));
+    checkBodies(both, outer.faces.size());
     const wallSearch surface(both);
     const coreObstacles obstacles{surface, surface};
     setCore(obstacles);
-    cut_ = cutCore(domain_.core, obstacles, controls_.gap);
-    addCut(cut_, domain_.core.patches, made);
+    cut = cutCore(domain.core, obstacles, controls.gap);
+    addCut(cut, domain.core.patches, made);
 
     return made;
 }
@@ -331,9 +311,9 @@ tetBoundary makeCoreBoundary
 )
 {
     return coreBoundaryMaker
-    (
+    {
         layers, outer, controls, size, domain, cut
-    ).make();
+    }.make();
 }
 
 } // End namespace Foam
