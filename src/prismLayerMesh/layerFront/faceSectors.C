@@ -18,19 +18,19 @@ namespace
 {
 
 //- Directions for all faces around a point
-class faceDirections
+struct faceDirections
 {
-    const facesAround& around_;
+    const facesAround& around;
 
     //- Directions of the columns at the other ends of the edges
-    const vectorField& middles_;
+    const vectorField& middles;
 
     //- Edges at whose other ends sectors meet too
-    const bitSet& shared_;
+    const bitSet& shared;
 
-    vectorField d_;
+    vectorField d = vectorField(around.normals.size());
 
-    faceList triangles_;
+    faceList triangles{};
 
 
     static vector across(const vector& e, const vector& x)
@@ -39,30 +39,30 @@ class faceDirections
     }
 
 
-    bool isFirst(const label i) const { return around_.side && i == 0; }
+    bool isFirst(const label i) const { return around.side && i == 0; }
 
     bool isLast(const label i) const
     {
-        return around_.side && i == d_.size() - 1;
+        return around.side && i == d.size() - 1;
     }
 
 
     label next(const label edgei) const
     {
-        return around_.edges.fcIndex(edgei);
+        return around.edges.fcIndex(edgei);
     }
 
     label prev(const label edgei) const
     {
-        return around_.edges.rcIndex(edgei);
+        return around.edges.rcIndex(edgei);
     }
 
 
     //- From 0 to 2 pi: about edge i from face i to x
     scalar angleAbout(const label i, const vector& x) const
     {
-        const vector& e = around_.edges[i];
-        const vector ahead = across(e, around_.edges[next(i)]);
+        const vector& e = around.edges[i];
+        const vector ahead = across(e, around.edges[next(i)]);
         const scalar angle = ::atan2((e ^ ahead) & x, ahead & x);
 
         return angle < 0 ? angle + constant::mathematical::twoPi : angle;
@@ -73,12 +73,12 @@ class faceDirections
     //  further away: from the other one at less than 180 degrees
     vector nearBorder(const label i, const scalar distance) const
     {
-        const vectorField& edges = around_.edges;
+        const vectorField& edges = around.edges;
         const vector& e = isFirst(i) ? edges.first() : edges.last();
         const vector& other = isFirst(i) ? edges.last() : edges.first();
 
-        vector inPlane(normalised(around_.side->normal ^ e));
-        inPlane *= (inPlane & around_.normals[i].last()) < 0 ? -1 : 1;
+        vector inPlane(normalised(around.side->normal ^ e));
+        inPlane *= (inPlane & around.normals[i].last()) < 0 ? -1 : 1;
 
         const scalar pi = constant::mathematical::pi;
         const scalar toOther = ::atan2(other & inPlane, other & e);
@@ -102,18 +102,18 @@ class faceDirections
     {
         const label j = isFirstEdge ? i : next(i);
         const scalar pi = constant::mathematical::pi;
-        const scalar all = angleAbout(j, around_.edges[prev(j)]);
-        const scalar middle = angleAbout(j, middles_[j]);
+        const scalar all = angleAbout(j, around.edges[prev(j)]);
+        const scalar middle = angleAbout(j, middles[j]);
 
-        const scalar right = shared_.test(j) ? pi/2 : GREAT;
+        const scalar right = shared.test(j) ? pi/2 : GREAT;
         const scalar low =
             isFirstEdge ? max(scalar(0), middle - right) : middle;
         const scalar high =
             isFirstEdge ? middle : min(all, middle + right);
         const scalar angle = 0.5*(max(low, all - pi) + min(high, pi));
 
-        const vector& e = around_.edges[j];
-        const vector ahead = across(e, around_.edges[next(j)]);
+        const vector& e = around.edges[j];
+        const vector ahead = across(e, around.edges[next(j)]);
 
         return normalised
         (
@@ -126,12 +126,12 @@ class faceDirections
     //  the smallest angle; else none
     label edgeWithout() const
     {
-        label without = around_.edges.size();
+        label without = around.edges.size();
         scalar smallest = GREAT;
 
-        for (label j = 1; around_.side && j < d_.size(); ++j)
+        for (label j = 1; around.side && j < d.size(); ++j)
         {
-            const scalar angle = angleAbout(j, around_.edges[prev(j)]);
+            const scalar angle = angleAbout(j, around.edges[prev(j)]);
             if (angle < smallest)
             {
                 smallest = angle;
@@ -146,9 +146,9 @@ class faceDirections
     //- Within a right angle of the middle, about edge j
     void appendShared(const label j, DynamicField<vector>& all) const
     {
-        if (shared_.test(j))
+        if (shared.test(j))
         {
-            all.append(across(around_.edges[j], middles_[j]));
+            all.append(across(around.edges[j], middles[j]));
         }
     }
 
@@ -157,29 +157,29 @@ class faceDirections
     //  are on the other sides, and all triangles positive
     vectorField limits(const label i) const
     {
-        DynamicField<vector> all(around_.normals[i]);
+        DynamicField<vector> all(around.normals[i]);
 
         if (!isFirst(i))
         {
-            const vector& e = around_.edges[i];
-            all.append(normalised(middles_[i] ^ e));
-            all.append(normalised(d_.rcValue(i) ^ e));
+            const vector& e = around.edges[i];
+            all.append(normalised(middles[i] ^ e));
+            all.append(normalised(d.rcValue(i) ^ e));
             appendShared(i, all);
         }
         if (!isLast(i))
         {
-            const vector& e = around_.edges[next(i)];
-            all.append(normalised(e ^ middles_[next(i)]));
-            all.append(normalised(e ^ d_.fcValue(i)));
+            const vector& e = around.edges[next(i)];
+            all.append(normalised(e ^ middles[next(i)]));
+            all.append(normalised(e ^ d.fcValue(i)));
             appendShared(next(i), all);
         }
 
-        for (const face& t : triangles_)
+        for (const face& t : triangles)
         {
             const label k = t.find(i);
             if (k >= 0)
             {
-                all.append(normalised(d_[t.nextLabel(k)] ^ d_[t.prevLabel(k)]));
+                all.append(normalised(d[t.nextLabel(k)] ^ d[t.prevLabel(k)]));
             }
         }
 
@@ -187,7 +187,7 @@ class faceDirections
         {
             for (label k = all.size() - 1; k >= 0; --k)
             {
-                all.append(around_.side->reflected(all[k]));
+                all.append(around.side->reflected(all[k]));
             }
         }
 
@@ -198,9 +198,9 @@ class faceDirections
     bool isPositive() const
     {
         bool positive = true;
-        forAll(d_, i)
+        forAll(d, i)
         {
-            positive = positive && min(limits(i) & d_[i]) > 0;
+            positive = positive && min(limits(i) & d[i]) > 0;
         }
 
         return positive;
@@ -211,20 +211,20 @@ class faceDirections
     //  patch, half of it
     bool closes() const
     {
-        scalarField angles(d_.size(), 0);
-        forAll(d_, i)
+        scalarField angles(d.size(), 0);
+        forAll(d, i)
         {
-            const vector& e = around_.edges[i];
-            const vector& f = around_.edges[next(i)];
+            const vector& e = around.edges[i];
+            const vector& f = around.edges[next(i)];
 
             angles[i] =
-                (isFirst(i) ? 0 : angleAt(d_[i], d_.rcValue(i), e))
-              + angleAt(d_[i], e, f)
-              + (isLast(i) ? 0 : angleAt(d_[i], f, d_.fcValue(i)))
+                (isFirst(i) ? 0 : angleAt(d[i], d.rcValue(i), e))
+              + angleAt(d[i], e, f)
+              + (isLast(i) ? 0 : angleAt(d[i], f, d.fcValue(i)))
               - (isFirst(i) || isLast(i) ? 1 : 2)*constant::mathematical::pi;
         }
 
-        addAngles(d_, triangles_, angles);
+        addAngles(d, triangles, angles);
 
         return max(mag(angles)) < frontControls::angleTolerance;
     }
@@ -235,13 +235,13 @@ class faceDirections
     {
         const label without = edgeWithout();
 
-        forAll(d_, i)
+        forAll(d, i)
         {
-            d_[i] = isFirst(i) || isLast(i)
+            d[i] = isFirst(i) || isLast(i)
               ? nearBorder(i, distance) : nearEdge(i, i < without, distance);
         }
 
-        return cutIntoTriangles(d_, triangles_) && closes();
+        return cutIntoTriangles(d, triangles) && closes();
     }
 
 
@@ -251,35 +251,19 @@ class faceDirections
     {
         for (label round = 0; round < frontControls::maxRounds; ++round)
         {
-            forAll(d_, i)
+            forAll(d, i)
             {
                 const visibilityCone cone(makeVisibilityCone(limits(i)));
 
                 if (!cone.empty())
                 {
-                    d_[i] = cone.axis;
+                    d[i] = cone.axis;
                 }
             }
         }
 
         return isPositive();
     }
-
-
-public:
-
-    faceDirections
-    (
-        const facesAround& around,
-        const vectorField& middles,
-        const bitSet& shared
-    )
-    :
-        around_(around),
-        middles_(middles),
-        shared_(shared),
-        d_(around_.normals.size())
-    {}
 
 
     //- The sectors; none where not even directions very near to the edges fit
@@ -299,10 +283,10 @@ public:
             return all;
         }
 
-        all.starts = identity(d_.size());
-        all.axes = d_;
-        all.triangles = triangles_;
-        forAll(d_, i)
+        all.starts = identity(d.size());
+        all.axes = d;
+        all.triangles = triangles;
+        forAll(d, i)
         {
             all.planes.append(limits(i));
         }
@@ -329,7 +313,7 @@ normalSectors makeFaceSectors
 
     // On two side patches a column can only stand on the line of both
     return addressing.sidesOf(p).size() > 1 || around.normals.size() < 2
-      ? normalSectors() : faceDirections(around, middles, shared).sectors();
+      ? normalSectors() : faceDirections{around, middles, shared}.sectors();
 }
 
 } // End namespace Foam
