@@ -15,52 +15,51 @@ namespace
 {
 
 //- The front while it is divided
-class frontBuilder
+struct frontBuilder
 {
-    const wallSurface& wall_;
-    const wallAddressing& addressing_;
-    const wallSectors& divided_;
+    const wallSurface& wall;
+    const wallAddressing& addressing;
+    const wallSectors& divided;
+    layerFront& front;
 
     //- The second column of each divided point
-    labelList secondColumns_;
-
-    layerFront& front_;
+    labelList secondColumns = labelList(divided.points.size());
 
 
     //- Column of the sector of point k
     label sectorColumn(const label k, const label s) const
     {
-        return s ? secondColumns_[k] + s - 1 : divided_.points[k];
+        return s ? secondColumns[k] + s - 1 : divided.points[k];
     }
 
 
     //- Column of face i around point p of the wall
     label column(const label p, const label i) const
     {
-        const label k = divided_.indices[p];
+        const label k = divided.indices[p];
 
-        return k < 0 ? p : sectorColumn(k, divided_.sectors[k].sector(i));
+        return k < 0 ? p : sectorColumn(k, divided.sectors[k].sector(i));
     }
 
 
     //- Face that has no area on the wall
     void addFace(const face& columns)
     {
-        front_.surface.faces.append(columns);
-        front_.surface.patchIDs.append(-1);
+        front.surface.faces.append(columns);
+        front.surface.patchIDs.append(-1);
     }
 
 
     void addColumns()
     {
-        forAll(divided_.points, k)
+        forAll(divided.points, k)
         {
-            secondColumns_[k] = front_.wallPoints.size();
+            secondColumns[k] = front.wallPoints.size();
 
-            for (label s = 1; s < divided_.sectors[k].starts.size(); ++s)
+            for (label s = 1; s < divided.sectors[k].starts.size(); ++s)
             {
-                front_.wallPoints.append(divided_.points[k]);
-                front_.surface.points.append(wall_.points[divided_.points[k]]);
+                front.wallPoints.append(divided.points[k]);
+                front.surface.points.append(wall.points[divided.points[k]]);
             }
         }
     }
@@ -69,14 +68,14 @@ class frontBuilder
     //- The faces of the wall stand on the columns of their sectors
     void moveFaces()
     {
-        for (const label p : divided_.points)
+        for (const label p : divided.points)
         {
-            const labelList& pFaces = addressing_.pointFaces[p];
+            const labelList& pFaces = addressing.pointFaces[p];
 
             forAll(pFaces, i)
             {
-                face& f = front_.surface.faces[pFaces[i]];
-                f[wall_.faces[pFaces[i]].find(p)] = column(p, i);
+                face& f = front.surface.faces[pFaces[i]];
+                f[wall.faces[pFaces[i]].find(p)] = column(p, i);
             }
         }
     }
@@ -85,20 +84,20 @@ class frontBuilder
     //- On the edges where sectors of point k meet
     void addEdgeFaces(const label k)
     {
-        const label p = divided_.points[k];
+        const label p = divided.points[k];
 
-        for (const label i : divided_.sectors[k].starts)
+        for (const label i : divided.sectors[k].starts)
         {
-            if (i == 0 && addressing_.isOnBorder(p)) continue;
+            if (i == 0 && addressing.isOnBorder(p)) continue;
 
-            const label before = addressing_.pointFaces[p].rcIndex(i);
-            const label q = addressing_.pointPoints[p][i];
+            const label before = addressing.pointFaces[p].rcIndex(i);
+            const label q = addressing.pointPoints[p][i];
 
             // Right of the edge from p to q is left of that from q to p
-            const label back = addressing_.pointPoints[q].find(p);
+            const label back = addressing.pointPoints[q].find(p);
             const label right = column(q, back);
             const label left =
-                column(q, addressing_.pointFaces[q].rcIndex(back));
+                column(q, addressing.pointFaces[q].rcIndex(back));
 
             if (left == right)
             {
@@ -116,29 +115,29 @@ class frontBuilder
     //  ones are between the first and the last column of each divided point
     void moveBorder()
     {
-        wallBorder& border = front_.surface.border;
+        wallBorder& border = front.surface.border;
 
         for (edge& e : border.edges)
         {
             e = edge
             (
                 column(e.start(), 0),
-                column(e.end(), addressing_.pointFaces[e.end()].size() - 1)
+                column(e.end(), addressing.pointFaces[e.end()].size() - 1)
             );
         }
 
-        forAll(divided_.points, k)
+        forAll(divided.points, k)
         {
-            if (addressing_.isOnBorder(divided_.points[k]))
+            if (addressing.isOnBorder(divided.points[k]))
             {
-                const label last = divided_.sectors[k].starts.size() - 1;
+                const label last = divided.sectors[k].starts.size() - 1;
                 border.edges.append
                 (
                     edge(sectorColumn(k, last), sectorColumn(k, 0))
                 );
                 border.edgeSides.append
                 (
-                    addressing_.sidesOf(divided_.points[k])[0]
+                    addressing.sidesOf(divided.points[k])[0]
                 );
             }
         }
@@ -148,7 +147,7 @@ class frontBuilder
     //- Between three or more columns of point k
     void addPointFaces(const label k)
     {
-        for (face f : divided_.sectors[k].triangles)
+        for (face f : divided.sectors[k].triangles)
         {
             for (label& s : f)
             {
@@ -164,38 +163,21 @@ class frontBuilder
     //  faces
     void addPlanes()
     {
-        wallVisibility& visibility = front_.visibility;
+        wallVisibility& visibility = front.visibility;
 
-        forAll(divided_.points, k)
+        forAll(divided.points, k)
         {
-            forAll(divided_.sectors[k].starts, s)
+            forAll(divided.sectors[k].starts, s)
             {
                 const label c = sectorColumn(k, s);
                 visibility.polygonNormals[c].append
                 (
-                    divided_.sectors[k].planes[s]
+                    divided.sectors[k].planes[s]
                 );
                 visibility.setCone(c);
             }
         }
     }
-
-public:
-
-    frontBuilder
-    (
-        const wallSurface& wall,
-        const wallAddressing& addressing,
-        const wallSectors& divided,
-        layerFront& front
-    )
-    :
-        wall_(wall),
-        addressing_(addressing),
-        divided_(divided),
-        secondColumns_(divided.points.size()),
-        front_(front)
-    {}
 
 
     void divide()
@@ -204,15 +186,15 @@ public:
         moveFaces();
         moveBorder();
 
-        forAll(divided_.points, k)
+        forAll(divided.points, k)
         {
             addEdgeFaces(k);
             addPointFaces(k);
         }
 
-        front_.addressing = makeWallAddressing(front_.surface);
-        front_.visibility =
-            makeWallVisibility(front_.surface, front_.addressing);
+        front.addressing = makeWallAddressing(front.surface);
+        front.visibility =
+            makeWallVisibility(front.surface, front.addressing);
         addPlanes();
     }
 };
@@ -248,7 +230,7 @@ layerFront makeLayerFront
 
         if (front.pointsWithoutDirection.empty())
         {
-            frontBuilder(wall, addressing, divided, front).divide();
+            frontBuilder{wall, addressing, divided, front}.divide();
         }
     }
 

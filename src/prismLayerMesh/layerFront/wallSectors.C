@@ -14,23 +14,23 @@ namespace Foam
 namespace
 {
 
-class pointDivider
+struct pointDivider
 {
-    const wallSurface& wall_;
-    const wallAddressing& addressing_;
-    const wallVisibility& visibility_;
-    const boolList& narrow_;
+    const wallSurface& wall;
+    const wallAddressing& addressing;
+    const wallVisibility& visibility;
+    const boolList& narrow;
 
     //- Whether all narrow cones have been looked at once
-    bool searched_ = false;
+    bool searched = false;
 
-    wallSectors divided_;
+    wallSectors divided{};
 
 
     //- Sum of the normals of the faces of edge i of p
     vector edgeNormal(const label p, const label i) const
     {
-        const vectorField& corners = visibility_.cornerNormals[p];
+        const vectorField& corners = visibility.cornerNormals[p];
 
         return corners[i] + corners[corners.rcIndex(i)];
     }
@@ -39,14 +39,14 @@ class pointDivider
     //- Whether sectors of the other end of edge i of p meet on it
     bool isShared(const label p, const label i) const
     {
-        const label q = addressing_.pointPoints[p][i];
-        const label k = divided_.indices[q];
-        const label back = addressing_.pointPoints[q].find(p);
-        const label before = addressing_.pointFaces[q].rcIndex(back);
+        const label q = addressing.pointPoints[p][i];
+        const label k = divided.indices[q];
+        const label back = addressing.pointPoints[q].find(p);
+        const label before = addressing.pointFaces[q].rcIndex(back);
 
         return k >= 0
-            && divided_.sectors[k].sector(back)
-            != divided_.sectors[k].sector(before);
+            && divided.sectors[k].sector(back)
+            != divided.sectors[k].sector(before);
     }
 
 
@@ -54,25 +54,25 @@ class pointDivider
     //  two, or it is not known yet, the mean of the normals of the edge's faces
     vector middle(const label p, const label i) const
     {
-        const label q = addressing_.pointPoints[p][i];
-        const label k = divided_.indices[q];
+        const label q = addressing.pointPoints[p][i];
+        const label k = divided.indices[q];
 
-        if (isShared(p, i) || (k < 0 && narrow_[q] && !searched_))
+        if (isShared(p, i) || (k < 0 && narrow[q] && !searched))
         {
             return edgeNormal(p, i);
         }
 
-        const label back = addressing_.pointPoints[q].find(p);
+        const label back = addressing.pointPoints[q].find(p);
 
         return k < 0
-          ? visibility_.cones[q].axis
-          : divided_.sectors[k].axes[divided_.sectors[k].sector(back)];
+          ? visibility.cones[q].axis
+          : divided.sectors[k].axes[divided.sectors[k].sector(back)];
     }
 
 
     normalSectors sectorsOf(const label p) const
     {
-        vectorField middles(addressing_.pointPoints[p].size());
+        vectorField middles(addressing.pointPoints[p].size());
         vectorField normals(middles.size());
         bitSet shared(middles.size());
         forAll(middles, i)
@@ -83,20 +83,20 @@ class pointDivider
         }
 
         normalSectors sectors;
-        const auto found = [&](normalSectors&& divided)
+        const auto found = [&](normalSectors&& made)
         {
-            sectors = std::move(divided);
+            sectors = std::move(made);
 
-            return sectors.starts.size() || !visibility_.cones[p].empty();
+            return sectors.starts.size() || !visibility.cones[p].empty();
         };
         const auto byNormals = [&](const vectorField& m)
         {
-            return makeNormalSectors(wall_, addressing_, visibility_, m, p);
+            return makeNormalSectors(wall, addressing, visibility, m, p);
         };
         const auto byFaces = [&](const vectorField& m)
         {
             return
-                makeFaceSectors(wall_, addressing_, visibility_, m, shared, p);
+                makeFaceSectors(wall, addressing, visibility, m, shared, p);
         };
 
         // With other middles cells may be positive all the same
@@ -110,15 +110,15 @@ class pointDivider
     //- Divide point k again; true if its division changes
     bool divideAgain(const label k)
     {
-        const normalSectors old(divided_.sectors[k]);
-        const normalSectors sectors(sectorsOf(divided_.points[k]));
+        const normalSectors old(divided.sectors[k]);
+        const normalSectors sectors(sectorsOf(divided.points[k]));
 
         if (sectors.starts.empty())
         {
             return false;
         }
 
-        divided_.sectors[k] = sectors;
+        divided.sectors[k] = sectors;
 
         return sectors.starts != old.starts
             || max(mag(sectors.axes - old.axes))
@@ -130,18 +130,18 @@ class pointDivider
     //  planes of each follow from the others' directions
     void agree()
     {
-        searched_ = true;
+        searched = true;
         bool changed = true;
 
         for (label i = 0; changed && i < frontControls::maxRounds; ++i)
         {
             changed = false;
-            forAll(divided_.points, k)
+            forAll(divided.points, k)
             {
                 const labelList& beside =
-                    addressing_.pointPoints[divided_.points[k]];
+                    addressing.pointPoints[divided.points[k]];
 
-                if (UIndirectList<bool>(narrow_, beside).found(true))
+                if (UIndirectList<bool>(narrow, beside).found(true))
                 {
                     changed = divideAgain(k) || changed;
                 }
@@ -149,39 +149,23 @@ class pointDivider
         }
     }
 
-public:
-
-    pointDivider
-    (
-        const wallSurface& wall,
-        const wallAddressing& addressing,
-        const wallVisibility& visibility,
-        const boolList& narrow
-    )
-    :
-        wall_(wall),
-        addressing_(addressing),
-        visibility_(visibility),
-        narrow_(narrow)
-    {
-        divided_.indices.setSize(wall.points.size(), -1);
-    }
-
 
     wallSectors divide()
     {
+        divided.indices.setSize(wall.points.size(), -1);
+
         DynamicList<label> lost;
-        for (const label p : findIndices(narrow_, true))
+        for (const label p : findIndices(narrow, true))
         {
             normalSectors sectors(sectorsOf(p));
 
             if (sectors.starts.size())
             {
-                divided_.indices[p] = divided_.points.size();
-                divided_.points.append(p);
-                divided_.sectors.append(std::move(sectors));
+                divided.indices[p] = divided.points.size();
+                divided.points.append(p);
+                divided.sectors.append(std::move(sectors));
             }
-            else if (visibility_.cones[p].empty())
+            else if (visibility.cones[p].empty())
             {
                 lost.append(p);
             }
@@ -191,9 +175,9 @@ public:
         {
             agree();
         }
-        divided_.pointsWithoutDirection = std::move(lost);
+        divided.pointsWithoutDirection = std::move(lost);
 
-        return std::move(divided_);
+        return std::move(divided);
     }
 };
 
@@ -210,7 +194,7 @@ wallSectors divideNarrowPoints
     const boolList& narrow
 )
 {
-    return pointDivider(wall, addressing, visibility, narrow).divide();
+    return pointDivider{wall, addressing, visibility, narrow}.divide();
 }
 
 } // End namespace Foam
