@@ -22,30 +22,30 @@ static const scalar forbidden = 1e3;
 namespace
 {
 
-class improvement
+struct improvement
 {
-    layerEditor& editor_;
-    const layerJudge& judge_;
+    layerEditor& editor;
+    const layerJudge& judge;
 
     //- Front faces with cells whose centres may be outside
-    const bitSet& tolerated_;
+    const bitSet& tolerated;
 
     //- Columns that had to be rolled back, and stay
-    boolList barred_;
+    boolList barred = boolList(editor.thickness().size(), false);
 
     //- Columns that were bent with heights that give way
-    labelHashSet gaveWay_;
+    labelHashSet gaveWay{};
 
     //- Times of the journal: when the last round began, and up to which all is
     //  judged
-    label roundBegan_ = 0;
-    label judged_;
+    label roundBegan = 0;
+    label judged = editor.now();
 
 
     //- Whether a stack has a fault that its own cells show
     bool isAtFault(const label facei) const
     {
-        return judge_.faultOf
+        return judge.faultOf
         (
             facei, stackFault::belowAttainable, stackFault::notPositive
         ) != stackFault::none;
@@ -54,8 +54,8 @@ class improvement
     //- Front faces moved in the last round; now another one begins
     labelList beginRound()
     {
-        const labelList moved(editor_.touchedSince(roundBegan_));
-        roundBegan_ = editor_.now();
+        const labelList moved(editor.touchedSince(roundBegan));
+        roundBegan = editor.now();
 
         return moved;
     }
@@ -65,8 +65,8 @@ class improvement
     {
         return subsetList
         (
-            editor_.layers().columnsOf(stacks),
-            [&](const label c) { return !barred_[c]; }
+            editor.layers().columnsOf(stacks),
+            [&](const label c) { return !barred[c]; }
         );
     }
 
@@ -82,12 +82,12 @@ class improvement
     //- Roll back a column, and those on its point
     void rollBack(const label c)
     {
-        for (const label q : editor_.columnsBeside(c))
+        for (const label q : editor.columnsBeside(c))
         {
-            if (editor_.isChanged(q))
+            if (editor.isChanged(q))
             {
-                editor_.rollBack(q);
-                barred_[q] = true;
+                editor.rollBack(q);
+                barred[q] = true;
             }
         }
     }
@@ -106,27 +106,9 @@ class improvement
         labelList looked
     );
 
-public:
-
-    improvement
-    (
-        layerEditor& editor,
-        const layerJudge& judge,
-        const bitSet& tolerated
-    )
-    :
-        editor_(editor),
-        judge_(judge),
-        tolerated_(tolerated),
-        barred_(editor.thickness().size(), false),
-        judged_(editor.now())
-    {
-        editor_.record();
-    }
-
     void leanAndGrow()
     {
-        for (label round = 0; round < editor_.controls().maxRounds; ++round)
+        for (label round = 0; round < editor.controls().maxRounds; ++round)
         {
             const labelList faces(beginRound());
             lean(faces);
@@ -145,12 +127,9 @@ public:
 
     void fitAll()
     {
-        fitThickness(editor_);
+        fitThickness(editor);
         settle();
     }
-
-    //- Columns that bent with heights that give way, in ascending order
-    labelList gaveWay() const { return gaveWay_.sortedToc(); }
 
     //- Bend columns to where faces are better: with heights as they are, then
     //  as the user's priority is with heights that give way
@@ -167,7 +146,7 @@ void improvement::lean(const labelUList& faces)
         const scalar enough
     )
     {
-        const scalar own = judge_.penalty(facei, lowest, enough);
+        const scalar own = judge.penalty(facei, lowest, enough);
 
         return lowest == 1 && own <= enough && isAtFault(facei)
           ? forbidden : own;
@@ -177,14 +156,14 @@ void improvement::lean(const labelUList& faces)
     (
         notBarredOf
         (
-            judge_.findBelowAttainable
+            judge.findBelowAttainable
             (
-                faces, editor_.controls().goodJacobian
+                faces, editor.controls().goodJacobian
             )
         )
     );
-    labelList nTries(barred_.size(), 0);
-    leanColumns(editor_, leaning, penalty, 1, nTries);
+    labelList nTries(barred.size(), 0);
+    leanColumns(editor, leaning, penalty, 1, nTries);
 }
 
 
@@ -195,13 +174,13 @@ void improvement::grow(const labelUList& faces)
 
     for (const label facei : faces)
     {
-        for (const label c : editor_.layers().faces[facei])
+        for (const label c : editor.layers().faces[facei])
         {
-            if (isLowered(editor_, c) && !barred_[c] && !grown.found(c))
+            if (isLowered(editor, c) && !barred[c] && !grown.found(c))
             {
-                const labelList all(editor_.columnsBeside(c));
+                const labelList all(editor.columnsBeside(c));
 
-                if (growColumns(editor_, all, atFault))
+                if (growColumns(editor, all, atFault))
                 {
                     grown.insert(all);
                 }
@@ -213,19 +192,19 @@ void improvement::grow(const labelUList& faces)
 
 labelList improvement::faultyFaces()
 {
-    const labelList moved(editor_.touchedSince(judged_));
-    judged_ = editor_.now();
+    const labelList moved(editor.touchedSince(judged));
+    judged = editor.now();
     DynamicList<label> faulty;
 
-    for (const faultyStack& stack : judge_.findFaults(moved))
+    for (const faultyStack& stack : judge.findFaults(moved))
     {
         const bool isOutside = stack.fault == stackFault::centreOutside;
-        if (!isOutside || !tolerated_.test(stack.facei))
+        if (!isOutside || !tolerated.test(stack.facei))
         {
             faulty.append(stack.facei);
         }
     }
-    for (const labelPair& pair : judge_.findOverlapping(moved))
+    for (const labelPair& pair : judge.findOverlapping(moved))
     {
         faulty.append(pair.first());
         faulty.append(pair.second());
@@ -247,9 +226,9 @@ void improvement::settle()
     {
         for (const label facei : faulty)
         {
-            for (const label c : editor_.layers().faces[facei])
+            for (const label c : editor.layers().faces[facei])
             {
-                if (editor_.isChanged(c))
+                if (editor.isChanged(c))
                 {
                     rollBack(c);
                 }
@@ -257,33 +236,33 @@ void improvement::settle()
         }
     }
 
-    editor_.keep();
+    editor.keep();
 }
 
 
 void improvement::fitFirst()
 {
-    boolList wanted(barred_.size(), true);
+    boolList wanted(barred.size(), true);
 
-    for (const scalar reach : editor_.controls().reaches)
+    for (const scalar reach : editor.controls().reaches)
     {
-        barred_ = false;
-        fitFirstHeights(editor_, wanted, reach);
+        barred = false;
+        fitFirstHeights(editor, wanted, reach);
         settle();
-        wanted = barred_;
+        wanted = barred;
     }
 }
 
 
 void improvement::limitJumps()
 {
-    const List<labelPair> neighbours(neighboursOnWall(editor_.front()));
+    const List<labelPair> neighbours(neighboursOnWall(editor.front()));
 
     for
     (
         label i = 0;
-        i < editor_.controls().maxLimits
-     && limitHeightJumps(editor_, neighbours);
+        i < editor.controls().maxLimits
+     && limitHeightJumps(editor, neighbours);
         ++i
     )
     {
@@ -300,10 +279,10 @@ labelHashSet improvement::bendTo
     labelList looked
 )
 {
-    const layerMoveControls& controls = editor_.controls();
+    const layerMoveControls& controls = editor.controls();
     const auto atFault = [&](const label facei) { return isAtFault(facei); };
     labelHashSet bent;
-    barred_ = false;
+    barred = false;
 
     for (label round = 0; round < controls.maxBends && looked.size(); ++round)
     {
@@ -311,23 +290,23 @@ labelHashSet improvement::bendTo
         (
             notBarredOf(poorStacks(geometry.now(), looked, bounds))
         );
-        aims.hold(editor_, columns);
+        aims.hold(editor, columns);
 
-        const label then = editor_.now();
+        const label then = editor.now();
         const labelList tried
         (
-            bendColumns(editor_, geometry, aims, columns, atFault)
+            bendColumns(editor, geometry, aims, columns, atFault)
         );
         settle();
 
         for (const label c : tried)
         {
-            if (!barred_[c])
+            if (!barred[c])
             {
                 bent.insert(c);
             }
         }
-        looked = editor_.touchedSince(then);
+        looked = editor.touchedSince(then);
     }
 
     return bent;
@@ -336,13 +315,13 @@ labelHashSet improvement::bendTo
 
 void improvement::bend()
 {
-    const layerMoveControls& controls = editor_.controls();
+    const layerMoveControls& controls = editor.controls();
     const qualityControls& quality = controls.quality;
 
     bendAims aims(bendAims::withMargins(controls));
-    editedGeometry geometry(editor_);
-    const label then = editor_.now();
-    const labelList all(identity(editor_.layers().faces.size()));
+    editedGeometry geometry(editor);
+    const label then = editor.now();
+    const labelList all(identity(editor.layers().faces.size()));
     labelList poor(poorStacks(geometry.now(), all, aims.faces));
     bendTo(aims.faces, aims, geometry, poor);
 
@@ -358,10 +337,10 @@ void improvement::bend()
         {
             poor.append
             (
-                geometry.now().withNeighbours(editor_.touchedSince(then))
+                geometry.now().withNeighbours(editor.touchedSince(then))
             );
             inplaceUniqueSort(poor);
-            gaveWay_ |= bendTo(bounds, aims, geometry, poor);
+            gaveWay |= bendTo(bounds, aims, geometry, poor);
         };
         aims.thicknessWeight = controls.lowThicknessWeight;
         giveWay();
@@ -382,7 +361,8 @@ labelList improveLayers
     const bitSet& tolerated
 )
 {
-    improvement better(editor, judge, tolerated);
+    improvement better{editor, judge, tolerated};
+    editor.record();
     better.leanAndGrow();
 
     if (!editor.proposed().onLevelSets)
@@ -393,7 +373,7 @@ labelList improveLayers
         better.bend();
     }
 
-    return better.gaveWay();
+    return better.gaveWay.sortedToc();
 }
 
 } // End namespace Foam
