@@ -18,63 +18,63 @@ namespace
 {
 
 //- Collects the faces of a piece
-class pieceMaker
+struct pieceMaker
 {
-    const polyMesh& mesh_;
-    const labelUList& processorOfCell_;
-    const label processor_;
+    const polyMesh& mesh;
+    const labelUList& processorOfCell;
+    const label processor;
 
-    meshPiece piece_;
+    meshPiece piece{};
 
     //- Labels of cells in the piece, -1 for cells that are not in it
-    labelList localCells_;
+    labelList localCells = labelList(mesh.nCells(), -1);
 
-    DynamicList<face> faces_;
-    DynamicList<label> owner_;
-    DynamicList<label> neighbour_;
-    DynamicList<label> addressing_;
+    DynamicList<face> faces{};
+    DynamicList<label> owner{};
+    DynamicList<label> neighbour{};
+    DynamicList<label> addressing{};
 
-    bool isHere(const label celli) const { return localCells_[celli] >= 0; }
+    bool isHere(const label celli) const { return localCells[celli] >= 0; }
 
     //- Add a face with one cell of the piece, its owner there
     void add(const label facei, const label celli, const bool turned)
     {
-        const face& f = mesh_.faces()[facei];
-        faces_.append(turned ? f.reverseFace() : f);
-        owner_.append(localCells_[celli]);
-        addressing_.append(turned ? -(facei + 1) : facei + 1);
+        const face& f = mesh.faces()[facei];
+        faces.append(turned ? f.reverseFace() : f);
+        owner.append(localCells[celli]);
+        addressing.append(turned ? -(facei + 1) : facei + 1);
     }
 
     void addInternal()
     {
-        for (label facei = 0; facei < mesh_.nInternalFaces(); ++facei)
+        for (label facei = 0; facei < mesh.nInternalFaces(); ++facei)
         {
-            const label own = mesh_.faceOwner()[facei];
-            const label nei = mesh_.faceNeighbour()[facei];
+            const label own = mesh.faceOwner()[facei];
+            const label nei = mesh.faceNeighbour()[facei];
             if (isHere(own) && isHere(nei))
             {
                 add(facei, own, false);
-                neighbour_.append(localCells_[nei]);
+                neighbour.append(localCells[nei]);
             }
         }
     }
 
     void addPatches()
     {
-        for (const polyPatch& patch : mesh_.boundaryMesh())
+        for (const polyPatch& patch : mesh.boundaryMesh())
         {
-            const label before = faces_.size();
+            const label before = faces.size();
             forAll(patch, i)
             {
                 const label facei = patch.start() + i;
-                if (isHere(mesh_.faceOwner()[facei]))
+                if (isHere(mesh.faceOwner()[facei]))
                 {
-                    add(facei, mesh_.faceOwner()[facei], false);
+                    add(facei, mesh.faceOwner()[facei], false);
                 }
             }
-            piece_.patchNames.append(patch.name());
-            piece_.patchTypes.append(patch.type());
-            piece_.patchSizes.append(faces_.size() - before);
+            piece.patchNames.append(patch.name());
+            piece.patchTypes.append(patch.type());
+            piece.patchSizes.append(faces.size() - before);
         }
     }
 
@@ -82,28 +82,28 @@ class pieceMaker
     void addBetween()
     {
         Map<DynamicList<label>> facesTo;
-        for (label facei = 0; facei < mesh_.nInternalFaces(); ++facei)
+        for (label facei = 0; facei < mesh.nInternalFaces(); ++facei)
         {
-            const label own = mesh_.faceOwner()[facei];
-            const label nei = mesh_.faceNeighbour()[facei];
+            const label own = mesh.faceOwner()[facei];
+            const label nei = mesh.faceNeighbour()[facei];
             if (isHere(own) != isHere(nei))
             {
                 const label there = isHere(own) ? nei : own;
-                facesTo(processorOfCell_[there]).append(facei);
+                facesTo(processorOfCell[there]).append(facei);
             }
         }
 
-        piece_.processors = facesTo.sortedToc();
-        for (const label other : piece_.processors)
+        piece.processors = facesTo.sortedToc();
+        for (const label other : piece.processors)
         {
-            piece_.processorSizes.append(facesTo[other].size());
+            piece.processorSizes.append(facesTo[other].size());
             for (const label facei : facesTo[other])
             {
-                const label own = mesh_.faceOwner()[facei];
+                const label own = mesh.faceOwner()[facei];
                 const bool turned = !isHere(own);
                 add
                 (
-                    facei, turned ? mesh_.faceNeighbour()[facei] : own, turned
+                    facei, turned ? mesh.faceNeighbour()[facei] : own, turned
                 );
             }
         }
@@ -111,59 +111,44 @@ class pieceMaker
 
     void addPoints()
     {
-        piece_.points = mesh_.points();
-        piece_.faces.transfer(faces_);
+        piece.points = mesh.points();
+        piece.faces.transfer(faces);
         const labelList newPoints
         (
-            removeUnusedPoints(piece_.faces, piece_.points)
+            removeUnusedPoints(piece.faces, piece.points)
         );
-        piece_.pointAddressing = invert(piece_.points.size(), newPoints);
+        piece.pointAddressing = invert(piece.points.size(), newPoints);
     }
 
     void addZones()
     {
-        for (const cellZone& zone : mesh_.cellZones())
+        for (const cellZone& zone : mesh.cellZones())
         {
             DynamicList<label> cells;
             for (const label celli : zone)
             {
                 if (isHere(celli))
                 {
-                    cells.append(localCells_[celli]);
+                    cells.append(localCells[celli]);
                 }
             }
-            piece_.zoneNames.append(zone.name());
-            piece_.zones.append(labelList(std::move(cells)));
+            piece.zoneNames.append(zone.name());
+            piece.zones.append(labelList(std::move(cells)));
         }
     }
-
-public:
-
-    pieceMaker
-    (
-        const polyMesh& mesh,
-        const labelUList& processorOfCell,
-        const label processor
-    )
-    :
-        mesh_(mesh),
-        processorOfCell_(processorOfCell),
-        processor_(processor),
-        localCells_(mesh.nCells(), -1)
-    {}
 
     meshPiece make()
     {
         DynamicList<label> cells;
-        forAll(processorOfCell_, celli)
+        forAll(processorOfCell, celli)
         {
-            if (processorOfCell_[celli] == processor_)
+            if (processorOfCell[celli] == processor)
             {
-                localCells_[celli] = cells.size();
+                localCells[celli] = cells.size();
                 cells.append(celli);
             }
         }
-        piece_.cellAddressing.transfer(cells);
+        piece.cellAddressing.transfer(cells);
 
         addInternal();
         addPatches();
@@ -171,11 +156,11 @@ public:
         addPoints();
         addZones();
 
-        piece_.owner.transfer(owner_);
-        piece_.neighbour.transfer(neighbour_);
-        piece_.faceAddressing.transfer(addressing_);
+        piece.owner.transfer(owner);
+        piece.neighbour.transfer(neighbour);
+        piece.faceAddressing.transfer(addressing);
 
-        return std::move(piece_);
+        return std::move(piece);
     }
 };
 
@@ -268,7 +253,7 @@ meshPiece makeMeshPiece
     const label processor
 )
 {
-    return pieceMaker(mesh, processorOfCell, processor).make();
+    return pieceMaker{mesh, processorOfCell, processor}.make();
 }
 
 
