@@ -33,12 +33,12 @@ static List<DynamicList<std::pair<label, bool>>> neighbours
 
     for (label e = 0; e < sides.nEdges(); ++e)
     {
-        const label start = sides.edgeStarts[e];
+        const SubList<wallSide> both(sides.on(e));
 
-        if (sides.edgeStarts[e + 1] - start == 2)
+        if (both.size() == 2)
         {
-            const wallSide& s = sides.sides[start];
-            const wallSide& t = sides.sides[start + 1];
+            const wallSide& s = both[0];
+            const wallSide& t = both[1];
             result[s.facei].append({t.facei, s.up == t.up});
             result[t.facei].append({s.facei, s.up == t.up});
         }
@@ -62,13 +62,15 @@ void findDuplicateFaces
     // Duplicates meet at an edge, where the sides are in the order of faces
     for (label e = 0; e < sides.nEdges(); ++e)
     {
-        for (label i = sides.edgeStarts[e]; i < sides.edgeStarts[e + 1]; ++i)
-        {
-            const label f = sides.sides[i].facei;
+        const SubList<wallSide> all(sides.on(e));
 
-            for (label j = sides.edgeStarts[e]; j < i; ++j)
+        forAll(all, i)
+        {
+            const label f = all[i].facei;
+
+            for (label j = 0; j < i; ++j)
             {
-                const label g = sides.sides[j].facei;
+                const label g = all[j].facei;
 
                 if (f != g && haveSamePoints(wall.faces[f], wall.faces[g]))
                 {
@@ -96,22 +98,20 @@ bool findBadEdges
 
     for (label e = 0; e < sides.nEdges(); ++e)
     {
-        const label start = sides.edgeStarts[e];
-        const label n = sides.edgeStarts[e + 1] - start;
-        const wallSide& side = sides.sides[start];
+        const SubList<wallSide> all(sides.on(e));
 
-        if (n == 1)
+        if (all.size() == 1)
         {
             if (!mayBeOpen)
             {
-                defects.addEdge(wallDefect::kind::openEdge, side);
+                defects.addEdge(wallDefect::kind::openEdge, all[0]);
             }
         }
-        else if (n > 2)
+        else if (all.size() > 2)
         {
-            defects.addEdge(wallDefect::kind::nonManifoldEdge, side);
+            defects.addEdge(wallDefect::kind::nonManifoldEdge, all[0]);
         }
-        else if (side.up == sides.sides[start + 1].up)
+        else if (all[0].up == all[1].up)
         {
             oriented = false;
         }
@@ -242,14 +242,11 @@ void findNonManifoldPoints
 
     for (label e = 0; e < sides.nEdges(); ++e)
     {
-        const wallSide& s = sides.sides[sides.edgeStarts[e]];
+        const wallSide& s = sides.on(e)[0];
         const face& f = wall.faces[s.facei];
 
-        const label end = sides.edgeStarts[e + 1];
-
-        for (label i = sides.edgeStarts[e] + 1; i < end; ++i)
+        for (const wallSide& t : sides.on(e))
         {
-            const wallSide& t = sides.sides[i];
             const face& g = wall.faces[t.facei];
 
             for (const label p : {s.low, s.high})

@@ -19,17 +19,17 @@ void givenSurface::setLines(const wallSides& sides, const scalar minCos)
 
     for (label e = 0; e < sides.nEdges(); ++e)
     {
-        const label start = sides.edgeStarts[e];
-        const wallSide& a = sides.sides[start];
+        const SubList<wallSide> all(sides.on(e));
+        const wallSide& a = all[0];
         const edge both(a.low, a.high);
 
-        if (sides.edgeStarts[e + 1] - start != 2)
+        if (all.size() != 2)
         {
             lines.append(both);
             continue;
         }
 
-        const wallSide& b = sides.sides[start + 1];
+        const wallSide& b = all[1];
         if
         (
             surface_.patchIDs[a.facei] != surface_.patchIDs[b.facei]

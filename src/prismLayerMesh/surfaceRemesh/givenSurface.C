@@ -45,14 +45,14 @@ void givenSurface::setNormals(const wallSides& sides)
 
     for (label e = 0; e < sides.nEdges(); ++e)
     {
-        const label start = sides.edgeStarts[e];
-        if (sides.edgeStarts[e + 1] - start != 2)
+        const SubList<wallSide> both(sides.on(e));
+        if (both.size() != 2)
         {
             continue;
         }
         for (label i = 0; i < 2; ++i)
         {
-            const wallSide& side = sides.sides[start + i];
+            const wallSide& side = both[i];
             const face& f = faces[side.facei];
             if
             (
@@ -60,7 +60,7 @@ void givenSurface::setNormals(const wallSides& sides)
              == edge(side.low, side.high)
             )
             {
-                across[side.facei] = sides.sides[start + 1 - i].facei;
+                across[side.facei] = both[1 - i].facei;
             }
         }
     }

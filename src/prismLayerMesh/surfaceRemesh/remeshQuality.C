@@ -111,8 +111,8 @@ remeshQuality qualityAwayFromFeatures
     const wallSides all(makeWallSides(surface.faces, points.size()));
     for (label e = 0; e < all.nEdges(); ++e)
     {
-        const wallSide& a = all.sides[all.edgeStarts[e]];
-        const label other = all.sides[all.edgeStarts[e + 1] - 1].facei;
+        const wallSide& a = all.on(e)[0];
+        const label other = all.on(e).last().facei;
         const edge both(a.low, a.high);
         result.nNonOrtho +=
             !isFeature.found(both)

@@ -97,14 +97,13 @@ static labelList foldedFaces(const wallSurface& surface)
 
     for (label e = 0; e < all.nEdges(); ++e)
     {
-        const label first = all.sides[all.edgeStarts[e]].facei;
-        for (label k = all.edgeStarts[e] + 1; k < all.edgeStarts[e + 1]; ++k)
+        const label first = all.on(e)[0].facei;
+        for (const wallSide& other : all.on(e))
         {
-            const label other = all.sides[k].facei;
-            if ((normals[first] & normals[other]) < smallest)
+            if ((normals[first] & normals[other.facei]) < smallest)
             {
                 folded.append(first);
-                folded.append(other);
+                folded.append(other.facei);
             }
         }
     }

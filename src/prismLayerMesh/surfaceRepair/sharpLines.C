@@ -36,14 +36,13 @@ sharpLines::sharpLines(const wallSurface& surface, const scalar minCos)
 
     for (label e = 0; e < sides.nEdges(); ++e)
     {
-        const label start = sides.edgeStarts[e];
-        const wallSide& first = sides.sides[start];
+        const SubList<wallSide> all(sides.on(e));
         Pair<vector> n(Zero, Zero);
 
-        if (sides.edgeStarts[e + 1] - start == 2)
+        if (all.size() == 2)
         {
-            n.first() = normals[first.facei];
-            n.second() = normals[sides.sides[start + 1].facei];
+            n.first() = normals[all[0].facei];
+            n.second() = normals[all[1].facei];
 
             // Normals of neighbours may be opposite to each other
             if (mag(n.first() & n.second()) >= minCos)
@@ -52,7 +51,7 @@ sharpLines::sharpLines(const wallSurface& surface, const scalar minCos)
             }
         }
 
-        sharp.append(edge(first.low, first.high));
+        sharp.append(edge(all[0].low, all[0].high));
         both.append(n);
     }
 

@@ -111,11 +111,7 @@ void wallEnder::addBorder(const wallSide& edge, const label side)
 
     if (sideOfFace[edge.facei] < 0)
     {
-        wall.border.edges.append
-        (
-            edge.up
-          ? Foam::edge(edge.low, edge.high) : Foam::edge(edge.high, edge.low)
-        );
+        wall.border.edges.append(edge.along());
         wall.border.edgeSides.append(side);
     }
 }
@@ -127,11 +123,11 @@ void wallEnder::findBorders()
 
     for (label e = 0; e < edges.nEdges(); ++e)
     {
-        const label start = edges.edgeStarts[e];
-        const wallSide& first = edges.sides[start];
+        const SubList<wallSide> both(edges.on(e));
+        const wallSide& first = both[0];
         const label side = sideOfFace[first.facei];
 
-        if (edges.edgeStarts[e + 1] - start == 1)
+        if (both.size() == 1)
         {
             const label plane = planeOf(first);
 
@@ -150,7 +146,7 @@ void wallEnder::findBorders()
             continue;
         }
 
-        const wallSide& second = edges.sides[start + 1];
+        const wallSide& second = both[1];
         const label other = sideOfFace[second.facei];
 
         if (side < 0 && other >= 0)

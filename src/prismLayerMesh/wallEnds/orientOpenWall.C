@@ -225,15 +225,12 @@ static List<openComponent> componentsOf
 
     for (label e = 0; planes.size() && e < edges.nEdges(); ++e)
     {
-        const wallSide& side = edges.sides[edges.edgeStarts[e]];
+        const wallSide& side = edges.on(e)[0];
 
-        if (edges.edgeStarts[e + 1] - edges.edgeStarts[e] == 1)
+        if (edges.on(e).size() == 1)
         {
             openComponent& component = components[componentOfFace[side.facei]];
-            component.borders.append
-            (
-                side.up ? edge(side.low, side.high) : edge(side.high, side.low)
-            );
+            component.borders.append(side.along());
             component.planes.append(nearestPlane(surface, planes, side));
         }
     }

@@ -80,11 +80,11 @@ class partFinder
     {
         for (label e = 0; e < edges_.nEdges(); ++e)
         {
-            const label start = edges_.edgeStarts[e];
+            const SubList<wallSide> both(edges_.on(e));
 
-            if (edges_.edgeStarts[e + 1] - start == 2)
+            if (both.size() == 2)
             {
-                call(edges_.sides[start].facei, edges_.sides[start + 1].facei);
+                call(both[0].facei, both[1].facei);
             }
         }
     }

@@ -95,11 +95,9 @@ label findComponents
 
     for (label e = 0; e < sides.nEdges(); ++e)
     {
-        const label first = sides.edgeStarts[e];
-
-        for (label i = first + 1; i < sides.edgeStarts[e + 1]; ++i)
+        for (const wallSide& s : sides.on(e))
         {
-            sets.join(sides.sides[first].facei, sides.sides[i].facei);
+            sets.join(sides.on(e)[0].facei, s.facei);
         }
     }
 
