@@ -97,12 +97,6 @@ static squeezeCause causeOfLow
 }
 
 
-static bool isHollow(const pointKind kind)
-{
-    return kind == pointKind::concave || kind == pointKind::saddle;
-}
-
-
 //- What it is that does not let the cells be positive
 static squeezeCause causeOfInvalid
 (
@@ -111,11 +105,11 @@ static squeezeCause causeOfInvalid
     const label c
 )
 {
-    bool hollow = isHollow(kinds[front.wallPoints[c]]);
+    bool hollow = isOnConcaveEdge(kinds[front.wallPoints[c]]);
 
     for (const label q : front.addressing.pointPoints[c])
     {
-        hollow = hollow || isHollow(kinds[front.wallPoints[q]]);
+        hollow = hollow || isOnConcaveEdge(kinds[front.wallPoints[q]]);
     }
 
     return hollow ? squeezeCause::concaveCorner

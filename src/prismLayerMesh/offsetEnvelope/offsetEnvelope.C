@@ -25,12 +25,6 @@ static vector offsetVector(const visibilityCone& cone, const scalar maxStretch)
 }
 
 
-static bool isConcave(const pointKind kind)
-{
-    return kind == pointKind::concave || kind == pointKind::saddle;
-}
-
-
 //- Returns the points of the wall in the order in which their sheet points are
 //  chosen: first points on concave edges, then points on no edge, then the
 //  others, each in a sweep by place. A point on a concave edge would lose its
@@ -43,7 +37,8 @@ static labelList sweepOrder
 {
     const auto rank = [&](const label p)
     {
-        return isConcave(kinds[p]) ? 0 : kinds[p] == pointKind::flat ? 1 : 2;
+        return isOnConcaveEdge(kinds[p]) ? 0
+          : kinds[p] == pointKind::flat ? 1 : 2;
     };
     labelList order(identity(wall.points.size()));
 
@@ -292,7 +287,7 @@ static scalarField closenessOf
 
     forAll(closeness, p)
     {
-        if (isConcave(kinds[p]) && radius[p] > lengths[p])
+        if (isOnConcaveEdge(kinds[p]) && radius[p] > lengths[p])
         {
             closeness[p] = sheetControls::concaveSpacing;
         }
