@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "hexFaces.H"
-#include "ListOps.H"
 
 #include <algorithm>
 #include <cstdint>

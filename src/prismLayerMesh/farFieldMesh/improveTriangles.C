@@ -5,7 +5,6 @@
 
 #include "refineSurface.H"
 #include "farFieldMeshControls.H"
-#include "DynamicList.H"
 #include "EdgeMap.H"
 #include "ListOps.H"
 #include "mathematicalConstants.H"

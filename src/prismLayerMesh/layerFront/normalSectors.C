@@ -5,8 +5,6 @@
 
 #include "normalSectors.H"
 #include "sectorSearch.H"
-#include "DynamicField.H"
-#include "mathematicalConstants.H"
 
 #include <algorithm>
 

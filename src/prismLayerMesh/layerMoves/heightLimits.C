@@ -5,7 +5,6 @@
 
 #include "heightLimits.H"
 #include "DynamicList.H"
-#include "labelList.H"
 
 namespace Foam
 {

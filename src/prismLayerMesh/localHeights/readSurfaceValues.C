@@ -12,7 +12,6 @@
 #include "labelIOField.H"
 #include "vtkUnstructuredReader.H"
 
-#include <algorithm>
 #include <map>
 
 namespace Foam

@@ -11,8 +11,6 @@
 #include "boundBox.H"
 #include "ListOps.H"
 
-#include <cmath>
-
 namespace Foam
 {
 
