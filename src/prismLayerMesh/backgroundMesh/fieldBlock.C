@@ -72,16 +72,10 @@ static void divide
 //- The faces whose own boxes overlap a box
 static labelList facesIn(const wallSurface& wall, const boundBox& box)
 {
-    DynamicList<label> inside;
-    forAll(wall.faces, facei)
+    return subsetList(identity(wall.faces.size()), [&](const label facei)
     {
-        if (boundBox(wall.points, wall.faces[facei], false).overlaps(box))
-        {
-            inside.append(facei);
-        }
-    }
-
-    return labelList(std::move(inside));
+        return boundBox(wall.points, wall.faces[facei], false).overlaps(box);
+    });
 }
 
 

@@ -55,27 +55,16 @@ static bool isStretchedAtFirst(const layerEditor& editor, const label c)
 static labelList fittedFaces(const layerEditor& editor)
 {
     const layerFront& front = editor.front();
-    DynamicList<label> fitted(front.nWallFaces);
 
-    for (label facei = 0; facei < front.nWallFaces; ++facei)
+    return subsetList(identity(front.nWallFaces), [&](const label facei)
     {
         const face& f = front.surface.faces[facei];
 
-        if
-        (
-            std::none_of
-            (
-                f.begin(),
-                f.end(),
-                [&](const label c) { return isStretchedAtFirst(editor, c); }
-            )
-        )
+        return std::none_of(f.begin(), f.end(), [&](const label c)
         {
-            fitted.append(facei);
-        }
-    }
-
-    return labelList(std::move(fitted));
+            return isStretchedAtFirst(editor, c);
+        });
+    });
 }
 
 
@@ -87,17 +76,10 @@ static labelList mobileFaces
     const scalarField& mobilities
 )
 {
-    DynamicList<label> mobile(candidates.size());
-
-    for (const label facei : candidates)
+    return subsetList(candidates, [&](const label facei)
     {
-        if (max(scalarField(mobilities, faces[facei])) > 0)
-        {
-            mobile.append(facei);
-        }
-    }
-
-    return labelList(std::move(mobile));
+        return max(scalarField(mobilities, faces[facei])) > 0;
+    });
 }
 
 

@@ -172,18 +172,11 @@ labelList leanColumns
     labelList& nTries
 )
 {
-    DynamicList<label> trying(columns.size());
-    for (const label c : columns)
-    {
-        if (nTries[c] < maxTries)
-        {
-            trying.append(c);
-        }
-    }
+    const auto mayTry = [&](const label c) { return nTries[c] < maxTries; };
 
     return editor.inColours
     (
-        trying,
+        subsetList(columns, mayTry),
         []() {},
         [&](const label c, const columnState& before)
         {

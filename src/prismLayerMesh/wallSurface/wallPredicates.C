@@ -71,15 +71,13 @@ List<labelPair> findIntersectingFaces
 {
     labelList triangleFace;
     const faceList triangles(wallTriangles(wall, triangleFace));
-    DynamicList<label> kept(triangles.size());
-
-    forAll(triangles, i)
-    {
-        if (!skip.test(triangleFace[i]))
+    const labelList kept
+    (
+        subsetList(identity(triangles.size()), [&](const label i)
         {
-            kept.append(i);
-        }
-    }
+            return !skip.test(triangleFace[i]);
+        })
+    );
 
     DynamicList<labelPair> trianglePairs;
     addIntersections
