@@ -4,93 +4,16 @@
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceFile.H"
+#include "guardedReading.H"
 #include "IFstream.H"
 #include "MeshedSurfaces.H"
 #include "OSspecific.H"
 #include "surfaceFormats.H"
-#include "throwingErrors.H"
-
-#include <cfenv>
-#include <new>
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-[[noreturn]] static void fail(const fileName& file, const string& what)
-{
-    FatalErrorInFunction
-        << "Cannot read the surface " << file << ": " << what.c_str()
-        << exit(FatalError);
-
-    std::abort();
-}
-
-
-namespace
-{
-
-//- As long as it lives, fatal errors and a lack of memory throw exceptions,
-//  and readers print nothing
-class quietReading
-{
-    const throwingErrors throwing_ = throwingErrors(true);
-    const int level_ = messageStream::level;
-    const std::new_handler newHandler_ = std::set_new_handler(nullptr);
-    std::fenv_t environment_;
-
-public:
-
-    quietReading()
-    {
-        messageStream::level = 0;
-
-        // A comparison with NaN must not end the process
-        std::feholdexcept(&environment_);
-    }
-
-    ~quietReading()
-    {
-        std::fesetenv(&environment_);
-        std::set_new_handler(newHandler_);
-        messageStream::level = level_;
-    }
-};
-
-} // End anonymous namespace
-
-
-//- Run a reader, whose errors do not always name the file
-template<class Reader>
-static void readGuarded(const fileName& file, const Reader& read)
-{
-    string what;
-
-    try
-    {
-        const quietReading guard;
-        read();
-    }
-    catch (const Foam::error& e)
-    {
-        what = e.message();
-    }
-    catch (const std::bad_alloc&)
-    {
-        what = "its sizes are beyond the memory; is it broken?";
-    }
-    catch (const std::exception& e)
-    {
-        what = e.what();
-    }
-
-    if (what.size())
-    {
-        fail(file, what);
-    }
-}
-
 
 //- The name without .gz, which OpenFOAM's streams add
 static fileName uncompressedName(const fileName& file)
@@ -104,7 +27,10 @@ static fileName uncompressedName(const fileName& file)
 
     if (isFile(plain, false))
     {
-        fail(file, "the file " + plain + " beside it would be read instead");
+        failToRead
+        (
+            file, "the file " + plain + " beside it would be read instead"
+        );
     }
 
     return plain;
@@ -119,7 +45,7 @@ static void checkLabels(const fileName& file, const wallSurface& wall)
         {
             if (p < 0 || p >= wall.points.size())
             {
-                fail
+                failToRead
                 (
                     file,
                     "face " + Foam::name(facei) + " refers to point "
@@ -128,6 +54,23 @@ static void checkLabels(const fileName& file, const wallSurface& wall)
                 );
             }
         }
+    }
+}
+
+
+static void checkExtension(const fileName& file, const fileName& plain)
+{
+    const word extension(plain.ext());
+
+    if (!meshedSurface::canReadType(extension))
+    {
+        OStringStream valid;
+        valid << flatOutput(meshedSurface::readTypes().sortedToc());
+        failToRead
+        (
+            file,
+            "unknown extension '" + extension + "', valid: " + valid.str()
+        );
     }
 }
 
@@ -141,23 +84,14 @@ wallSurface readSurfaceFile(const fileName& file, bool& separateFaces)
 
     if (!isFile(plain, true))
     {
-        fail(file, "there is no such file");
+        failToRead(file, "there is no such file");
     }
 
-    if (!meshedSurface::canReadType(extension))
-    {
-        OStringStream valid;
-        valid << flatOutput(meshedSurface::readTypes().sortedToc());
-        fail
-        (
-            file,
-            "unknown extension '" + extension + "', valid: " + valid.str()
-        );
-    }
+    checkExtension(file, plain);
 
     if (IFstream(plain).stdStream().peek() == std::istream::traits_type::eof())
     {
-        fail(file, "the file is empty");
+        failToRead(file, "the file is empty");
     }
 
     separateFaces = (extension == "stl" || extension == "stlb");
@@ -181,7 +115,7 @@ wallSurface readSurfaceFile(const fileName& file, bool& separateFaces)
 
     if (wall.faces.empty())
     {
-        fail(file, "there are no faces in it");
+        failToRead(file, "there are no faces in it");
     }
 
     checkLabels(file, wall);
