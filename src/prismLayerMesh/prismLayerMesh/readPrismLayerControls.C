@@ -74,6 +74,19 @@ static sidePatch readSidePlane(const keyType& key, const dictionary& dict)
 }
 
 
+static surfaceCadControls readCad(const dictionary& dict)
+{
+    checkKeys(dict, {"maxEdge", "nPerCircle", "maxSeconds"});
+
+    surfaceCadControls controls;
+    readBounded(dict, "maxEdge", SMALL, GREAT, controls.maxEdge);
+    readBounded(dict, "nPerCircle", 4, 100, controls.nPerCircle);
+    readBounded(dict, "maxSeconds", 1, 1000000, controls.maxSeconds);
+
+    return controls;
+}
+
+
 static surfaceRepairControls readRepair(const dictionary& dict)
 {
     typedef surfaceRepairControls::method method;
@@ -130,7 +143,7 @@ static wallSurfaceControls readSurface(const dictionary& dict)
         dict,
         {
             "file", "files", "fluid", "scale", "mergeTolerance", "sidePlanes",
-            "repair", "stitchCoeffs", "wrapCoeffs", "remesh"
+            "cad", "repair", "stitchCoeffs", "wrapCoeffs", "remesh"
         }
     );
 
@@ -145,6 +158,7 @@ static wallSurfaceControls readSurface(const dictionary& dict)
 
     readBounded(dict, "scale", 1e-9, 1e9, controls.scale);
     readBounded(dict, "mergeTolerance", 0, 1e-3, controls.mergeTolerance);
+    controls.cad = readCad(optionalDict(dict, "cad"));
     controls.repair = readRepair(dict);
     controls.remesh = readRemesh(dict);
 
