@@ -35,6 +35,10 @@ static wallSurface readFiles
     {
         Info<< "    " << file << nl;
     }
+    for (const string& cad : reading.cadFiles)
+    {
+        Info<< "    " << cad.c_str() << nl;
+    }
     Info
         << "    merged points " << reading.mergedPoints
         << ", nearly equal points " << reading.nearPoints
@@ -153,6 +157,10 @@ preparedWall readWall
 
     preparedWall result;
     result.prepared.surface = given;
+    if (reading.cadFiles.size())
+    {
+        result.prepared.changes.add("cad", reading.cadFiles);
+    }
     repair(onSides, controls.layers, result.prepared, log);
     const wallSurface& surface = result.prepared.surface;
     const bool mayBeOpen = onSides.sidePlanes.size();

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "readWallSurface.H"
+#include "cadSurface.H"
 #include "cutReflexFaces.H"
 #include "surfaceFile.H"
 #include "wallPredicates.H"
@@ -215,6 +216,36 @@ static void append(const wallSurface& part, wallSurface& wall)
 }
 
 
+//- A file as it is, scaled
+static wallSurface readPart
+(
+    const fileName& file,
+    const wallSurfaceControls& controls,
+    bool& separateFaces,
+    wallReading& reading
+)
+{
+    wallSurface part;
+
+    if (cadType(file).size())
+    {
+        string remark;
+        part = readCadSurface(file, controls.cad, controls.scale, remark);
+        reading.cadFiles.append(file.name() + ": " + remark);
+    }
+    else
+    {
+        part = readSurfaceFile(file, separateFaces);
+    }
+    part.points *= controls.scale;
+    checkFinite(file, part.points);
+    mergePatches(part);
+    namePatches(part, file);
+
+    return part;
+}
+
+
 //- A closed oriented manifold, by its labels alone
 static bool isOrientable(const wallSurface& wall, const wallSides& sides)
 {
@@ -300,11 +331,7 @@ wallSurface readWallSurface
     for (const fileName& file : files)
     {
         bool separate = false;
-        wallSurface part(readSurfaceFile(file, separate));
-        part.points *= controls.scale;
-        checkFinite(file, part.points);
-        mergePatches(part);
-        namePatches(part, file);
+        wallSurface part(readPart(file, controls, separate, reading));
         separateFaces = separateFaces || separate;
 
         if (files.size() == 1)
@@ -325,7 +352,7 @@ wallSurface readWallSurface
     removeUnusedPoints(wall.faces, wall.points);
     mergePatches(wall);
     reading.cutFaces = cutReflexFaces(wall);
-    if (files.size() > 1)
+    if (files.size() > 1 || reading.cadFiles.size())
     {
         orientAlike(wall);
     }

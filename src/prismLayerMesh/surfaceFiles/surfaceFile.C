@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceFile.H"
+#include "cadSurface.H"
 #include "guardedReading.H"
 #include "IFstream.H"
 #include "MeshedSurfaces.H"
@@ -62,6 +63,17 @@ static void checkExtension(const fileName& file, const fileName& plain)
 {
     const word extension(plain.ext());
 
+    if (cadType(plain).size())
+    {
+        failToRead
+        (
+            file,
+            file != plain ? "CAD is not read compressed"
+          : "it is CAD, whose triangles have no numbers that are known before;"
+            " take " + plain.nameLessExt() + ".prepared.obj"
+        );
+    }
+
     if (!meshedSurface::canReadType(extension))
     {
         OStringStream valid;
@@ -70,6 +82,7 @@ static void checkExtension(const fileName& file, const fileName& plain)
         (
             file,
             "unknown extension '" + extension + "', valid: " + valid.str()
+          + ", and CAD: step, stp, brep, iges, igs"
         );
     }
 }

@@ -30,6 +30,7 @@ TEST_F(brokenSurfaceFiles, wrongFilesAreNamed)
     expectError(folder_, "no such file");
     expectError(file("body.xyz", tet), "unknown extension");
     expectError(file("body", tet), "unknown extension");
+    expectError(file("body.step.gz", ""), "CAD is not read compressed");
     expectError(file("empty.obj", ""), "empty");
     expectError(file("empty.stl", ""), "empty");
     expectError(file("points.obj", tet), "no faces");

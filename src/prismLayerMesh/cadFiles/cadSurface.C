@@ -1,0 +1,259 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "cadSurface.H"
+#include "cadTriangulation.H"
+#include "cadUnit.H"
+#include "clockTime.H"
+#include "gmshScript.H"
+#include "guardedReading.H"
+#include "OSspecific.H"
+#include "runProgram.H"
+#include "stringOps.H"
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <unistd.h>
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- A folder that goes when this does
+class scratchFolder
+{
+    fileName path_;
+
+public:
+
+    scratchFolder()
+    {
+        const char* base = std::getenv("TMPDIR");
+        std::string path(base && *base ? base : "/tmp");
+        path += "/harmonicPrismMeshXXXXXX";
+
+        if (!::mkdtemp(&path[0]))
+        {
+            FatalErrorInFunction
+                << "no temporary folder " << path.c_str() << exit(FatalError);
+        }
+        path_ = path;
+    }
+
+    ~scratchFolder() { rmDir(path_); }
+
+    scratchFolder(const scratchFolder&) = delete;
+    void operator=(const scratchFolder&) = delete;
+
+    const fileName& path() const { return path_; }
+};
+
+} // End anonymous namespace
+
+
+//- Algorithms of gmsh on surfaces, in the order in which they are tried:
+//  frontal Delaunay, MeshAdapt, Delaunay
+static const labelList algorithms({6, 1, 5});
+
+
+static string logOf(const fileName& folder, string (*read)(std::istream&))
+{
+    std::ifstream log(folder/"log");
+
+    return read(log);
+}
+
+
+//- Runs gmsh.
+//  Errors: FatalError if there is no gmsh
+static programEnd runGmsh
+(
+    const fileName& folder,
+    const std::string& script,
+    const scalar seconds
+)
+{
+    for (const char* old : {"model", "body.msh"})
+    {
+        std::remove((folder/old).c_str());
+    }
+    std::ofstream(folder/"body.geo") << script;
+
+    const programEnd end = runProgram
+    (
+        {"gmsh", "-2", "-o", "body.msh", "body.geo"},
+        // Where the settings of the user are not
+        {"GMSH_HOME=" + folder},
+        folder,
+        "log",
+        seconds
+    );
+
+    if (end == programEnd::missing)
+    {
+        FatalErrorInFunction
+            << "it is CAD. Install the program gmsh (Debian: apt-get install"
+            << " gmsh), or export triangles" << exit(FatalError);
+    }
+
+    return end;
+}
+
+
+[[noreturn]] static void failWithoutTriangles
+(
+    const programEnd end,
+    const bool hasFaces,
+    const label maxSeconds,
+    const string& errors
+)
+{
+    if (end == programEnd::tooLong)
+    {
+        FatalErrorInFunction
+            << "the program gmsh takes longer than " << maxSeconds
+            << " s. Give it more time, surface.cad.maxSeconds, or ask for fewer"
+            << " triangles: surface.cad.maxEdge, surface.cad.nPerCircle"
+            << exit(FatalError);
+    }
+
+    FatalErrorInFunction
+        << "the program gmsh "
+        << (hasFaces ? "makes no triangles of it" : "finds no faces in it")
+        << (errors.empty() ? "" : ": ") << errors.c_str() << exit(FatalError);
+
+    std::abort();
+}
+
+
+//- The faces of a CAD file in the folder as triangles
+//  by: set to version and algorithm of gmsh
+//  Errors: FatalError if there are none
+static cadTriangulation triangulate
+(
+    const fileName& folder,
+    const word& name,
+    const surfaceCadControls& controls,
+    const scalar maxEdge,
+    string& by
+)
+{
+    const clockTime timer;
+    cadTriangulation best;
+    programEnd end = programEnd::failed;
+    bool hasFaces = true;
+    string errors;
+
+    for (const label algorithm : algorithms)
+    {
+        const std::string script
+        (
+            gmshScript(name, "model", maxEdge, controls.nPerCircle, algorithm)
+        );
+        end = runGmsh
+        (
+            folder, script, controls.maxSeconds - timer.elapsedTime()
+        );
+        std::ifstream model(folder/"model"), mesh(folder/"body.msh");
+        const cadModel found(readCadModel(model));
+        hasFaces = found.faces.size();
+        errors = logOf(folder, errorsIn);
+
+        if (end == programEnd::complete && hasFaces)
+        {
+            cadTriangulation made(makeCadTriangulation(found, readMsh(mesh)));
+
+            if (best.wall.faces.empty() || made.nFaults() < best.nFaults())
+            {
+                best = std::move(made);
+                by = logOf(folder, versionIn) + ", algorithm "
+                  + Foam::name(algorithm);
+            }
+        }
+
+        if
+        (
+            !hasFaces || end == programEnd::tooLong
+         || (best.wall.faces.size() && best.nFaults() == 0)
+        )
+        {
+            break;
+        }
+    }
+
+    if (best.wall.faces.empty())
+    {
+        failWithoutTriangles(end, hasFaces, controls.maxSeconds, errors);
+    }
+
+    return best;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+word cadType(const fileName& file)
+{
+    const word extension(stringOps::lower(file.ext()));
+
+    return
+        extension == "step" || extension == "stp" ? "step"
+      : extension == "iges" || extension == "igs" ? "iges"
+      : extension == "brep" ? "brep"
+      : "";
+}
+
+
+wallSurface readCadSurface
+(
+    const fileName& file,
+    const surfaceCadControls& controls,
+    const scalar scale,
+    string& remark
+)
+{
+    wallSurface wall;
+    const word type(cadType(file));
+
+    if (!isFile(file, false))
+    {
+        failToRead(file, "there is no such file");
+    }
+
+    readGuarded
+    (
+        file,
+        [&]()
+        {
+            const scratchFolder folder;
+            const word name("body." + type);
+            std::ofstream(folder.path()/name, std::ios::binary)
+                << std::ifstream(file, std::ios::binary).rdbuf();
+            std::ifstream text(file, std::ios::binary);
+
+            string by;
+            cadTriangulation made
+            (
+                triangulate
+                (
+                    folder.path(), name, controls, controls.maxEdge/scale, by
+                )
+            );
+            remark = describe(made, cadUnit(text, type), scale, by);
+            wall = std::move(made.wall);
+        }
+    );
+
+    return wall;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
