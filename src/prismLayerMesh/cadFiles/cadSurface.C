@@ -133,67 +133,109 @@ static programEnd runGmsh
 }
 
 
-//- The faces of a CAD file in the folder as triangles
-//  by: set to version and algorithm of gmsh
-//  Errors: FatalError if there are none
-static cadTriangulation triangulate
-(
-    const fileName& folder,
-    const word& name,
-    const surfaceCadControls& controls,
-    const scalar maxEdge,
-    string& by
-)
+namespace
 {
-    const clockTime timer;
-    cadTriangulation best;
+
+//- What is tried on a file, and the best triangles so far
+struct attempts
+{
+    const fileName folder;
+    const word name;
+    const surfaceCadControls& controls;
+    const scalar maxEdge;
+    const clockTime timer = clockTime();
+
+    cadTriangulation best = cadTriangulation();
+
+    //- Version and algorithm of gmsh that made them
+    string by = string();
+
+    //- Of the last attempt
     programEnd end = programEnd::failed;
     bool hasFaces = true;
-    string errors;
+    string errors = string();
 
-    for (const label algorithm : algorithms)
+    bool haveTriangles() const { return best.wall.faces.size(); }
+
+    //- Whether more attempts are of no use
+    bool areOver() const
     {
-        const std::string script
-        (
-            gmshScript(name, "model", maxEdge, controls.nPerCircle, algorithm)
-        );
-        end = runGmsh
-        (
-            folder, script, controls.maxSeconds - timer.elapsedTime()
-        );
-        std::ifstream model(folder/"model"), mesh(folder/"body.msh");
-        const cadModel found(readCadModel(model));
-        hasFaces = found.faces.size();
-        errors = logOf(folder, errorsIn);
+        return end == programEnd::tooLong
+         || (haveTriangles() && best.nFaults() == 0);
+    }
 
-        if (end == programEnd::complete && hasFaces)
+    void add(bool unite, label algorithm);
+};
+
+
+void attempts::add(const bool unite, const label algorithm)
+{
+    const std::string script
+    (
+        gmshScript
+        (
+            name, "model", unite, maxEdge, controls.nPerCircle, algorithm
+        )
+    );
+    end = runGmsh(folder, script, controls.maxSeconds - timer.elapsedTime());
+
+    std::ifstream model(folder/"model"), mesh(folder/"body.msh");
+    const cadModel found(readCadModel(model));
+    hasFaces = found.faces.size();
+    errors = logOf(folder, errorsIn);
+
+    if (end != programEnd::complete || !hasFaces)
+    {
+        return;
+    }
+
+    cadTriangulation made(makeCadTriangulation(found, readMsh(mesh)));
+
+    if (!haveTriangles() || made.nFaults() < best.nFaults())
+    {
+        best = std::move(made);
+        by = logOf(folder, versionIn) + ", algorithm " + Foam::name(algorithm)
+          + (unite && found.solidLabels.size() > 1 ? ", solids united" : "");
+    }
+}
+
+} // End anonymous namespace
+
+
+//- Tries algorithms until the triangles are good.
+//  Errors: FatalError if there are none
+static void triangulate(const bool unite, attempts& tried)
+{
+    for (const bool united : {true, false})
+    {
+        if (united && !unite)
         {
-            cadTriangulation made(makeCadTriangulation(found, readMsh(mesh)));
+            continue;
+        }
 
-            if (best.wall.faces.empty() || made.nFaults() < best.nFaults())
+        for (const label algorithm : algorithms)
+        {
+            tried.add(united, algorithm);
+
+            if (tried.areOver() || !tried.hasFaces)
             {
-                best = std::move(made);
-                by = logOf(folder, versionIn) + ", algorithm "
-                  + Foam::name(algorithm);
+                break;
             }
         }
 
-        if
-        (
-            !hasFaces || end == programEnd::tooLong
-         || (best.wall.faces.size() && best.nFaults() == 0)
-        )
+        if (tried.areOver() || tried.haveTriangles())
         {
             break;
         }
     }
 
-    if (best.wall.faces.empty())
+    if (!tried.haveTriangles())
     {
-        failWithoutTriangles(end, hasFaces, controls.maxSeconds, errors);
+        failWithoutTriangles
+        (
+            tried.end, tried.hasFaces, tried.controls.maxSeconds, tried.errors
+        );
     }
-
-    return best;
 }
 
 
@@ -215,6 +257,7 @@ wallSurface readCadSurface
 (
     const fileName& file,
     const surfaceCadControls& controls,
+    const bool unite,
     const scalar scale,
     string& remark
 )
@@ -238,16 +281,14 @@ wallSurface readCadSurface
                 << std::ifstream(file, std::ios::binary).rdbuf();
             std::ifstream text(file, std::ios::binary);
 
-            string by;
-            cadTriangulation made
-            (
-                triangulate
-                (
-                    folder.path(), name, controls, controls.maxEdge/scale, by
-                )
-            );
-            remark = describe(made, cadUnit(text, type), scale, by);
-            wall = std::move(made.wall);
+            attempts tried
+            {
+                folder.path(), name, controls, controls.maxEdge/scale
+            };
+            triangulate(unite, tried);
+            const word unit(cadUnit(text, type));
+            remark = describe(tried.best, unit, scale, tried.by);
+            wall = std::move(tried.best.wall);
         }
     );
 

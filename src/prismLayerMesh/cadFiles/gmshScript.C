@@ -32,6 +32,16 @@ EndIf
 )";
 
 
+//- Solids that touch or overlap are divided, so that they share faces
+static const char* const uniteSolids = R"(
+If (#solids() > 1)
+    Coherence;
+    solids() = Volume{:};
+    faces() = Surface{:};
+EndIf
+)";
+
+
 //- Formats of gmsh are not for labels with a percent sign
 static const char* const writeModel = R"(
 Printf("loose %.0f", #loose()) > model;
@@ -69,6 +79,7 @@ std::string gmshScript
 (
     const word& file,
     const word& model,
+    const bool unite,
     const scalar maxEdge,
     const label nPerCircle,
     const label algorithm
@@ -82,7 +93,7 @@ std::string gmshScript
         << "Geometry.OCCTargetUnit = \"M\";\n"
         << "model = \"" << model << "\";\n"
         << "Merge \"" << file << "\";\n"
-        << leaveOutLoose << writeModel;
+        << leaveOutLoose << (unite ? uniteSolids : "") << writeModel;
 
     if (maxEdge > 0)
     {

@@ -230,7 +230,11 @@ static wallSurface readPart
     if (cadType(file).size())
     {
         string remark;
-        part = readCadSurface(file, controls.cad, controls.scale, remark);
+        typedef surfaceRepairControls::method method;
+        const bool unite =
+            controls.fluidOutside && controls.repair.repair == method::stitch;
+        const scalar scale = controls.scale;
+        part = readCadSurface(file, controls.cad, unite, scale, remark);
         reading.cadFiles.append(file.name() + ": " + remark);
     }
     else

@@ -83,7 +83,7 @@ protected:
 
     wallSurface readCad(const fileName& name)
     {
-        return readCadSurface(name, cad_, 1, remark_);
+        return readCadSurface(name, cad_, false, 1, remark_);
     }
 
     //- The message of the error; the temporary folder is gone
@@ -228,6 +228,23 @@ TEST_F(cadSurfaceTest, theBestAlgorithmIsTaken)
         << remark_;
     EXPECT_NE(remark_.find("open edges of solids 3"), std::string::npos)
         << remark_;
+}
+
+
+TEST_F(cadSurfaceTest, solidsThatCannotBeUnitedStayApart)
+{
+    const environmentVariable path
+    (
+        "PATH",
+        pathWith
+        (
+            "if grep -q Coherence body.geo; then exit 1; fi\n" + tetrahedron()
+        )
+    );
+    const fileName name(file("body.brep", ""));
+
+    EXPECT_EQ(readCadSurface(name, cad_, true, 1, remark_).faces.size(), 4);
+    EXPECT_EQ(remark_.find("united"), std::string::npos) << remark_;
 }
 
 
