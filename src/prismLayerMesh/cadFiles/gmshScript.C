@@ -12,6 +12,11 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
+//- Lengths in metres. The unit of IGES cannot be set: it is a millimetre.
+static const char* const unit = "Geometry.OCCTargetUnit = \"M\";\n";
+static const char* const igesUnit = "Geometry.OCCScaling = 0.001;\n";
+
+
 //- Faces of no solid go if there are solids
 static const char* const leaveOutLoose = R"(
 solids() = Volume{:};
@@ -90,7 +95,7 @@ std::string gmshScript
 
     os  << "General.NumThreads = 1;\n"
         << "SetFactory(\"OpenCASCADE\");\n"
-        << "Geometry.OCCTargetUnit = \"M\";\n"
+        << (file.ext() == "iges" ? igesUnit : unit)
         << "model = \"" << model << "\";\n"
         << "Merge \"" << file << "\";\n"
         << leaveOutLoose << (unite ? uniteSolids : "") << writeModel;
