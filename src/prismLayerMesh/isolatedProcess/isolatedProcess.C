@@ -11,6 +11,7 @@
 #include <csignal>
 #include <fcntl.h>
 #include <mutex>
+#include <omp.h>
 #include <set>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -108,6 +109,9 @@ static void closeEnd(std::FILE* in)
     {
         std::signal(sig, SIG_DFL);
     }
+
+    // The threads of OpenMP have stayed in the parent
+    omp_set_num_threads(1);
 
     const rlimit none{0, 0};
     ::setrlimit(RLIMIT_CORE, &none);

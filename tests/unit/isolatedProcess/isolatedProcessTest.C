@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <numeric>
+#include <omp.h>
 #include <stdexcept>
 #include <vector>
 
@@ -106,6 +107,33 @@ TEST(isolatedProcess, childChangesNothingHere)
     int i = 1;
     EXPECT_TRUE(completes([&](std::FILE* out) { i = 2; write42(out); }));
     EXPECT_EQ(i, 1);
+}
+
+
+TEST(isolatedProcess, childHasOneThreadOfOpenMP)
+{
+    const auto count = []()
+    {
+        label n = 0;
+        #pragma omp parallel reduction(+ : n)
+        ++n;
+
+        return n;
+    };
+
+    omp_set_num_threads(3);
+    EXPECT_EQ(count(), 3);
+
+    // On more threads the child would wait for ever
+    const auto countOne = [&](std::FILE* out)
+    {
+        if (count() == 1)
+        {
+            write42(out);
+        }
+    };
+    EXPECT_TRUE(completes(countOne));
+    omp_set_num_threads(omp_get_num_procs());
 }
 
 
