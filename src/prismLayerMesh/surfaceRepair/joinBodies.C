@@ -3,19 +3,15 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/connected_components.h>
 #include <CGAL/Polygon_mesh_processing/corefinement.h>
 #include <CGAL/Polygon_mesh_processing/measure.h>
 #include <CGAL/Polygon_mesh_processing/orientation.h>
-#include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
-#include <CGAL/Polygon_mesh_processing/repair_self_intersections.h>
-#include <CGAL/Polygon_mesh_processing/self_intersections.h>
-#include <CGAL/Surface_mesh.h>
 
 #include <cmath>
 
 #include "joinBodies.H"
+#include "soundBody.H"
 #include "cgalMeshes.H"
 #include "unitConversion.H"
 
@@ -25,72 +21,6 @@ namespace Foam
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace PMP = CGAL::Polygon_mesh_processing;
-
-typedef CGAL::Exact_predicates_inexact_constructions_kernel unionKernel;
-typedef CGAL::Surface_mesh<unionKernel::Point_3> unionMesh;
-
-
-//- Removes the intersections of a body with itself. Returns whether there were
-//  any, all of which are gone.
-static bool untangle(unionMesh& body)
-{
-    if (!PMP::does_self_intersect(body))
-    {
-        return false;
-    }
-
-    unionMesh untangled(body);
-
-    if
-    (
-        !PMP::experimental::remove_self_intersections(untangled)
-     || PMP::does_self_intersect(untangled)
-    )
-    {
-        return false;
-    }
-    body = untangled;
-
-    return true;
-}
-
-
-static bool isBody(const unionMesh& mesh)
-{
-    return CGAL::is_closed(mesh) && !PMP::does_self_intersect(mesh);
-}
-
-
-//- Removes needles with an edge shorter than a length from a body, such as
-//  those on the steps between surfaces that hardly overlap, if the body stays
-//  sound. A needle has an edge 4 times as long as another, or an angle above
-//  160 degrees.
-static void removeNeedles(const double length, unionMesh& body)
-{
-    unionMesh cleaned(body);
-    const double capCosine = std::cos(degToRad(160.0));
-
-    #if CGAL_VERSION_NR >= 1060000000
-    PMP::remove_almost_degenerate_faces
-    (
-        cleaned,
-        CGAL::parameters::cap_threshold(capCosine)
-            .needle_threshold(4)
-            .collapse_length_threshold(length)
-    );
-    #else
-    PMP::experimental::remove_almost_degenerate_faces
-    (
-        cleaned, capCosine, 4, length
-    );
-    #endif
-
-    if (isBody(cleaned))
-    {
-        body = cleaned;
-    }
-}
-
 
 //- Whether less of the surfaces of two bodies is left in what was made of them:
 //  they intersect, or have parts of their surfaces in common
@@ -264,7 +194,7 @@ void joinBodies
 
     for (unionMesh& body : bodies)
     {
-        nUntangled += untangle(body);
+        nUntangled += removeIntersections(body);
 
         if (CGAL::is_closed(body) && !PMP::is_outward_oriented(body))
         {

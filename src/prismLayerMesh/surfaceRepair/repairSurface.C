@@ -9,6 +9,7 @@
 #include "cutReflexFaces.H"
 #include "cutSurface.H"
 #include "endWall.H"
+#include "exactUnion.H"
 #include "readWallSurface.H"
 #include "sigFpe.H"
 #include "stitchSurface.H"
@@ -146,9 +147,20 @@ void surfaceRepairer::stitch()
     wallSurface& surface = repaired_.surface;
     repairSteps& steps = repaired_.steps;
 
+    mergeEqualPoints(surface, steps);
+    const wallSurface merged(surface);
+    const repairSteps mergedSteps(steps);
+
     stitchFaces(surface, steps);
     orientWallSurface(surface, true);
 
+    if (!isSound() && fluidOutside_ && isBalanced(merged.faces))
+    {
+        surface = merged;
+        steps = mergedSteps;
+        uniteBalanced(surface, orShare(controls_.gap, 1e-4), steps);
+        orientWallSurface(surface, true);
+    }
     if (!isSound())
     {
         closeGaps

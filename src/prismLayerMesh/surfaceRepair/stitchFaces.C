@@ -84,10 +84,8 @@ static label nTurned
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void stitchFaces(wallSurface& surface, repairSteps& steps)
+void mergeEqualPoints(wallSurface& surface, repairSteps& steps)
 {
-    removeWithoutArea(surface, steps);
-
     auto points = cgalPoints<stitchKernel::Point_3>(surface.points);
     auto polygons = cgalPolygons(surface.faces);
 
@@ -96,7 +94,26 @@ void stitchFaces(wallSurface& surface, repairSteps& steps)
         steps, "equal points made one",
         PMP::merge_duplicate_points_in_polygon_soup(points, polygons)
     );
+    surface.points.setSize(points.size());
+    forAll(surface.points, p)
+    {
+        surface.points[p] = point(points[p].x(), points[p].y(), points[p].z());
+    }
+    forAll(surface.faces, facei)
+    {
+        const cgalPolygon& polygon = polygons[facei];
+        surface.faces[facei] = face(labelList(polygon.begin(), polygon.end()));
+    }
+}
 
+
+void stitchFaces(wallSurface& surface, repairSteps& steps)
+{
+    removeWithoutArea(surface, steps);
+    mergeEqualPoints(surface, steps);
+
+    auto points = cgalPoints<stitchKernel::Point_3>(surface.points);
+    auto polygons = cgalPolygons(surface.faces);
     const std::size_t nFaces = polygons.size();
     PMP::repair_polygon_soup
     (

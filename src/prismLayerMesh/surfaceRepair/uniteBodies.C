@@ -5,7 +5,10 @@
 
 #include "stitchSurface.H"
 #include "isolatedProcess.H"
+#include "exactUnion.H"
+#include "fillContacts.H"
 #include "joinBodies.H"
+#include "removeSlivers.H"
 #include "StringStream.H"
 
 namespace Foam
@@ -43,9 +46,32 @@ static bool receive(std::FILE* in, char& tag, string& message)
 }
 
 
-//- Sends 'p' and the places of two bodies before they are joined; at last 's',
-//  the surface and the steps
-static void sendUnited
+//- Contacts of bodies are filled so many times at most
+static constexpr label maxFills = 5;
+
+
+//- Sends 's', a surface and the steps that made it
+static void sendSurface
+(
+    const wallSurface& surface,
+    const repairSteps& made,
+    std::FILE* out
+)
+{
+    OStringStream result(IOstream::BINARY);
+    result << surface.points << surface.faces << surface.patchIDs;
+    result << made.size();
+    for (const repairStep& s : made)
+    {
+        result << token::SPACE << s.what << s.count << s.places;
+    }
+    send('s', result, out);
+}
+
+
+//- Sends 'p' and the places of two bodies before they are joined; at last the
+//  surface
+static void sendJoined
 (
     wallSurface surface,
     const bool fluidOutside,
@@ -62,21 +88,65 @@ static void sendUnited
 
     repairSteps made;
     joinBodies(surface, fluidOutside, step, tellPlaces, made);
-
-    OStringStream result(IOstream::BINARY);
-    result << surface.points << surface.faces << surface.patchIDs;
-    result << made.size();
-    for (const repairStep& s : made)
-    {
-        result << token::SPACE << s.what << s.count;
-    }
-    send('s', result, out);
+    sendSurface(surface, made, out);
 }
 
 
-//- Reads what sendUnited sends. Returns false if no surface comes. Places are
+//- Adds the places of contacts to the steps
+static void addContacts
+(
+    const surfaceContacts& contacts,
+    const pointField& points,
+    repairSteps& steps
+)
+{
+    DynamicList<point> places;
+    for (const label p : contacts.points)
+    {
+        places.append(points[p]);
+    }
+    for (const edge& e : contacts.edges)
+    {
+        places.append(e.centre(points));
+    }
+    addStep(steps, "contacts of bodies filled", places.size(), places);
+}
+
+
+//- Sends the exact union, without contacts
+static void sendUnion(wallSurface surface, const scalar step, std::FILE* out)
+{
+    repairSteps made;
+    uniteExactly(surface, made);
+
+    // A filler may touch other bodies
+    for (label n = 0; n < maxFills; ++n)
+    {
+        const surfaceContacts contacts(findContacts(surface));
+        if (contacts.empty())
+        {
+            break;
+        }
+
+        addContacts(contacts, surface.points, made);
+        repairSteps untold;
+        addContactFillers(contacts, surface);
+        mergeEqualPoints(surface, untold);
+        uniteExactly(surface, untold);
+    }
+
+    stitchFaces(surface, made);
+    addStep
+    (
+        made, "needles and low triangles removed", removeSlivers(step, surface)
+    );
+    sendSurface(surface, made, out);
+}
+
+
+//- Reads what is sent before. Returns false if no surface comes. Places are
 //  then the places of the last two bodies.
-static bool readUnited
+static bool readSurface
 (
     std::FILE* in,
     string& places,
@@ -104,8 +174,9 @@ static bool readUnited
         {
             string what;
             label count;
-            result >> what >> count;
-            addStep(steps, what, count);
+            DynamicList<point> places;
+            result >> what >> count >> places;
+            addStep(steps, what, count, places);
         }
 
         return true;
@@ -116,6 +187,25 @@ static bool readUnited
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void uniteBalanced(wallSurface& surface, const scalar step, repairSteps& steps)
+{
+    string places;
+    const processEnd end = isolatedProcess
+    (
+        [&](std::FILE* out) { sendUnion(surface, step, out); },
+        [&](std::FILE* in) { return readSurface(in, places, surface, steps); }
+    );
+
+    if (end != processEnd::complete)
+    {
+        FatalErrorInFunction
+            << "The bodies of the surface cannot be united: CGAL ended" << nl
+            << "Unite them in CAD, or go around them with surface.repair wrap"
+            << exit(FatalError);
+    }
+}
+
 
 void uniteBodies
 (
@@ -128,8 +218,8 @@ void uniteBodies
     string places;
     const processEnd end = isolatedProcess
     (
-        [&](std::FILE* out) { sendUnited(surface, fluidOutside, step, out); },
-        [&](std::FILE* in) { return readUnited(in, places, surface, steps); }
+        [&](std::FILE* out) { sendJoined(surface, fluidOutside, step, out); },
+        [&](std::FILE* in) { return readSurface(in, places, surface, steps); }
     );
 
     if (end != processEnd::complete)

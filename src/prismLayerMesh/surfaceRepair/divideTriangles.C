@@ -1,0 +1,361 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "divideTriangles.H"
+#include "cgalMeshes.H"
+#include "wallPredicates.H"
+
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+typedef exactKernel::Point_2 point2;
+typedef exactKernel::Point_3 point3;
+typedef exactKernel::Triangle_3 triangle3;
+
+//- A triangulation of a triangle's plane; its points know their labels
+typedef CGAL::Triangulation_data_structure_2
+<
+    CGAL::Triangulation_vertex_base_with_info_2<label, exactKernel>,
+    CGAL::Constrained_triangulation_face_base_2<exactKernel>
+>
+planeStructure;
+
+typedef CGAL::Constrained_Delaunay_triangulation_2
+<
+    exactKernel, planeStructure, CGAL::Exact_intersections_tag
+>
+planeTriangulation;
+
+
+//- The object of a type in what CGAL returns of an intersection, or null
+template<class Type, class Variant>
+const Type* alternative(const Variant& common)
+{
+    #if CGAL_VERSION_NR >= 1060000000
+    return std::get_if<Type>(&common);
+    #else
+    return boost::get<Type>(&common);
+    #endif
+}
+
+
+//- Drops the coordinate in which the normal of a plane is largest
+struct planeProjection
+{
+    exactKernel::Plane_3 plane;
+
+    //- The coordinate that is dropped
+    int dropped;
+
+    explicit planeProjection(const exactKernel::Plane_3& p)
+    :
+        plane(p),
+        dropped(0)
+    {
+        const exactKernel::Vector_3 n = p.orthogonal_vector();
+        for (int k = 1; k < 3; ++k)
+        {
+            if (CGAL::abs(n[k]) > CGAL::abs(n[dropped]))
+            {
+                dropped = k;
+            }
+        }
+    }
+
+    //- Whether the projection turns triangles round
+    bool turns() const
+    {
+        return plane.orthogonal_vector()[dropped] < 0;
+    }
+
+    point2 operator()(const point3& x) const
+    {
+        return point2(x[(dropped + 1) % 3], x[(dropped + 2) % 3]);
+    }
+
+    //- Returns the point of the plane that has this projection
+    point3 inverse(const point2& x) const
+    {
+        const exactKernel::Vector_3 n = plane.orthogonal_vector();
+        const int i = (dropped + 1) % 3;
+        const int j = (dropped + 2) % 3;
+        exactKernel::FT c[3];
+        c[i] = x[0];
+        c[j] = x[1];
+        c[dropped] =
+            -(n[i]*c[i] + n[j]*c[j] + plane.d())/n[dropped];
+
+        return point3(c[0], c[1], c[2]);
+    }
+};
+
+
+class triangleDivider
+{
+    const faceList& triangles_;
+    dividedTriangles result_;
+
+    //- Labels of the points on triangles that are divided
+    std::map<point3, label> labels_;
+
+    //- For each triangle: the triangles that intersect it
+    std::vector<std::vector<label>> partners_;
+
+    triangle3 triangle(const label i) const
+    {
+        const face& f = triangles_[i];
+        const std::vector<point3>& points = result_.points;
+
+        return triangle3(points[f[0]], points[f[1]], points[f[2]]);
+    }
+
+    label labelOf(const point3& x);
+
+    //- Adds the intersection with another triangle to a triangulation
+    void insert
+    (
+        const triangle3& a,
+        const triangle3& b,
+        const planeProjection& project,
+        planeTriangulation& plane
+    ) const;
+
+    void divide(label i);
+
+public:
+
+    explicit triangleDivider(const wallSurface& surface)
+    :
+        triangles_(surface.faces),
+        partners_(surface.faces.size())
+    {
+        result_.points = cgalPoints<point3>(surface.points);
+        result_.inPlane.resize(triangles_.size());
+    }
+
+    //- Finds the triangles that intersect
+    void findPartners(const wallSurface& surface);
+
+    dividedTriangles divide();
+};
+
+
+//- Returns pairs of triangles on the same three points
+std::vector<labelPair> onSamePoints(const faceList& triangles)
+{
+    std::map<std::array<label, 3>, std::vector<label>> groups;
+    forAll(triangles, i)
+    {
+        const face& f = triangles[i];
+        std::array<label, 3> key{{f[0], f[1], f[2]}};
+        std::sort(key.begin(), key.end());
+        groups[key].push_back(i);
+    }
+
+    std::vector<labelPair> pairs;
+    for (const auto& group : groups)
+    {
+        const std::vector<label>& same = group.second;
+        for (std::size_t a = 0; a < same.size(); ++a)
+        {
+            for (std::size_t b = a + 1; b < same.size(); ++b)
+            {
+                pairs.emplace_back(same[a], same[b]);
+            }
+        }
+    }
+
+    return pairs;
+}
+
+
+void triangleDivider::findPartners(const wallSurface& surface)
+{
+    std::vector<labelPair> pairs = onSamePoints(triangles_);
+    for
+    (
+        const labelPair& pair
+      : findIntersectingFaces(surface, bitSet(triangles_.size()))
+    )
+    {
+        pairs.push_back(pair);
+    }
+
+    for (const labelPair& pair : pairs)
+    {
+        const label i = pair.first();
+        const label j = pair.second();
+        partners_[i].push_back(j);
+        partners_[j].push_back(i);
+
+        const exactKernel::Plane_3 plane = triangle(i).supporting_plane();
+        const triangle3 other = triangle(j);
+        if
+        (
+            plane.has_on(other[0]) && plane.has_on(other[1])
+         && plane.has_on(other[2])
+        )
+        {
+            result_.inPlane[i].push_back(j);
+            result_.inPlane[j].push_back(i);
+        }
+    }
+
+    for (std::vector<label>& others : result_.inPlane)
+    {
+        std::sort(others.begin(), others.end());
+    }
+}
+
+
+label triangleDivider::labelOf(const point3& x)
+{
+    const auto inserted = labels_.emplace(x, result_.points.size());
+    if (inserted.second)
+    {
+        result_.points.push_back(x);
+    }
+
+    return inserted.first->second;
+}
+
+
+void triangleDivider::insert
+(
+    const triangle3& a,
+    const triangle3& b,
+    const planeProjection& project,
+    planeTriangulation& plane
+) const
+{
+    const auto common = CGAL::intersection(a, b);
+    if (!common)
+    {
+        return;
+    }
+
+    // The corners of the intersection, in their order around it
+    std::vector<point3> corners;
+    if (const auto* x = alternative<point3>(*common))
+    {
+        corners = {*x};
+    }
+    else if (const auto* s = alternative<exactKernel::Segment_3>(*common))
+    {
+        corners = {s->source(), s->target()};
+    }
+    else if (const auto* t = alternative<triangle3>(*common))
+    {
+        corners = {(*t)[0], (*t)[1], (*t)[2]};
+    }
+    else
+    {
+        corners = *alternative<std::vector<point3>>(*common);
+    }
+
+    auto last = plane.insert(project(corners.back()));
+    for (const point3& x : corners)
+    {
+        const auto next = plane.insert(project(x));
+        if (next != last)
+        {
+            plane.insert_constraint(last, next);
+        }
+        last = next;
+    }
+}
+
+
+void triangleDivider::divide(const label i)
+{
+    const triangle3 t = triangle(i);
+    const planeProjection project(t.supporting_plane());
+
+    planeTriangulation plane;
+    for (int k = 0; k < 3; ++k)
+    {
+        plane.insert_constraint(project(t[k]), project(t[(k + 1) % 3]));
+    }
+    for (const label j : partners_[i])
+    {
+        insert(t, triangle(j), project, plane);
+    }
+
+    for (const auto v : plane.finite_vertex_handles())
+    {
+        v->info() = labelOf(project.inverse(v->point()));
+    }
+
+    for (const auto f : plane.finite_face_handles())
+    {
+        face part{f->vertex(0)->info(), f->vertex(1)->info(),
+            f->vertex(2)->info()};
+        if (project.turns())
+        {
+            part.flip();
+        }
+        result_.parts.push_back(part);
+        result_.triangleOf.push_back(i);
+    }
+}
+
+
+dividedTriangles triangleDivider::divide()
+{
+    forAll(triangles_, i)
+    {
+        if (!partners_[i].empty())
+        {
+            for (const label p : triangles_[i])
+            {
+                labels_.emplace(result_.points[p], p);
+            }
+        }
+    }
+
+    forAll(triangles_, i)
+    {
+        if (partners_[i].empty())
+        {
+            result_.parts.push_back(triangles_[i]);
+            result_.triangleOf.push_back(i);
+        }
+        else
+        {
+            divide(i);
+        }
+    }
+
+    return result_;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+dividedTriangles divideTriangles(const wallSurface& surface)
+{
+    triangleDivider divider(surface);
+    divider.findPartners(surface);
+
+    return divider.divide();
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

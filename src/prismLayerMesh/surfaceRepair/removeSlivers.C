@@ -1,0 +1,308 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "removeSlivers.H"
+#include "edgeList.H"
+#include "faceGroups.H"
+#include "fillContacts.H"
+#include "ListOps.H"
+#include "readWallSurface.H"
+#include "wallPredicates.H"
+
+#include <algorithm>
+#include <set>
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+class sliverRemover
+{
+    const scalar length_;
+    const pointField& points_;
+    faceList faces_;
+
+    //- Made for each sweep
+    edgeFaceMap onEdges_;
+    std::vector<std::vector<label>> facesOf_;
+
+    //- Points around which something has changed in this sweep
+    std::vector<bool> isTouched_;
+
+    void prepareSweep();
+
+    vector normal(const face& f) const
+    {
+        return f.areaNormal(points_);
+    }
+
+    //- Smallest height of a triangle [m]
+    scalar height(const face& f) const;
+
+    //- Whether a triangle may become another one
+    bool mayBecome(const face& before, const face& after) const;
+
+    std::set<label> neighbours(label p) const;
+
+    void touchAround(label p);
+
+    bool collapse(label from, label to);
+
+    bool flip(label facei);
+
+public:
+
+    sliverRemover
+    (
+        const scalar length,
+        const pointField& points,
+        const faceList& faces
+    )
+    :
+        length_(length),
+        points_(points),
+        faces_(faces)
+    {}
+
+    //- Returns the number of changes
+    label sweep();
+
+    const faceList& faces() const { return faces_; }
+};
+
+
+void sliverRemover::prepareSweep()
+{
+    onEdges_ = facesOnEdges
+    (
+        faces_.size(), [&](const label i) -> const face& { return faces_[i]; }
+    );
+    facesOf_.assign(points_.size(), std::vector<label>());
+    forAll(faces_, facei)
+    {
+        for (const label p : faces_[facei])
+        {
+            facesOf_[p].push_back(facei);
+        }
+    }
+    isTouched_.assign(points_.size(), false);
+}
+
+
+scalar sliverRemover::height(const face& f) const
+{
+    scalar longest = 0;
+    for (const edge& e : f.edges())
+    {
+        longest = max(longest, e.mag(points_));
+    }
+
+    return 2*mag(normal(f))/max(longest, VSMALL);
+}
+
+
+bool sliverRemover::mayBecome(const face& before, const face& after) const
+{
+    const vector a = normal(before);
+    const vector b = normal(after);
+
+    return (a & b) > 0.5*mag(a)*mag(b) && mag(b) > 0;
+}
+
+
+std::set<label> sliverRemover::neighbours(const label p) const
+{
+    std::set<label> result;
+    for (const label facei : facesOf_[p])
+    {
+        result.insert(faces_[facei].begin(), faces_[facei].end());
+    }
+    result.erase(p);
+
+    return result;
+}
+
+
+void sliverRemover::touchAround(const label p)
+{
+    isTouched_[p] = true;
+    for (const label q : neighbours(p))
+    {
+        isTouched_[q] = true;
+    }
+}
+
+
+bool sliverRemover::collapse(const label from, const label to)
+{
+    const std::set<label> a(neighbours(from));
+    const std::set<label> b(neighbours(to));
+    const label nCommon = std::count_if
+    (
+        a.begin(), a.end(), [&](const label p) { return b.count(p) > 0; }
+    );
+    if (nCommon != 2)
+    {
+        return false;
+    }
+
+    for (const label facei : facesOf_[from])
+    {
+        const face& f = faces_[facei];
+        face g(f);
+        g[f.find(from)] = to;
+        if (!f.found(to) && height(f) > length_ && !mayBecome(f, g))
+        {
+            return false;
+        }
+    }
+
+    touchAround(from);
+    touchAround(to);
+    for (const label facei : facesOf_[from])
+    {
+        face& f = faces_[facei];
+        f[f.find(from)] = to;
+    }
+
+    return true;
+}
+
+
+bool sliverRemover::flip(const label facei)
+{
+    const face& f = faces_[facei];
+    const edgeList edges(f.edges());
+    label longest = 0;
+    for (label k = 1; k < 3; ++k)
+    {
+        if (edges[k].mag(points_) > edges[longest].mag(points_))
+        {
+            longest = k;
+        }
+    }
+
+    const label a = f[longest];
+    const label b = f.nextLabel(longest);
+    const label v = f.prevLabel(longest);
+    const std::vector<label>& sides = onEdges_.at(ordered(edge(a, b)));
+    if (sides.size() != 2)
+    {
+        return false;
+    }
+
+    const label other = sides[0] == facei ? sides[1] : sides[0];
+    const face& g = faces_[other];
+    const label w = g.prevLabel(g.find(b));
+    const face left{a, w, v};
+    const face right{w, b, v};
+    if
+    (
+        v == w || isTouched_[w] || onEdges_.count(ordered(edge(v, w)))
+     || !mayBecome(g, left) || !mayBecome(g, right)
+    )
+    {
+        return false;
+    }
+
+    for (const label p : {a, b, v, w})
+    {
+        isTouched_[p] = true;
+    }
+    faces_[facei] = left;
+    faces_[other] = right;
+
+    return true;
+}
+
+
+label sliverRemover::sweep()
+{
+    prepareSweep();
+    label nChanges = 0;
+
+    for (const auto& entry : onEdges_)
+    {
+        const label a = entry.first.first;
+        const label b = entry.first.second;
+        if
+        (
+            !isTouched_[a] && !isTouched_[b]
+         && mag(points_[a] - points_[b]) < length_
+        )
+        {
+            nChanges += collapse(b, a) || collapse(a, b);
+        }
+    }
+    forAll(faces_, facei)
+    {
+        const face& f = faces_[facei];
+        if
+        (
+            !isTouched_[f[0]] && !isTouched_[f[1]] && !isTouched_[f[2]]
+         && height(f) < length_
+        )
+        {
+            nChanges += flip(facei);
+        }
+    }
+
+    // Triangles that have collapsed have a point twice
+    faces_ = subsetList(faces_, [](const face& f)
+    {
+        return f[0] != f[1] && f[1] != f[2] && f[2] != f[0];
+    });
+
+    return nChanges;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+label removeSlivers(const scalar length, wallSurface& surface)
+{
+    static constexpr label maxSweeps = 20;
+
+    for (scalar tried = length; tried > 0.5e-6*length; tried *= 0.01)
+    {
+        sliverRemover remover(tried, surface.points, surface.faces);
+        label nChanges = 0;
+        for (label i = 0; i < maxSweeps; ++i)
+        {
+            const label n = remover.sweep();
+            nChanges += n;
+            if (!n)
+            {
+                break;
+            }
+        }
+
+        wallSurface result(surface);
+        result.faces = remover.faces();
+        removeUnusedPoints(result.faces, result.points);
+        if
+        (
+            findContacts(result).empty()
+         && findIntersectingFaces(result, bitSet(result.faces.size())).empty()
+        )
+        {
+            surface = result;
+
+            return nChanges;
+        }
+    }
+
+    return 0;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

@@ -1,0 +1,206 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "exactUnion.H"
+#include "fillContacts.H"
+#include "stitchSurface.H"
+#include "testSurfaces.H"
+#include "wallDefects.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+using testSurfaces::cube;
+using testSurfaces::merge;
+using testSurfaces::translated;
+
+//- The exact union of bodies, some of whose points may be equal
+static wallSurface united(wallSurface surface)
+{
+    repairSteps steps;
+    mergeEqualPoints(surface, steps);
+    EXPECT_TRUE(isBalanced(surface.faces));
+    uniteExactly(surface, steps);
+
+    return surface;
+}
+
+
+//- What uniteBalanced makes of bodies; it has no defects
+static wallSurface unitedAndFilled(wallSurface surface)
+{
+    repairSteps steps;
+    mergeEqualPoints(surface, steps);
+    uniteBalanced(surface, 1e-4, steps);
+    EXPECT_TRUE(findWallDefects(surface).empty());
+
+    return surface;
+}
+
+
+static scalar volume(const wallSurface& surface)
+{
+    return testSurfaces::enclosedVolume(surface);
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(exactUnion, openAndDoubledFacesAreNotBalanced)
+{
+    wallSurface surface(cube(2));
+    EXPECT_TRUE(isBalanced(surface.faces));
+
+    const face first(surface.faces.first());
+    surface.faces.append(first);
+    EXPECT_FALSE(isBalanced(surface.faces));
+
+    surface.faces.setSize(surface.faces.size() - 2);
+    EXPECT_FALSE(isBalanced(surface.faces));
+}
+
+
+TEST(exactUnion, overlappingBodies)
+{
+    const wallSurface surface
+    (
+        united(merge(cube(3), translated(cube(2), vector(0.6, 0.3, 0.2))))
+    );
+
+    EXPECT_TRUE(findContacts(surface).empty());
+    EXPECT_TRUE(findWallDefects(surface).empty());
+    EXPECT_NEAR(volume(surface), 2 - 0.4*0.7*0.8, 1e-12);
+}
+
+
+TEST(exactUnion, bodiesThatTouchInEqualFaces)
+{
+    const wallSurface surface
+    (
+        united(merge(cube(2), translated(cube(2), vector(1, 0, 0))))
+    );
+
+    EXPECT_TRUE(findWallDefects(surface).empty());
+    EXPECT_EQ(surface.faces.size(), 2*(48 - 8));
+    EXPECT_NEAR(volume(surface), 2, 1e-12);
+}
+
+
+TEST(exactUnion, bodiesThatTouchInOtherFaces)
+{
+    const wallSurface surface
+    (
+        united(merge(cube(3), translated(cube(2), vector(1, 0.3, 0.4))))
+    );
+
+    EXPECT_TRUE(findWallDefects(surface).empty());
+    EXPECT_NEAR(volume(surface), 2, 1e-12);
+}
+
+
+TEST(exactUnion, bodiesInsideOfOthersAreGone)
+{
+    const wallSurface inner(translated(cube(2, 0.5), vector(0.2, 0.2, 0.2)));
+    const wallSurface touching(translated(cube(2, 0.5), vector(0, 0.2, 0)));
+
+    for (const wallSurface& body : {inner, touching})
+    {
+        const wallSurface surface(united(merge(cube(3), body)));
+        EXPECT_TRUE(findWallDefects(surface).empty());
+        EXPECT_NEAR(volume(surface), 1, 1e-12);
+    }
+}
+
+
+TEST(exactUnion, bodiesThatAreEqual)
+{
+    const wallSurface surface(united(merge(cube(2), cube(3))));
+
+    EXPECT_TRUE(findWallDefects(surface).empty());
+    EXPECT_NEAR(volume(surface), 1, 1e-12);
+}
+
+
+TEST(exactUnion, threeBodiesAroundOneEdge)
+{
+    const wallSurface surface
+    (
+        united
+        (
+            merge
+            (
+                merge(cube(2), translated(cube(2), vector(1, 0, 0))),
+                translated(cube(3), vector(1, 1, 0))
+            )
+        )
+    );
+
+    EXPECT_TRUE(findWallDefects(surface).empty());
+    EXPECT_NEAR(volume(surface), 3, 1e-12);
+}
+
+
+TEST(exactUnion, contactsAreFound)
+{
+    const surfaceContacts alongEdge
+    (
+        findContacts
+        (
+            united(merge(cube(2), translated(cube(2), vector(1, 1, 0))))
+        )
+    );
+    EXPECT_EQ(alongEdge.edges.size(), 2);
+    EXPECT_EQ(alongEdge.points.size(), 0);
+
+    const surfaceContacts atPoint
+    (
+        findContacts
+        (
+            united(merge(cube(2), translated(cube(2), vector(1, 1, 1))))
+        )
+    );
+    EXPECT_EQ(atPoint.edges.size(), 0);
+    EXPECT_EQ(atPoint.points.size(), 1);
+}
+
+
+TEST(exactUnion, contactsAreFilled)
+{
+    for (const vector& by : {vector(1, 1, 0), vector(1, 1, 1)})
+    {
+        const wallSurface surface
+        (
+            unitedAndFilled(merge(cube(2), translated(cube(2), by)))
+        );
+
+        EXPECT_TRUE(findContacts(surface).empty());
+        EXPECT_GT(volume(surface), 2);
+        EXPECT_LT(volume(surface), 2.001);
+    }
+}
+
+
+TEST(exactUnion, cornerOnAFaceIsFilled)
+{
+    // A sphere whose lowest point is on the cube
+    const wallSurface tip(testSurfaces::sphere(2, 0.3));
+    scalar lowest = 0;
+    for (const point& x : tip.points)
+    {
+        lowest = min(lowest, x.z());
+    }
+    const wallSurface surface
+    (
+        unitedAndFilled
+        (
+            merge(cube(3), translated(tip, vector(0.5, 0.4, 1 - lowest)))
+        )
+    );
+
+    EXPECT_TRUE(findContacts(surface).empty());
+    EXPECT_GT(volume(surface), 1);
+}
+
+// ************************************************************************* //
