@@ -5,13 +5,13 @@
 
 #include "repairSurface.H"
 #include "boundBox.H"
-#include "bringBack.H"
 #include "cutReflexFaces.H"
 #include "cutSurface.H"
 #include "endWall.H"
 #include "exactUnion.H"
 #include "readWallSurface.H"
 #include "sigFpe.H"
+#include "snapToSurface.H"
 #include "stitchSurface.H"
 #include "wallDefects.H"
 #include "wrapLeaks.H"
@@ -204,18 +204,18 @@ void surfaceRepairer::wrap(const nearestSurface& given)
     surface = wrapSurface(given_, size, offset, controls_.seeds);
     repairSteps& steps = repaired_.steps;
     addStep(steps, "points of the wrap", surface.points.size());
-    const returnControls controls
+    const snapControls controls
     {
         2*offset, featureAngle, facesInside(given_, given, surface),
         facesOnSides()
     };
     addLeaks(given_, controls.inside, size, steps);
 
-    const broughtBack back(bringBack(given_, given, controls, surface));
-    addStep(steps, "points brought back to sharp edges", back.nOnEdges);
-    addStep(steps, "points brought back to faces", back.nOnFaces);
-    addStep(steps, "points brought half way", back.nBetween);
-    addStep(steps, "points left at their distance", back.nLeft);
+    const snapCounts counts(snapToSurface(given_, given, controls, surface));
+    addStep(steps, "points brought back to sharp edges", counts.nOnEdges);
+    addStep(steps, "points brought back to faces", counts.nOnFaces);
+    addStep(steps, "points brought half way", counts.nHalfWay);
+    addStep(steps, "points left at their distance", counts.nLeft);
 }
 
 

@@ -15,7 +15,7 @@ wrapTargets::wrapTargets
 (
     const wallSurface& surface,
     const nearestSurface& nearest,
-    const returnControls& controls,
+    const snapControls& controls,
     wallSurface& wrap
 )
 :
@@ -29,7 +29,7 @@ wrapTargets::wrapTargets
     const label nGiven = wrap.points.size();
 
     setNearest(0);
-    const edgeList chamfers(takeToEdges(lines, wrap));
+    const edgeList chamfers(snapToEdges(lines, wrap));
     const pointField targets(splitChamfers(foot_, lines, chamfers, wrap));
 
     from_ = wrap.points;
@@ -101,7 +101,7 @@ pointIndexHit wrapTargets::nearestLine
 }
 
 
-edgeList wrapTargets::takeToEdges
+edgeList wrapTargets::snapToEdges
 (
     const sharpLines& lines,
     const wallSurface& wrap

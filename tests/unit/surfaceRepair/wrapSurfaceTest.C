@@ -4,8 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wrapSurface.H"
-#include "bringBack.H"
 #include "openSurfaces.H"
+#include "snapToSurface.H"
 #include "thrownMessage.H"
 #include "wallDefects.H"
 #include "wrapLeaks.H"
@@ -155,20 +155,20 @@ TEST(nearestSurface, chamfersGetNoPatchThatOnlyFacesAlongItHave)
 }
 
 
-TEST(bringBack, putsPointsOnFacesAndSharpEdges)
+TEST(snapToSurface, putsPointsOnFacesAndSharpEdges)
 {
     const wallSurface body(cube(4));
     const nearestSurface nearest(body);
     wallSurface wrap(wrapSurface(body, 0.1, 0.01, pointField()));
     ASSERT_GT(distanceTo(nearest, wrap).largest, 0.009);
-    const broughtBack back
+    const snapCounts counts
     (
-        bringBack(body, nearest, returnControls{0.02, 30, {}, {}}, wrap)
+        snapToSurface(body, nearest, snapControls{0.02, 30, {}, {}}, wrap)
     );
 
     // Where points are close to each other, flat triangles hold some back
-    EXPECT_GT(back.nOnEdges, 60);
-    EXPECT_LT(back.nLeft + back.nBetween, 0.05*wrap.points.size());
+    EXPECT_GT(counts.nOnEdges, 60);
+    EXPECT_LT(counts.nLeft + counts.nHalfWay, 0.05*wrap.points.size());
     EXPECT_LT(distanceTo(nearest, wrap).largest, 0.04);
     EXPECT_LT(distanceTo(nearest, wrap).mean, 5e-4);
     EXPECT_TRUE(findWallDefects(wrap).empty());
@@ -180,11 +180,11 @@ TEST(bringBack, putsPointsOnFacesAndSharpEdges)
         const vector d(cmptMag(x - point(0.5, 0.5, 0.5)));
         nOff += mag(cmptMax(d) - 0.5) > 1e-12;
     }
-    EXPECT_EQ(nOff, back.nLeft + back.nBetween);
+    EXPECT_EQ(nOff, counts.nLeft + counts.nHalfWay);
 }
 
 
-TEST(bringBack, sheetsBecomePlates)
+TEST(snapToSurface, sheetsBecomePlates)
 {
     const wallSurface sheet(testSurfaces::sheet(4, 0));
     const nearestSurface nearest(sheet);
@@ -193,12 +193,12 @@ TEST(bringBack, sheetsBecomePlates)
     const bitSet inside(facesInside(sheet, nearest, wrap));
     EXPECT_TRUE(inside.all());
 
-    const broughtBack back
+    const snapCounts counts
     (
-        bringBack(sheet, nearest, returnControls{0.02, 30, inside, {}}, wrap)
+        snapToSurface(sheet, nearest, snapControls{0.02, 30, inside, {}}, wrap)
     );
 
-    EXPECT_EQ(back.nLeft, wrap.points.size());
+    EXPECT_EQ(counts.nLeft, wrap.points.size());
     ASSERT_EQ(wrap.points.size(), from.size());
     EXPECT_LT(max(mag(wrap.points - from)), 1e-15);
 
@@ -231,12 +231,12 @@ struct wrappedFromWithin
             )
         )
     {
-        bringBack(body, nearest, returnControls{0.2*size, 30, {}, {}}, wrap);
+        snapToSurface(body, nearest, snapControls{0.2*size, 30, {}, {}}, wrap);
     }
 };
 
 
-TEST(bringBack, chamfersBecomeCorners)
+TEST(snapToSurface, chamfersBecomeCorners)
 {
     for (const scalar size : {0.15, 0.2})
     {
@@ -252,7 +252,7 @@ TEST(bringBack, chamfersBecomeCorners)
 }
 
 
-TEST(bringBack, sidePatchesArePlaneUpToTheirRims)
+TEST(snapToSurface, sidePatchesArePlaneUpToTheirRims)
 {
     // A duct whose first face, of the walls, is missing
     wallSurface body(duct(8));
@@ -275,7 +275,7 @@ TEST(bringBack, sidePatchesArePlaneUpToTheirRims)
     (
         wrapSurface(body, 0.2, 0.02, pointField(1, point(0.5, 0.5, 0.5)))
     );
-    bringBack(body, nearest, returnControls{0.04, 30, {}, sides}, wrap);
+    snapToSurface(body, nearest, snapControls{0.04, 30, {}, sides}, wrap);
     nearest.setPatches(wrap, wordHashSet({"inlet", "outlet"}));
 
     scalar area = 0;

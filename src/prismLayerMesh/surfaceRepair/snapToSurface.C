@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "bringBack.H"
+#include "snapToSurface.H"
 #include "cutSurface.H"
 #include "unitConversion.H"
 #include "wallVisibility.H"
@@ -35,30 +35,33 @@ static constexpr scalar keptShare = 0.5;
 namespace
 {
 
-class returner
+class wrapSnapper
 {
     const wrapTargets targets_;
     wallSurface& wrap_;
     const wallAddressing addressing_;
 
-    //- How far each point is held back
-    labelList held_;
+    //- How far each point goes
+    List<snapping> snapping_;
 
     //- The least for each triangle and point
     scalarField leastHeights_;
     scalarField leastSines_;
 
 
-    void hold(const label p, const label held)
+    void snap(const label p, const snapping how)
     {
-        held_[p] = held;
-        wrap_.points[p] = targets_.at(p, held);
+        snapping_[p] = how;
+        wrap_.points[p] = targets_.at(p, how);
     }
 
     bool isOnEdge(const label p) const
     {
-        return held_[p] == wrapTargets::none && targets_.hasEdge(p);
+        return snapping_[p] == snapping::full && targets_.hasEdge(p);
     }
+
+    //- How far a point goes if it is held back one more time
+    snapping reduced(const label p) const;
 
     //- Returns the height of each triangle over its longest edge
     scalarField heights() const;
@@ -69,7 +72,7 @@ class returner
 
     //- Faces that are flatter than they may be, or around points with narrower
     //  visibility cones
-    labelList poorFaces() const;
+    labelList facesAtFault() const;
 
     //- Points of faces at fault: those of side patches only where faces
     //  intersect, and of a face only those that go to sharp edges, if it has
@@ -80,28 +83,29 @@ class returner
     void holdBack();
 
     //- Points held back that were not tried again, never two of one face
-    labelList someHeldBack(bitSet& tried) const;
+    labelList heldBackApart(bitSet& tried) const;
 
-    //- Let points go to where they belong, if they can; whether any can
-    bool release(const labelList& some);
+    //- Snap points fully, except those that then are of faces at fault;
+    //  whether any point stays snapped
+    bool snapFully(const labelList& points);
 
     //- Try points again that were held back because of others
     void tryAgain();
 
 public:
 
-    returner
+    wrapSnapper
     (
         const wallSurface& surface,
         const nearestSurface& nearest,
-        const returnControls& controls,
+        const snapControls& controls,
         wallSurface& wrap
     )
     :
         targets_(surface, nearest, controls, wrap),
         wrap_(wrap),
         addressing_(makeWallAddressing(wrap)),
-        held_(wrap.points.size(), label(wrapTargets::none)),
+        snapping_(wrap.points.size(), snapping::full),
         leastHeights_(min(keptShare*heights(), leastHeight)),
         leastSines_(sines())
     {
@@ -113,11 +117,27 @@ public:
         }
     }
 
-    broughtBack move();
+    snapCounts snap();
 };
 
 
-scalarField returner::heights() const
+snapping wrapSnapper::reduced(const label p) const
+{
+    switch (snapping_[p])
+    {
+        case snapping::full:
+            return targets_.hasEdge(p) ? snapping::toFace : snapping::halfWay;
+
+        case snapping::toFace:
+            return snapping::halfWay;
+
+        default:
+            return snapping::none;
+    }
+}
+
+
+scalarField wrapSnapper::heights() const
 {
     scalarField heights(wrap_.faces.size());
 
@@ -133,7 +153,7 @@ scalarField returner::heights() const
 }
 
 
-scalarField returner::sines() const
+scalarField wrapSnapper::sines() const
 {
     const wallVisibility visibility(makeWallVisibility(wrap_, addressing_));
     scalarField sines(visibility.cones.size());
@@ -147,7 +167,7 @@ scalarField returner::sines() const
 }
 
 
-labelList returner::poorFaces() const
+labelList wrapSnapper::facesAtFault() const
 {
     bitSet fault(wrap_.faces.size());
 
@@ -173,9 +193,9 @@ labelList returner::poorFaces() const
 }
 
 
-bitSet returner::pointsAtFault(const bool edgesFirst) const
+bitSet wrapSnapper::pointsAtFault(const bool edgesFirst) const
 {
-    bitSet all(held_.size());
+    bitSet all(snapping_.size());
     const auto add = [&](const labelList& faces, const bitSet& but)
     {
         for (const label facei : faces)
@@ -197,13 +217,13 @@ bitSet returner::pointsAtFault(const bool edgesFirst) const
     };
 
     add(facesInConflict(wrap_), bitSet());
-    add(poorFaces(), targets_.onSides());
+    add(facesAtFault(), targets_.onSides());
 
     return all;
 }
 
 
-void returner::holdBack()
+void wrapSnapper::holdBack()
 {
     bool changed = true;
 
@@ -212,10 +232,9 @@ void returner::holdBack()
         changed = false;
         for (const label p : pointsAtFault(true))
         {
-            if (held_[p] < wrapTargets::atWrap)
+            if (snapping_[p] != snapping::none)
             {
-                const bool next = held_[p] || targets_.hasEdge(p);
-                hold(p, held_[p] + (next ? 1 : 2));
+                snap(p, reduced(p));
                 changed = true;
             }
         }
@@ -223,103 +242,113 @@ void returner::holdBack()
 }
 
 
-labelList returner::someHeldBack(bitSet& tried) const
+labelList wrapSnapper::heldBackApart(bitSet& tried) const
 {
-    bitSet beside(held_.size());
-    DynamicList<label> some;
+    bitSet beside(snapping_.size());
+    DynamicList<label> apart;
 
-    forAll(held_, p)
+    forAll(snapping_, p)
     {
+        const bool isHeldBack = snapping_[p] != snapping::full;
         const bool canMove = targets_.hasEdge(p) || !targets_.stays(p);
 
-        if (held_[p] && canMove && !tried.test(p) && !beside.test(p))
+        if (isHeldBack && canMove && !tried.test(p) && !beside.test(p))
         {
-            some.append(p);
+            apart.append(p);
             tried.set(p);
             beside.set(addressing_.pointPoints[p]);
         }
     }
 
-    return labelList(std::move(some));
+    return labelList(std::move(apart));
 }
 
 
-bool returner::release(const labelList& some)
+bool wrapSnapper::snapFully(const labelList& points)
 {
-    const labelList before(UIndirectList<label>(held_, some));
-    for (const label p : some)
+    const List<snapping> before(UIndirectList<snapping>(snapping_, points));
+    for (const label p : points)
     {
-        hold(p, wrapTargets::none);
+        snap(p, snapping::full);
     }
 
-    label nFree = some.size();
-    bool changed = nFree;
+    label nSnapped = points.size();
+    bool changed = nSnapped;
     while (changed)
     {
         changed = false;
         const bitSet fault(pointsAtFault(false));
-        forAll(some, i)
+        forAll(points, i)
         {
-            if (held_[some[i]] != before[i] && fault.test(some[i]))
+            if (snapping_[points[i]] != before[i] && fault.test(points[i]))
             {
-                hold(some[i], before[i]);
+                snap(points[i], before[i]);
                 changed = true;
-                --nFree;
+                --nSnapped;
             }
         }
     }
 
-    return nFree;
+    return nSnapped;
 }
 
 
-void returner::tryAgain()
+void wrapSnapper::tryAgain()
 {
-    bitSet tried(held_.size());
-    bool anyFree = false;
+    bitSet tried(snapping_.size());
+    bool anySnapped = false;
 
     for (label round = 0; round < maxTries; ++round)
     {
-        labelList some(someHeldBack(tried));
-        if (some.empty() && anyFree)
+        labelList points(heldBackApart(tried));
+        if (points.empty() && anySnapped)
         {
             // Points may have kept others back
             tried.reset();
-            anyFree = false;
-            some = someHeldBack(tried);
+            anySnapped = false;
+            points = heldBackApart(tried);
         }
-        if (some.empty())
+        if (points.empty())
         {
             break;
         }
 
-        anyFree = release(some) || anyFree;
+        anySnapped = snapFully(points) || anySnapped;
     }
 }
 
 
-broughtBack returner::move()
+snapCounts wrapSnapper::snap()
 {
-    forAll(held_, p)
+    forAll(snapping_, p)
     {
-        hold(p, wrapTargets::none);
+        snap(p, snapping::full);
     }
     holdBack();
     tryAgain();
 
-    broughtBack result;
-    forAll(held_, p)
+    snapCounts counts;
+    forAll(snapping_, p)
     {
-        ++
-        (
-            isOnEdge(p) ? result.nOnEdges
-          : held_[p] == wrapTargets::atWrap || targets_.stays(p) ? result.nLeft
-          : held_[p] == wrapTargets::between ? result.nBetween
-          : result.nOnFaces
-        );
+        if (isOnEdge(p))
+        {
+            ++counts.nOnEdges;
+        }
+        else if (snapping_[p] == snapping::none || targets_.stays(p))
+        {
+            ++counts.nLeft;
+        }
+        else if (snapping_[p] == snapping::halfWay)
+        {
+            ++counts.nHalfWay;
+        }
+        else
+        {
+            ++counts.nOnFaces;
+        }
     }
 
-    return result;
+    return counts;
 }
 
 } // End anonymous namespace
@@ -327,15 +356,15 @@ broughtBack returner::move()
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-broughtBack bringBack
+snapCounts snapToSurface
 (
     const wallSurface& surface,
     const nearestSurface& nearest,
-    const returnControls& controls,
+    const snapControls& controls,
     wallSurface& wrap
 )
 {
-    return returner(surface, nearest, controls, wrap).move();
+    return wrapSnapper(surface, nearest, controls, wrap).snap();
 }
 
 } // End namespace Foam
