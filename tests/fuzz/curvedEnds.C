@@ -4,8 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "randomSurface.H"
-#include "endWall.H"
 #include "mathematicalConstants.H"
+#include "splitAtSidePatches.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -74,7 +74,7 @@ Foam::wallSurface Foam::randomSurfaces::curvedEnds(Random& random)
     }
     wallReading reading;
 
-    return endWall(prism, controls, layers, reading);
+    return splitAtSidePatches(prism, controls, layers, reading);
 }
 
 

@@ -6,7 +6,7 @@
 #include "randomSurface.H"
 #include "boundBox.H"
 #include "cutSurface.H"
-#include "endWall.H"
+#include "splitAtSidePatches.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -99,7 +99,7 @@ Foam::wallSurface Foam::randomSurfaces::cutBody
     controls.fluidOutside = !fluidInside;
     wallReading reading;
 
-    return endWall(surface, controls, layerControls(), reading);
+    return splitAtSidePatches(surface, controls, layerControls(), reading);
 }
 
 

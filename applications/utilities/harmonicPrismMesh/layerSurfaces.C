@@ -6,7 +6,7 @@
 #include "layerSurfaces.H"
 #include "ListOps.H"
 #include "prismPolyMesh.H"
-#include "sideRemainders.H"
+#include "sidePatchRemainders.H"
 
 namespace Foam
 {
@@ -54,7 +54,7 @@ MeshedSurface<face> sideSurface(const prismLayers& layers)
 {
     return toMeshedSurface
     (
-        makeEndedBoundary
+        makeFarFieldBoundary
         (
             layers, farBoundary(), [](const point&) { return GREAT; }
         ).surface

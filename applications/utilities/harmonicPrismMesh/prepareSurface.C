@@ -6,9 +6,9 @@
 #include "prepareSurface.H"
 #include "boundBox.H"
 #include "cutSurface.H"
-#include "endWall.H"
 #include "remeshSurface.H"
 #include "repairSurface.H"
+#include "splitAtSidePatches.H"
 #include "surfaceMeasures.H"
 
 namespace Foam

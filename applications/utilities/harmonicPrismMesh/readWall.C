@@ -7,9 +7,9 @@
 #include "boxSidePlanes.H"
 #include "cutBlindFaces.H"
 #include "cutReflexFaces.H"
-#include "endWall.H"
 #include "prismPolyMesh.H"
 #include "renumberWall.H"
+#include "splitAtSidePatches.H"
 #include "surfaceAdvice.H"
 #include "wallDefects.H"
 
@@ -87,7 +87,7 @@ static wallSurface takeWall
 )
 {
     const label flipped = reading.flippedFaces;
-    wallSurface wall(endWall(surface, controls, layers, reading));
+    wallSurface wall(splitAtSidePatches(surface, controls, layers, reading));
 
     if (wall.border.sides.size())
     {

@@ -4,9 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceAdvice.H"
-#include "endWall.H"
 #include "planesOfBorder.H"
 #include "repairSurface.H"
+#include "splitAtSidePatches.H"
 #include "surfaceMeasures.H"
 #include "throwingErrors.H"
 #include "wallDefects.H"
@@ -42,7 +42,7 @@ static bool isMended
         wallReading reading;
         const wallSurface wall
         (
-            endWall(surface, ending, layers, reading)
+            splitAtSidePatches(surface, ending, layers, reading)
         );
 
         return findWallDefects(wall, planes.size()).empty();

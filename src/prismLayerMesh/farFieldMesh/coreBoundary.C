@@ -5,7 +5,7 @@
 
 #include "coreBoundary.H"
 #include "makeHexCore.H"
-#include "sideRemainders.H"
+#include "sidePatchRemainders.H"
 
 namespace Foam
 {
@@ -237,16 +237,16 @@ tetBoundary coreBoundaryMaker::makeOnPlanes()
         boxControls.box = box();
         coarse = makeFarBoundary(boxControls, nullptr);
     }
-    const endedBoundary ended
+    const farFieldBoundary boundary
     (
-        makeEndedBoundary
+        makeFarFieldBoundary
         (
             layers, coarse, [](const point&) { return GREAT; }
         )
     );
     tetBoundary closing;
-    closing.surface = ended.surface;
-    closing.columns = ended.columns;
+    closing.surface = boundary.surface;
+    closing.columns = boundary.columns;
 
     const wallSearch surface(outer);
     const wallSurface closed(joined(outer, closing));

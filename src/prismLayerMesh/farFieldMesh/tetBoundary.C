@@ -6,7 +6,7 @@
 #include "tetBoundary.H"
 #include "readWallSurface.H"
 #include "refineSurface.H"
-#include "sideRemainders.H"
+#include "sidePatchRemainders.H"
 #include "sideShape.H"
 
 namespace Foam
@@ -19,7 +19,7 @@ namespace Foam
 static void putOnSides
 (
     const UList<sidePatch>& sides,
-    const endedBoundary& ended,
+    const farFieldBoundary& coarse,
     wallSurface& far
 )
 {
@@ -41,9 +41,9 @@ static void putOnSides
         }
     }
 
-    for (label p = ended.columns.size(); p < far.points.size(); ++p)
+    for (label p = coarse.columns.size(); p < far.points.size(); ++p)
     {
-        const label s = patches[p] - ended.firstSide;
+        const label s = patches[p] - coarse.firstSide;
 
         if (s >= 0 && sides[s].isCurved() && !onSeveral.test(p))
         {
@@ -80,11 +80,11 @@ tetBoundary makeTetBoundary
         return made;
     }
 
-    const endedBoundary ended(makeEndedBoundary(layers, boundary, size));
-    made.columns = ended.columns;
-    made.surface = ended.surface;
+    const farFieldBoundary coarse(makeFarFieldBoundary(layers, boundary, size));
+    made.columns = coarse.columns;
+    made.surface = coarse.surface;
     refineSurface(made.surface, size, boundary.project);
-    putOnSides(layers.border.sides, ended, made.surface);
+    putOnSides(layers.border.sides, coarse, made.surface);
 
     return made;
 }
@@ -98,16 +98,13 @@ tetBoundary makePlaneBoundary
     const std::function<scalar(const point&)>& size
 )
 {
-    const endedBoundary ended
-    (
-        makePlaneRemainders(layers, cut, size)
-    );
+    const farFieldBoundary remainders(makePlaneRemainders(layers, cut, size));
     tetBoundary made;
-    made.columns = ended.columns;
+    made.columns = remainders.columns;
 
     // Better triangles, of the points that are used, then with all points
-    const label nKept = ended.columns.size() + cut.surface.points.size();
-    wallSurface planes(ended.surface);
+    const label nKept = remainders.columns.size() + cut.surface.points.size();
+    wallSurface planes(remainders.surface);
     const labelList newLabels(removeUnusedPoints(planes.faces, planes.points));
     const labelList used(invert(planes.points.size(), newLabels));
     const label nUsedKept = std::count_if
@@ -117,7 +114,7 @@ tetBoundary makePlaneBoundary
     );
     refineSurface(planes, size, nullptr);
 
-    made.surface = ended.surface;
+    made.surface = remainders.surface;
     made.surface.points.setSize(nKept);
     made.surface.points.append
     (
@@ -139,7 +136,7 @@ tetBoundary makePlaneBoundary
     // By the names of the core's patches
     for (label& patchi : made.surface.patchIDs)
     {
-        patchi = patches.names.find(ended.surface.patchNames[patchi]);
+        patchi = patches.names.find(remainders.surface.patchNames[patchi]);
     }
     made.surface.patchNames.clear();
     made.surface.patchTypes.clear();

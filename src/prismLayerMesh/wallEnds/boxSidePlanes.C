@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "boxSidePlanes.H"
-#include "endWall.H"
+#include "splitAtSidePatches.H"
 
 namespace Foam
 {

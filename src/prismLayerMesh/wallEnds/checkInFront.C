@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "checkInFront.H"
-#include "endWall.H"
+#include "splitAtSidePatches.H"
 
 namespace Foam
 {

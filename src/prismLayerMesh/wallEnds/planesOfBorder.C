@@ -6,7 +6,7 @@
 #include "planesOfBorder.H"
 #include "boxSidePlanes.H"
 #include "disjointSets.H"
-#include "endWall.H"
+#include "splitAtSidePatches.H"
 
 namespace Foam
 {

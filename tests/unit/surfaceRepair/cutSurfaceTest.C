@@ -4,8 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "cutSurface.H"
-#include "endWall.H"
 #include "openSurfaces.H"
+#include "splitAtSidePatches.H"
 #include "wallDefects.H"
 
 #include <gtest/gtest.h>

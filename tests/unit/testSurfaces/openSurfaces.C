@@ -5,7 +5,7 @@
 
 #include "openSurfaces.H"
 #include "mathematicalConstants.H"
-#include "endWall.H"
+#include "splitAtSidePatches.H"
 
 namespace Foam
 {
@@ -83,7 +83,7 @@ wallSurface testSurfaces::halfOf(const wallSurface& duct)
     );
     wallReading reading;
 
-    return endWall
+    return splitAtSidePatches
     (
         beyond(duct, vector::Y, 0.5), controls,
         withoutLayers({"inlet", "outlet"}), reading
@@ -234,7 +234,7 @@ wallSurface testSurfaces::endedOn
     controls.fluidOutside = fluidOutside;
     wallReading reading;
 
-    return endWall(surface, controls, layerControls(), reading);
+    return splitAtSidePatches(surface, controls, layerControls(), reading);
 }
 
 
@@ -246,7 +246,7 @@ wallSurface testSurfaces::endedOn
 {
     wallReading reading;
 
-    return endWall
+    return splitAtSidePatches
     (
         surface, wallSurfaceControls(), withoutLayers(patches), reading
     );

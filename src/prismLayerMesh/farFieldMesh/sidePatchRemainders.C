@@ -3,14 +3,14 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "sideRemainders.H"
+#include "sidePatchRemainders.H"
 #include "coarsenCuts.H"
 #include "convexPolyhedron.H"
-#include "planeTriangulation.H"
-#include "readWallSurface.H"
 #include "edgeHashes.H"
 #include "layerBorder.H"
 #include "planePoints.H"
+#include "planeTriangulation.H"
+#include "readWallSurface.H"
 
 namespace Foam
 {
@@ -20,7 +20,7 @@ namespace Foam
 namespace
 {
 
-class endedBoundaryMaker
+class farFieldBoundaryMaker
 {
     const prismLayers& layers_;
     const farBoundary& far_;
@@ -30,7 +30,7 @@ class endedBoundaryMaker
     const scalar tolerance_;
     const layerBorder border_;
 
-    endedBoundary made_;
+    farFieldBoundary made_;
 
     //- Region of each side patch
     List<planeRegion> regions_;
@@ -75,7 +75,7 @@ class endedBoundaryMaker
 
 public:
 
-    endedBoundaryMaker
+    farFieldBoundaryMaker
     (
         const prismLayers& layers,
         const farBoundary& far,
@@ -101,12 +101,12 @@ public:
         }
     }
 
-    endedBoundary make();
+    farFieldBoundary make();
 
-    endedBoundary makeUpTo(const coreCut& cut);
+    farFieldBoundary makeUpTo(const coreCut& cut);
 };
 
-void endedBoundaryMaker::addLayers()
+void farFieldBoundaryMaker::addLayers()
 {
     made_.columns = border_.columns();
     points() = border_.tops();
@@ -134,7 +134,7 @@ void endedBoundaryMaker::addLayers()
 }
 
 
-void endedBoundaryMaker::addEdge(const label s, const edge& e)
+void farFieldBoundaryMaker::addEdge(const label s, const edge& e)
 {
     const point& a = points()[e.start()];
     const point& b = points()[e.end()];
@@ -151,7 +151,7 @@ void endedBoundaryMaker::addEdge(const label s, const edge& e)
 }
 
 
-void endedBoundaryMaker::addParts()
+void farFieldBoundaryMaker::addParts()
 {
     forAll(sides_, s)
     {
@@ -178,7 +178,7 @@ void endedBoundaryMaker::addParts()
 }
 
 
-convexPolyhedron endedBoundaryMaker::cutBoundary()
+convexPolyhedron farFieldBoundaryMaker::cutBoundary()
 {
     const convexPolyhedron cut(cutBox(box_, sides_));
     const label first = points().size();
@@ -199,7 +199,7 @@ convexPolyhedron endedBoundaryMaker::cutBoundary()
 }
 
 
-void endedBoundaryMaker::triangulate()
+void farFieldBoundaryMaker::triangulate()
 {
     forAll(sides_, s)
     {
@@ -225,7 +225,7 @@ void endedBoundaryMaker::triangulate()
 }
 
 
-void endedBoundaryMaker::addBoxSides
+void farFieldBoundaryMaker::addBoxSides
 (
     const convexPolyhedron& cut,
     const label first
@@ -284,7 +284,7 @@ void endedBoundaryMaker::addBoxSides
 }
 
 
-endedBoundary endedBoundaryMaker::make()
+farFieldBoundary farFieldBoundaryMaker::make()
 {
     addLayers();
     addParts();
@@ -323,7 +323,7 @@ endedBoundary endedBoundaryMaker::make()
 }
 
 
-endedBoundary endedBoundaryMaker::makeUpTo(const coreCut& cut)
+farFieldBoundary farFieldBoundaryMaker::makeUpTo(const coreCut& cut)
 {
     addLayers();
     const label first = points().size();
@@ -351,21 +351,21 @@ endedBoundary endedBoundaryMaker::makeUpTo(const coreCut& cut)
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-endedBoundary makeEndedBoundary
+farFieldBoundary makeFarFieldBoundary
 (
     const prismLayers& layers,
     const farBoundary& boundary,
     const std::function<scalar(const point&)>& size
 )
 {
-    endedBoundary made(endedBoundaryMaker(layers, boundary, size).make());
+    farFieldBoundary made(farFieldBoundaryMaker(layers, boundary, size).make());
     removeUnusedPoints(made.surface.faces, made.surface.points);
 
     return made;
 }
 
 
-endedBoundary makePlaneRemainders
+farFieldBoundary makePlaneRemainders
 (
     const prismLayers& layers,
     const coreCut& cut,
@@ -373,7 +373,7 @@ endedBoundary makePlaneRemainders
 )
 {
     const farBoundary none;
-    endedBoundaryMaker maker(layers, none, size);
+    farFieldBoundaryMaker maker(layers, none, size);
 
     return maker.makeUpTo(cut);
 }

@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "endWall.H"
+#include "splitAtSidePatches.H"
 #include "openSurfaces.H"
 #include "thrownMessage.H"
 
@@ -25,7 +25,7 @@ static std::string errorOf
 
     return thrownMessage<error>
     (
-        [&]() { endWall(surface, controls, layers, reading); }
+        [&]() { splitAtSidePatches(surface, controls, layers, reading); }
     );
 }
 
@@ -53,7 +53,7 @@ static scalar diagonal(const wallSurface& wall)
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
-TEST(endWallErrors, bordersFarFromTheirPlaneAreRefused)
+TEST(splitAtSidePatchesErrors, bordersFarFromTheirPlaneAreRefused)
 {
     for (const scalar sign : {1.0, -1.0})
     {
@@ -71,7 +71,7 @@ TEST(endWallErrors, bordersFarFromTheirPlaneAreRefused)
 }
 
 
-TEST(endWallErrors, borderOnNoPlaneIsRefused)
+TEST(splitAtSidePatchesErrors, borderOnNoPlaneIsRefused)
 {
     expectWords
     (
@@ -85,7 +85,7 @@ TEST(endWallErrors, borderOnNoPlaneIsRefused)
 }
 
 
-TEST(endWallErrors, planeWithoutBorderIsRefused)
+TEST(splitAtSidePatchesErrors, planeWithoutBorderIsRefused)
 {
     List<sidePatch> planes(halfPlanes());
     planes.append(symmetryPlane("away", point(0, -3, 0), vector(0, -1, 0)));
@@ -103,7 +103,7 @@ TEST(endWallErrors, planeWithoutBorderIsRefused)
 }
 
 
-TEST(endWallErrors, wallThatTouchesThePlaneIsRefused)
+TEST(splitAtSidePatchesErrors, wallThatTouchesThePlaneIsRefused)
 {
     // A cube that stands on the plane with 9 of its points
     const wallSurface cube(translated(quadCube(2), vector(5, 0, 0)));
@@ -116,7 +116,7 @@ TEST(endWallErrors, wallThatTouchesThePlaneIsRefused)
 }
 
 
-TEST(endWallErrors, faceInThePlaneIsRefused)
+TEST(splitAtSidePatchesErrors, faceInThePlaneIsRefused)
 {
     wallSurface wall(halfCube(4));
     const edge open(outline(wall.faces)[0]);
@@ -133,7 +133,7 @@ TEST(endWallErrors, faceInThePlaneIsRefused)
 }
 
 
-TEST(endWallErrors, normalIntoTheFluidIsRefused)
+TEST(splitAtSidePatchesErrors, normalIntoTheFluidIsRefused)
 {
     expectWords
     (
@@ -147,7 +147,7 @@ TEST(endWallErrors, normalIntoTheFluidIsRefused)
 }
 
 
-TEST(endWallErrors, curvedSymmetryPlaneIsRefused)
+TEST(splitAtSidePatchesErrors, curvedSymmetryPlaneIsRefused)
 {
     for (const word type : {"symmetryPlane", "empty"})
     {
@@ -163,7 +163,7 @@ TEST(endWallErrors, curvedSymmetryPlaneIsRefused)
 }
 
 
-TEST(endWallErrors, sidePatchApartFromTheWallIsRefused)
+TEST(splitAtSidePatchesErrors, sidePatchApartFromTheWallIsRefused)
 {
     wallSurface far(translated(reversed(quadCube(2)), vector(3, 0, 0)));
     far.patchNames[0] = "inlet";
@@ -176,7 +176,7 @@ TEST(endWallErrors, sidePatchApartFromTheWallIsRefused)
 }
 
 
-TEST(endWallErrors, patchThatDoesNotExistIsRefused)
+TEST(splitAtSidePatchesErrors, patchThatDoesNotExistIsRefused)
 {
     expectWords
     (
@@ -186,7 +186,7 @@ TEST(endWallErrors, patchThatDoesNotExistIsRefused)
 }
 
 
-TEST(endWallErrors, moreThanTwoSidePatchesAtAPointAreRefused)
+TEST(splitAtSidePatchesErrors, moreThanTwoSidePatchesAtAPointAreRefused)
 {
     // At (0 0 0) there are one half of the bottom, which is wall, and the
     // other half, x = 0 and y = 0, which are not

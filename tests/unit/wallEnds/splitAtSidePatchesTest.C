@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "endWall.H"
+#include "splitAtSidePatches.H"
 #include "openSurfaces.H"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ struct endedWall
     {
         wallSurfaceControls controls;
         controls.sidePlanes = planes;
-        wall = endWall(surface, controls, layers, reading);
+        wall = splitAtSidePatches(surface, controls, layers, reading);
     }
 };
 
@@ -63,7 +63,7 @@ static scalar diagonal(const wallSurface& wall)
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
-TEST(endWall, closedSurfaceStaysAsItIs)
+TEST(splitAtSidePatches, closedSurfaceStaysAsItIs)
 {
     const endedWall e(quadCube(2), {});
 
@@ -75,7 +75,7 @@ TEST(endWall, closedSurfaceStaysAsItIs)
 }
 
 
-TEST(endWall, halfCubeEndsOnItsPlane)
+TEST(splitAtSidePatches, halfCubeEndsOnItsPlane)
 {
     const endedWall e(halfCube(4), halfPlanes());
     const wallBorder& border = e.wall.border;
@@ -99,7 +99,7 @@ TEST(endWall, halfCubeEndsOnItsPlane)
 }
 
 
-TEST(endWall, quarterCubeEndsOnBothPlanes)
+TEST(splitAtSidePatches, quarterCubeEndsOnBothPlanes)
 {
     const wallSurface wall(endedOn(quarterCube(4), quarterPlanes()));
 
@@ -120,7 +120,7 @@ TEST(endWall, quarterCubeEndsOnBothPlanes)
 }
 
 
-TEST(endWall, bordersNearTheirPlanesArePutThere)
+TEST(splitAtSidePatches, bordersNearTheirPlanesArePutThere)
 {
     wallSurface surface(quarterCube(4));
     const scalar move = 5e-5*diagonal(surface);
@@ -141,7 +141,7 @@ TEST(endWall, bordersNearTheirPlanesArePutThere)
 }
 
 
-TEST(endWall, pointsOnObliquePlanesAreInBoth)
+TEST(splitAtSidePatches, pointsOnObliquePlanesAreInBoth)
 {
     const tensor R(tensor(1, 0.3, -0.7, 0.2, 1, 0.4, 0.5, -0.4, 1));
     const vector x(normalised(R.x()));
@@ -170,7 +170,7 @@ TEST(endWall, pointsOnObliquePlanesAreInBoth)
 }
 
 
-TEST(endWall, ductEndsOnItsPatches)
+TEST(splitAtSidePatches, ductEndsOnItsPatches)
 {
     layerControls layers(withoutLayers({"inlet", "outlet"}));
     layers.patches[1].type = "symmetryPlane";
@@ -197,7 +197,7 @@ TEST(endWall, ductEndsOnItsPatches)
 }
 
 
-TEST(endWall, wrinkledInletBecomesPlane)
+TEST(splitAtSidePatches, wrinkledInletBecomesPlane)
 {
     wallSurface surface(duct(4));
     label n = 0;
@@ -227,7 +227,7 @@ TEST(endWall, wrinkledInletBecomesPlane)
 }
 
 
-TEST(endWall, turnedSurfaceGivesTheSameWall)
+TEST(splitAtSidePatches, turnedSurfaceGivesTheSameWall)
 {
     const endedWall e(reversed(quarterCube(4)), quarterPlanes());
     const wallSurface same(endedOn(quarterCube(4), quarterPlanes()));
@@ -238,7 +238,7 @@ TEST(endWall, turnedSurfaceGivesTheSameWall)
 }
 
 
-TEST(endWall, patchesKeepTheirTypes)
+TEST(splitAtSidePatches, patchesKeepTheirTypes)
 {
     wallSurface surface(halfCube(4));
     surface.patchNames = wordList({"top", "around"});
@@ -259,7 +259,7 @@ TEST(endWall, patchesKeepTheirTypes)
 }
 
 
-TEST(endWall, sidePatchesMayJoinOthersToTheWall)
+TEST(splitAtSidePatches, sidePatchesMayJoinOthersToTheWall)
 {
     const endedWall ended(vessel(), {}, withoutLayers({"around", "top"}));
     const wallBorder& border = ended.wall.border;

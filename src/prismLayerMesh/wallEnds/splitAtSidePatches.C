@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "endWall.H"
+#include "splitAtSidePatches.H"
 #include "boundBox.H"
 #include "checkInFront.H"
 #include "sideParts.H"
@@ -18,7 +18,7 @@ namespace Foam
 namespace
 {
 
-struct wallEnder
+struct wallSplitter
 {
     wallSurface surface;
     const wallSurfaceControls& controls;
@@ -100,11 +100,11 @@ struct wallEnder
 
     void takeWall();
 
-    wallSurface end(wallReading& reading);
+    wallSurface split(wallReading& reading);
 };
 
 
-void wallEnder::addBorder(const wallSide& edge, const label side)
+void wallSplitter::addBorder(const wallSide& edge, const label side)
 {
     addPointSide(edge.low, side);
     addPointSide(edge.high, side);
@@ -117,7 +117,7 @@ void wallEnder::addBorder(const wallSide& edge, const label side)
 }
 
 
-void wallEnder::findBorders()
+void wallSplitter::findBorders()
 {
     DynamicList<point> lost;
 
@@ -172,7 +172,7 @@ void wallEnder::findBorders()
 }
 
 
-void wallEnder::addPointsOfSides()
+void wallSplitter::addPointsOfSides()
 {
     forAll(sideOfFace, facei)
     {
@@ -187,7 +187,7 @@ void wallEnder::addPointsOfSides()
 }
 
 
-void wallEnder::checkSides() const
+void wallSplitter::checkSides() const
 {
     for (label s = nParts; s < sides.size(); ++s)
     {
@@ -215,7 +215,7 @@ void wallEnder::checkSides() const
 }
 
 
-void wallEnder::putOnPlanes(wallReading& reading)
+void wallSplitter::putOnPlanes(wallReading& reading)
 {
     forAll(pointSides, p)
     {
@@ -233,7 +233,7 @@ void wallEnder::putOnPlanes(wallReading& reading)
 }
 
 
-void wallEnder::takeWall()
+void wallSplitter::takeWall()
 {
     List<DynamicList<face>> facesOfSides(sides.size());
     DynamicList<face> faces;
@@ -285,7 +285,7 @@ void wallEnder::takeWall()
 }
 
 
-wallSurface wallEnder::end(wallReading& reading)
+wallSurface wallSplitter::split(wallReading& reading)
 {
     reading.flippedFaces += orientOpenWall
     (
@@ -331,7 +331,7 @@ static wordList patchTypes(const wordList& names, const layerControls& layers)
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-wallSurface endWall
+wallSurface splitAtSidePatches
 (
     const wallSurface& surface,
     const wallSurfaceControls& controls,
@@ -364,7 +364,7 @@ wallSurface endWall
     wallSurface wall
     (
         hasSides
-      ? wallEnder{surface, controls, layers}.end(reading) : surface
+      ? wallSplitter{surface, controls, layers}.split(reading) : surface
     );
     wall.patchTypes = patchTypes(wall.patchNames, layers);
     checkSides(wall.border.sides, wall.patchNames);

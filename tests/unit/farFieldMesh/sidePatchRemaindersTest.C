@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "sideRemainders.H"
+#include "sidePatchRemainders.H"
 #include "openSurfaces.H"
 #include "testLayers.H"
 #include "thrownMessage.H"
@@ -14,13 +14,13 @@ using namespace Foam::testSurfaces;
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- The boundary with triangles as large as they can be
-static endedBoundary endedBoundaryOf
+static farFieldBoundary farFieldBoundaryOf
 (
     const prismLayers& layers,
     const farBoundary& far
 )
 {
-    return makeEndedBoundary
+    return makeFarFieldBoundary
     (
         layers, far, [](const point&) { return scalar(100); }
     );
@@ -50,16 +50,16 @@ static farBoundary boxOf(const point& low, const point& high)
 }
 
 
-static endedBoundary ofHalfCube(const farBoundary& far)
+static farFieldBoundary ofHalfCube(const farBoundary& far)
 {
-    return endedBoundaryOf
+    return farFieldBoundaryOf
     (
         oneLayer(endedOn(halfCube(4), halfPlanes())), far
     );
 }
 
 
-static bool hasFaces(const endedBoundary& boundary, const word& patch)
+static bool hasFaces(const farFieldBoundary& boundary, const word& patch)
 {
     const wordList& names = boundary.surface.patchNames;
 
@@ -70,7 +70,7 @@ static bool hasFaces(const endedBoundary& boundary, const word& patch)
 //- Area of the triangles of a patch, all of which have a normal
 static scalar area
 (
-    const endedBoundary& boundary,
+    const farFieldBoundary& boundary,
     const word& patch,
     const vector& normal
 )
@@ -96,7 +96,11 @@ static scalar area
 
 //- Its edges with one face are those of the outer surface of the layers, from
 //  the other side
-static void expectFits(const endedBoundary& boundary, const prismLayers& layers)
+static void expectFits
+(
+    const farFieldBoundary& boundary,
+    const prismLayers& layers
+)
 {
     wallSurface both;
     both.points = layers.outerPoints();
@@ -127,15 +131,15 @@ static void expectFits(const endedBoundary& boundary, const prismLayers& layers)
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
-TEST(sideRemainders, ofAPlaneAreTheBoxWithoutTheLayers)
+TEST(sidePatchRemainders, ofAPlaneAreTheBoxWithoutTheLayers)
 {
     // The box ends on the plane, or goes on beyond it
     for (const scalar low : {0.0, -1.0})
     {
         const prismLayers layers(oneLayer(endedOn(halfCube(4), halfPlanes())));
-        const endedBoundary boundary
+        const farFieldBoundary boundary
         (
-            endedBoundaryOf
+            farFieldBoundaryOf
             (
                 layers, boxOf(point(-2, -2, low), point(3, 3, 2))
             )
@@ -154,9 +158,9 @@ TEST(sideRemainders, ofAPlaneAreTheBoxWithoutTheLayers)
 }
 
 
-TEST(sideRemainders, haveTheTypesOfTheirSides)
+TEST(sidePatchRemainders, haveTheTypesOfTheirSides)
 {
-    const endedBoundary boundary
+    const farFieldBoundary boundary
     (
         ofHalfCube(boxOf(point(-2, -2, 0), point(3, 3, 2)))
     );
@@ -174,15 +178,15 @@ TEST(sideRemainders, haveTheTypesOfTheirSides)
 }
 
 
-TEST(sideRemainders, ofTwoPlanesMeetOnTheirLine)
+TEST(sidePatchRemainders, ofTwoPlanesMeetOnTheirLine)
 {
     const prismLayers layers
     (
         oneLayer(endedOn(quarterCube(4), quarterPlanes()))
     );
-    const endedBoundary boundary
+    const farFieldBoundary boundary
     (
-        endedBoundaryOf
+        farFieldBoundaryOf
         (
             layers, boxOf(point(-2, -1, -1), point(3, 3, 2))
         )
@@ -201,13 +205,13 @@ TEST(sideRemainders, ofTwoPlanesMeetOnTheirLine)
 }
 
 
-TEST(sideRemainders, ofInletsAreWhatTheLayersLeave)
+TEST(sidePatchRemainders, ofInletsAreWhatTheLayersLeave)
 {
     const prismLayers layers
     (
         oneLayer(endedOn(duct(4), wordList({"inlet", "outlet"})))
     );
-    const endedBoundary boundary(endedBoundaryOf(layers, farBoundary()));
+    const farFieldBoundary boundary(farFieldBoundaryOf(layers, farBoundary()));
 
     expectFits(boundary, layers);
     EXPECT_EQ(boundary.surface.patchNames, wordList({"inlet", "outlet"}));
@@ -216,16 +220,16 @@ TEST(sideRemainders, ofInletsAreWhatTheLayersLeave)
 }
 
 
-TEST(sideRemainders, severalBodiesStandOnOnePlane)
+TEST(sidePatchRemainders, severalBodiesStandOnOnePlane)
 {
     const wallSurface both
     (
         merge(halfCube(4), translated(halfCube(2), vector(2, 0, 0)))
     );
     const prismLayers layers(oneLayer(endedOn(both, halfPlanes())));
-    const endedBoundary boundary
+    const farFieldBoundary boundary
     (
-        endedBoundaryOf(layers, boxOf(point(-2, -2, 0), point(5, 3, 2)))
+        farFieldBoundaryOf(layers, boxOf(point(-2, -2, 0), point(5, 3, 2)))
     );
 
     expectFits(boundary, layers);
@@ -236,7 +240,7 @@ TEST(sideRemainders, severalBodiesStandOnOnePlane)
 }
 
 
-TEST(sideRemainders, groundBelowABoxIsNoRemainder)
+TEST(sidePatchRemainders, groundBelowABoxIsNoRemainder)
 {
     // The wall is the bottom, which ends on the four sides
     const List<sidePatch> planes
@@ -247,9 +251,9 @@ TEST(sideRemainders, groundBelowABoxIsNoRemainder)
         symmetryPlane("north", point(0, 1, 0), vector(0, 1, 0))
     });
     const prismLayers layers(oneLayer(endedOn(sheet(4, 0), planes)));
-    const endedBoundary boundary
+    const farFieldBoundary boundary
     (
-        endedBoundaryOf(layers, boxOf(point(0, 0, -1), point(1, 1, 2)))
+        farFieldBoundaryOf(layers, boxOf(point(0, 0, -1), point(1, 1, 2)))
     );
 
     expectFits(boundary, layers);
@@ -261,7 +265,7 @@ TEST(sideRemainders, groundBelowABoxIsNoRemainder)
 }
 
 
-TEST(sideRemainders, layersOutsideOfTheBoxAreRefused)
+TEST(sidePatchRemainders, layersOutsideOfTheBoxAreRefused)
 {
     expectWords
     (
@@ -277,7 +281,7 @@ TEST(sideRemainders, layersOutsideOfTheBoxAreRefused)
 }
 
 
-TEST(sideRemainders, layersAcrossAnOutlineAreRefused)
+TEST(sidePatchRemainders, layersAcrossAnOutlineAreRefused)
 {
     // Columns at the inlet lean through its outline
     prismLayers layers
@@ -297,7 +301,7 @@ TEST(sideRemainders, layersAcrossAnOutlineAreRefused)
     (
         thrownMessage<error>
         (
-            [&]() { endedBoundaryOf(layers, farBoundary()); }
+            [&]() { farFieldBoundaryOf(layers, farBoundary()); }
         ),
         {"The edge from (", "crosses another edge"}
     );
