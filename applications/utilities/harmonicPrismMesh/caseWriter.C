@@ -55,12 +55,12 @@ static void refuseCoupled(const polyMesh& mesh)
 Foam::caseWriter::caseWriter
 (
     const prismCase& files,
-    const processTeam& team,
+    const parallelRun& parallel,
     Time& time
 )
 :
     case_(files),
-    team_(team),
+    parallel_(parallel),
     time_(time)
 {}
 
@@ -145,7 +145,7 @@ void Foam::caseWriter::writePiece(meshPiece& piece, replacedFiles& files) const
 {
     const autoPtr<polyMesh> mesh
     (
-        makePolyMesh(case_.meshObject(), team_.processor(), piece)
+        makePolyMesh(case_.meshObject(), parallel_.processor(), piece)
     );
     writeMesh(mesh(), &piece, files);
 }
@@ -162,12 +162,12 @@ Foam::autoPtr<Foam::polyMesh> Foam::caseWriter::writeMesh
     const label nLayers = layers.nLayers;
     autoPtr<polyMesh> mesh;
 
-    if (!team_.isParallel() || !far.empty())
+    if (!parallel_.isParallel() || !far.empty())
     {
         mesh = makePrismPolyMesh(layers, far, case_.meshObject());
     }
 
-    if (team_.isParallel())
+    if (parallel_.isParallel())
     {
         if (mesh)
         {
@@ -176,11 +176,11 @@ Foam::autoPtr<Foam::polyMesh> Foam::caseWriter::writeMesh
         meshPiece piece
         (
             mesh
-          ? team_.sendPieces(mesh(), nStacks, nLayers)
-          : team_.sendPieces(layers)
+          ? parallel_.sendPieces(mesh(), nStacks, nLayers)
+          : parallel_.sendPieces(layers)
         );
         writePiece(piece, files);
-        team_.requireWritten();
+        parallel_.requireWritten();
     }
     else
     {
@@ -193,7 +193,7 @@ Foam::autoPtr<Foam::polyMesh> Foam::caseWriter::writeMesh
 
 bool Foam::caseWriter::writeReceived() const
 {
-    meshPiece piece(team_.receivePiece());
+    meshPiece piece(parallel_.receivePiece());
     replacedFiles files;
     string failure;
     const throwingErrors throwing(true);
@@ -208,7 +208,7 @@ bool Foam::caseWriter::writeReceived() const
         failure = e.message();
     }
 
-    const bool all = team_.tellWritten(failure);
+    const bool all = parallel_.reportWritten(failure);
     if (all)
     {
         files.replaceAll();

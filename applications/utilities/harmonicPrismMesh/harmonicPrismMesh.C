@@ -305,9 +305,9 @@ static void endCheck
 
 
 //- Errors: FatalError if several processes are to do what one does
-static void requireOneProcess(const processTeam& team, const bool isForOne)
+static void requireOneProcess(const parallelRun& parallel, const bool isForOne)
 {
-    if (team.isParallel() && isForOne)
+    if (parallel.isParallel() && isForOne)
     {
         FatalErrorInFunction
             << "-checkSurface and -prepareSurface are for one process, without"
@@ -324,17 +324,17 @@ int main(int argc, char *argv[])
     #include "createTime.H"
 
     const prismCase files(args, runTime);
-    const processTeam team(runTime);
-    const caseWriter writer(files, team, runTime);
+    const parallelRun parallel(runTime);
+    const caseWriter writer(files, parallel, runTime);
 
-    if (!team.isMaster())
+    if (!parallel.isMaster())
     {
         return writer.writeReceived() ? 0 : 1;
     }
 
     const bool checkOnly = args.found("checkSurface");
     const bool prepareOnly = args.found("prepareSurface");
-    requireOneProcess(team, checkOnly || prepareOnly);
+    requireOneProcess(parallel, checkOnly || prepareOnly);
     const prismLayerControls controls(readPrismLayerControls(files.dict()));
     const fileNameList surfaces(files.surfaceFiles(controls.surface));
     const fileName preparedFile(files.preparedFile(surfaces));
@@ -362,7 +362,7 @@ int main(int argc, char *argv[])
     }
     else
     {
-        const label nProcesses = team.isParallel() ? team.size() : 0;
+        const label nProcesses = parallel.isParallel() ? parallel.size() : 0;
         files.checkOverwrite(surfaces, controls.farField, nProcesses);
         meshWall
         (

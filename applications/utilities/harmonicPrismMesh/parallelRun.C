@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "processTeam.H"
+#include "parallelRun.H"
 #include "decompositionMethod.H"
 #include "hostThreads.H"
 #include "IOdictionary.H"
@@ -70,9 +70,13 @@ static pointField centresOfFaces(const polyMesh& mesh)
 }
 
 
-static void announce(const pieceKind kind, const label other)
+//- Says which kind of piece comes next
+static void sendKind(const pieceKind kind, const label process)
 {
-    UOPstream::write(blocking, other, reinterpret_cast<const char*>(&kind), 1);
+    UOPstream::write
+    (
+        blocking, process, reinterpret_cast<const char*>(&kind), 1
+    );
 }
 
 
@@ -107,7 +111,7 @@ static labelList processorsOfCells
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-processTeam::processTeam(const Time& time)
+parallelRun::parallelRun(const Time& time)
 :
     parallel_(UPstream::parRun()),
     nProcesses_(parallel_ ? UPstream::nProcs() : 1),
@@ -145,7 +149,7 @@ processTeam::processTeam(const Time& time)
 }
 
 
-processTeam::~processTeam()
+parallelRun::~parallelRun()
 {
     setParallel(parallel_);
 }
@@ -153,9 +157,9 @@ processTeam::~processTeam()
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-meshPiece processTeam::sendPieces(prismLayers& layers) const
+meshPiece parallelRun::sendPieces(prismLayers& layers) const
 {
-    layersPiece own;
+    layersPiece ofMaster;
     {
         const layersDivider divider(layers);
         const pointField centres(divider.centres());
@@ -169,19 +173,19 @@ meshPiece processTeam::sendPieces(prismLayers& layers) const
 
         for (label other = 1; other < nProcesses_; ++other)
         {
-            announce(pieceKind::layers, other);
+            sendKind(pieceKind::layers, other);
             sendPiece(divider.piece(processors, other), other);
         }
-        own = divider.piece(processors, 0);
+        ofMaster = divider.piece(processors, 0);
     }
     layers = prismLayers();
     returnMemory();
 
-    return makeMeshPiece(own, 0);
+    return makeMeshPiece(ofMaster, 0);
 }
 
 
-meshPiece processTeam::sendPieces
+meshPiece parallelRun::sendPieces
 (
     const polyMesh& mesh,
     const label nStacks,
@@ -195,7 +199,7 @@ meshPiece processTeam::sendPieces
 
     for (label other = 1; other < nProcesses_; ++other)
     {
-        announce(pieceKind::mesh, other);
+        sendKind(pieceKind::mesh, other);
         sendPiece(makeMeshPiece(mesh, processors, other), other);
     }
 
@@ -203,7 +207,7 @@ meshPiece processTeam::sendPieces
 }
 
 
-void processTeam::requireWritten() const
+void parallelRun::requireWritten() const
 {
     string failure;
     for (label other = 1; other < nProcesses_; ++other)
@@ -229,7 +233,7 @@ void processTeam::requireWritten() const
 }
 
 
-meshPiece processTeam::receivePiece() const
+meshPiece parallelRun::receivePiece() const
 {
     pieceKind kind = pieceKind::mesh;
     const label request = UPstream::nRequests();
@@ -249,7 +253,7 @@ meshPiece processTeam::receivePiece() const
 }
 
 
-bool processTeam::tellWritten(const string& message) const
+bool parallelRun::reportWritten(const string& message) const
 {
     {
         OPstream stream(blocking, 0);
