@@ -208,7 +208,7 @@ static void addCounts(std::ostream& os, const layerReport& report)
             << report.points[kind];
     }
 
-    os  << "; further columns on them " << report.nExtraColumns << '\n';
+    os  << "; extra columns on them " << report.nExtraColumns << '\n';
 }
 
 

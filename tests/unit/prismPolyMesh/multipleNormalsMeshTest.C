@@ -17,7 +17,7 @@
 
 using namespace Foam;
 
-//- Layers with further columns and their mesh
+//- Layers with extra columns and their mesh
 struct dividedMesh
 {
     std::string name;
