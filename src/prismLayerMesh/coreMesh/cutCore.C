@@ -65,8 +65,8 @@ struct coreCutter
 
     void addPatches();
 
-    //- Sets border and fence of each plane, on points of the core
-    void addFences(coreCut& cut) const;
+    //- Sets borders and limits of each plane, on points of the core
+    void addLimits(coreCut& cut) const;
 
     void addCut(coreCut& cut);
 
@@ -245,10 +245,10 @@ void coreCutter::addPatches()
 }
 
 
-void coreCutter::addFences(coreCut& cut) const
+void coreCutter::addLimits(coreCut& cut) const
 {
     cut.borders.setSize(onPlanes.size());
-    cut.fences.setSize(onPlanes.size());
+    cut.limits.setSize(onPlanes.size());
 
     forAll(onPlanes, s)
     {
@@ -260,7 +260,7 @@ void coreCutter::addFences(coreCut& cut) const
             }
             else if (!wallEdges.found(e))
             {
-                cut.fences[s].append(e);
+                cut.limits[s].append(e);
             }
         }
     }
@@ -322,8 +322,8 @@ void coreCutter::moveTriangles(coreCut& cut)
         }
     }
 
-    addFences(cut);
-    for (List<edgeList>* edges : {&cut.borders, &cut.fences})
+    addLimits(cut);
+    for (List<edgeList>* edges : {&cut.borders, &cut.limits})
     {
         for (edgeList& ofPlane : *edges)
         {

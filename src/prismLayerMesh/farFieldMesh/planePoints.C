@@ -25,7 +25,7 @@ static pointField verticesOf
 )
 {
     labelHashSet vertices;
-    for (const UList<edge>* edges : {&region.boundary, &region.fence})
+    for (const UList<edge>* edges : {&region.boundary, &region.limits})
     {
         for (const edge& e : *edges)
         {
@@ -202,16 +202,16 @@ pointField planePoints
     forAll(squares.centres(), i)
     {
         const point& x = squares.centres()[i];
-        const bool nearFence = std::any_of
+        const bool nearLimit = std::any_of
         (
-            region.fence.begin(), region.fence.end(), [&](const edge& e)
+            region.limits.begin(), region.limits.end(), [&](const edge& e)
             {
                 return e.line(points).nearestDist(x).distance()
-                    < farFieldTuned.fenceShare*squares.sizes()[i];
+                    < farFieldTuned.limitShare*squares.sizes()[i];
             }
         );
 
-        if (!nearFence)
+        if (!nearLimit)
         {
             all.append(x);
             distances.append(farFieldTuned.apartShare*squares.sizes()[i]);

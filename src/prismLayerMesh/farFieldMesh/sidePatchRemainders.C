@@ -191,7 +191,7 @@ convexPolyhedron farFieldBoundaryMaker::cutBoundary()
 
         for (label k = 0; s >= 0 && k < f.size(); ++k)
         {
-            regions_[s].fence.append(f.faceEdge(k));
+            regions_[s].limits.append(f.faceEdge(k));
         }
     }
 
@@ -204,9 +204,9 @@ void farFieldBoundaryMaker::triangulate()
     forAll(sides_, s)
     {
         planeRegion& region = regions_[s];
-        region.fence = dividedEdges
+        region.limits = dividedEdges
         (
-            points(), region.fence, border_.topsOn(s), tolerance_
+            points(), region.limits, border_.topsOn(s), tolerance_
         );
         region.normal = -sides_[s].normal;
         region.isCurved = sides_[s].isCurved();
@@ -336,9 +336,9 @@ farFieldBoundary farFieldBoundaryMaker::makeUpTo(const coreCut& cut)
             const edge reversed(e.end() + first, e.start() + first);
             regions_[s].boundary.append(reversed);
         }
-        for (const edge& e : cut.fences[s])
+        for (const edge& e : cut.limits[s])
         {
-            regions_[s].fence.append(edge(e[0] + first, e[1] + first));
+            regions_[s].limits.append(edge(e[0] + first, e[1] + first));
         }
     }
     triangulate();

@@ -132,7 +132,7 @@ public:
         {
             insert(e);
         }
-        for (const edge& e : region.fence)
+        for (const edge& e : region.limits)
         {
             insert(e);
         }
@@ -167,7 +167,7 @@ faceList planeTriangulator::inside(const planeRegion& region) const
 {
     const edgePairs boundary(pairsOf(region.boundary, false));
     edgePairs barrier(pairsOf(region.boundary, true));
-    barrier.merge(pairsOf(region.fence, true));
+    barrier.merge(pairsOf(region.limits, true));
 
     std::set<planeTriangles::Face_handle> visited;
     std::vector<planeTriangles::Face_handle> found;

@@ -369,7 +369,7 @@ TEST(cutCore, noFenceGoesAroundAPatchOfTheWall)
     EXPECT_EQ(cut.wallPatches, wordList({"body"}));
     ASSERT_EQ(cut.borders.size(), 1);
     EXPECT_EQ(cut.borders[0].size(), 16);
-    EXPECT_TRUE(cut.fences[0].empty());
+    EXPECT_TRUE(cut.limits[0].empty());
 }
 
 

@@ -177,7 +177,7 @@ TEST(planeTriangulation, fencesEndWhatABoundaryLeavesOpen)
         });
         forAll(p, i)
         {
-            r.region.fence.append(edge(p[i], p[p.fcIndex(i)]));
+            r.region.limits.append(edge(p[i], p[p.fcIndex(i)]));
         }
         r.region.boundary.append
         (
