@@ -31,13 +31,15 @@ static std::shared_ptr<const sideCurve> curveOf
 
 scalar layerBorder::shareAt(const corner& c, const point& x) const
 {
+    const point& end = outerPoints_[c.outerPoint];
+
     if (c.curve)
     {
         return mag(x - c.curve->nearest(x)) < tolerance_
-          ? c.curve->lengthTo(x)/c.curve->lengthTo(tops_[c.top]) : -1;
+          ? c.curve->lengthTo(x)/c.curve->lengthTo(end) : -1;
     }
 
-    const vector up(tops_[c.top] - c.root);
+    const vector up(end - c.root);
     const scalar share = ((x - c.root) & up)/magSqr(up);
     const bool onLine = mag(x - c.root - share*up) < tolerance_;
 
@@ -54,8 +56,8 @@ layerBorder::layerBorder(const prismLayers& layers, const scalar tolerance)
 {
     const Map<labelPair> sidesOf(layers.border.pointSides());
     columns_ = sidesOf.sortedToc();
-    tops_.setSize(columns_.size());
-    Map<label> topOf;
+    outerPoints_.setSize(columns_.size());
+    Map<label> outerPointOf;
 
     forAll(columns_, i)
     {
@@ -63,8 +65,8 @@ layerBorder::layerBorder(const prismLayers& layers, const scalar tolerance)
         const labelPair& sides = sidesOf[c];
         const label rootColumn = layers.root(c);
         const point& root = layers(rootColumn, 0);
-        tops_[i] = layers(c, layers.nLayers);
-        topOf.insert(c, i);
+        outerPoints_[i] = layers(c, layers.nLayers);
+        outerPointOf.insert(c, i);
         roots_.insert(root, rootColumn);
 
         if (sides.first() != sides.second())
@@ -81,7 +83,7 @@ layerBorder::layerBorder(const prismLayers& layers, const scalar tolerance)
         (
             edge(layers.root(e.start()), layers.root(e.end())), i
         );
-        outerEdges_[i] = edge(topOf[e.end()], topOf[e.start()]);
+        outerEdges_[i] = edge(outerPointOf[e.end()], outerPointOf[e.start()]);
     }
 }
 
@@ -119,8 +121,8 @@ bool layerBorder::covers
                 return true;
             }
 
-            ends.first() = shareA < 1 ? c.top : ends.first();
-            ends.second() = shareB < 1 ? c.top : ends.second();
+            ends.first() = shareA < 1 ? c.outerPoint : ends.first();
+            ends.second() = shareB < 1 ? c.outerPoint : ends.second();
         }
     }
 
@@ -128,19 +130,19 @@ bool layerBorder::covers
 }
 
 
-labelList layerBorder::topsOn(const label side) const
+labelList layerBorder::outerPointsOn(const label side) const
 {
-    DynamicList<label> tops;
+    DynamicList<label> outerPoints;
 
     for (const corner& c : corners_)
     {
         if (c.sides.found(side))
         {
-            tops.append(c.top);
+            outerPoints.append(c.outerPoint);
         }
     }
 
-    return labelList(std::move(tops));
+    return labelList(std::move(outerPoints));
 }
 
 } // End namespace Foam

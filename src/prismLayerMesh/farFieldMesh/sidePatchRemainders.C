@@ -109,7 +109,7 @@ public:
 void farFieldBoundaryMaker::addLayers()
 {
     made_.columns = border_.columns();
-    points() = border_.tops();
+    points() = border_.outerPoints();
 
     for (const point& top : points())
     {
@@ -206,7 +206,7 @@ void farFieldBoundaryMaker::triangulate()
         planeRegion& region = regions_[s];
         region.limits = dividedEdges
         (
-            points(), region.limits, border_.topsOn(s), tolerance_
+            points(), region.limits, border_.outerPointsOn(s), tolerance_
         );
         region.normal = -sides_[s].normal;
         region.isCurved = sides_[s].isCurved();

@@ -25,7 +25,7 @@ static prismLayers oneLayer(const wallSurface& wall)
 
 
 //- On the quarter cube: corners are the columns on (0 0 0) and (1 0 0), whose
-//  tops are (-0.1 0 0) and (1.1 0 0)
+//  outer points are (-0.1 0 0) and (1.1 0 0)
 static prismLayers quarter()
 {
     return oneLayer(endedOn(quarterCube(4), quarterPlanes()));
@@ -34,9 +34,9 @@ static prismLayers quarter()
 
 static label topAt(const layerBorder& border, const point& x)
 {
-    forAll(border.tops(), i)
+    forAll(border.outerPoints(), i)
     {
-        if (mag(border.tops()[i] - x) < 1e-12)
+        if (mag(border.outerPoints()[i] - x) < 1e-12)
         {
             return i;
         }
@@ -60,13 +60,13 @@ TEST(layerBorder, outerEdgesRunRoundTheRemainder)
     vector area(Zero);
     for (const edge& e : border.outerEdges())
     {
-        area += border.tops()[e.start()] ^ border.tops()[e.end()];
+        area += border.outerPoints()[e.start()] ^ border.outerPoints()[e.end()];
     }
     EXPECT_LT(mag(area - vector(0, 0, -2*1.44)), 1e-14);
 
     forAll(border.columns(), i)
     {
-        EXPECT_EQ(border.tops()[i], layers(border.columns()[i], 1));
+        EXPECT_EQ(border.outerPoints()[i], layers(border.columns()[i], 1));
         EXPECT_TRUE(i == 0 || border.columns()[i - 1] < border.columns()[i]);
     }
 }
@@ -140,12 +140,12 @@ TEST(layerBorder, topsOnASideAreThoseOnTwo)
 
     for (const label side : {0, 1})
     {
-        const labelList tops(border.topsOn(side));
-        EXPECT_EQ(tops.size(), 2);
-        EXPECT_TRUE(tops.found(low));
-        EXPECT_TRUE(tops.found(high));
+        const labelList outerPoints(border.outerPointsOn(side));
+        EXPECT_EQ(outerPoints.size(), 2);
+        EXPECT_TRUE(outerPoints.found(low));
+        EXPECT_TRUE(outerPoints.found(high));
     }
-    EXPECT_TRUE(border.topsOn(2).empty());
+    EXPECT_TRUE(border.outerPointsOn(2).empty());
 }
 
 
