@@ -56,7 +56,7 @@ namespace
 {
 
 //- A line from point p of the wall on which sheets have points
-struct stem
+struct ray
 {
     label p;
 
@@ -71,7 +71,7 @@ struct stem
 };
 
 
-//- Makes the stems, and sheets of their points
+//- Makes the rays, and sheets of their points
 struct sheetMaker
 {
     const wallSurface& wall;
@@ -84,10 +84,10 @@ struct sheetMaker
     //- Factor on the distance between the points of each point of the wall
     const scalarField& closeness;
 
-    //- Length of stems over their height
+    //- Length of rays over their height
     const scalar maxStretch;
 
-    DynamicList<stem> stems;
+    DynamicList<ray> rays;
 
     bool limited(const label p, const scalar radius) const
     {
@@ -138,7 +138,7 @@ struct sheetMaker
             return;
         }
 
-        stems.append(stem{p, n, room});
+        rays.append(ray{p, n, room});
 
         for
         (
@@ -148,7 +148,7 @@ struct sheetMaker
         )
         {
             const vector d(normalised((1 - s)*n + s*axis));
-            stems.append(stem{p, d, roomAlong(search, x, d, radius)});
+            rays.append(ray{p, d, roomAlong(search, x, d, radius)});
         }
     }
 
@@ -158,7 +158,7 @@ struct sheetMaker
     void addPoint(const label p, const scalar radius)
     {
         const visibilityCone& cone = visibility.cones[p];
-        stems.append(stem{p, offsetVector(cone, maxStretch), radius});
+        rays.append(ray{p, offsetVector(cone, maxStretch), radius});
 
         const scalar apart = sheetControls::apartCosine;
         DynamicList<vector> others;
@@ -206,13 +206,13 @@ struct sheetMaker
                 (
                     normalised(along) + offsetVector(cone, maxStretch)
                 );
-                stems.append(stem{p, offset, radius, true});
+                rays.append(ray{p, offset, radius, true});
             }
         }
     }
 
 
-    //- Adds the points at a share of their radius on stems for which onSheet
+    //- Adds the points at a share of their radius on rays for which onSheet
     //  holds. Points are about 'wide' times their height apart.
     template<class OnSheet>
     void addSheet
@@ -225,18 +225,18 @@ struct sheetMaker
     {
         const scalar inSlits =
             share < 1 ? wide : min(wide, sheetControls::slitSpacing);
-        pointField points(stems.size());
-        List<labelPair> sides(stems.size());
-        boolList stands(stems.size(), false);
+        pointField points(rays.size());
+        List<labelPair> sides(rays.size());
+        boolList stands(rays.size(), false);
 
         #pragma omp parallel for schedule(dynamic, 256)
-        forAll(stems, i)
+        forAll(rays, i)
         {
-            const stem& s = stems[i];
-            const point& root = wall.points[s.p];
-            const scalar height = share*s.radius;
-            points[i] = root + height*s.offset;
-            stands[i] = onSheet(s)
+            const ray& r = rays[i];
+            const point& root = wall.points[r.p];
+            const scalar height = share*r.radius;
+            points[i] = root + height*r.offset;
+            stands[i] = onSheet(r)
              && search.putOnSides
                 (
                     root, sheetControls::sideShare*height, points[i], sides[i]
@@ -248,14 +248,14 @@ struct sheetMaker
 
         scalarField spacings(points.size()), gaps(points.size());
         label k = 0;
-        forAll(stems, i)
+        forAll(rays, i)
         {
-            const stem& s = stems[i];
+            const ray& r = rays[i];
             if (stands[i])
             {
-                const scalar d = limited(s.p, s.radius) ? inSlits : wide;
-                spacings[k] = share*s.radius*d*closeness[s.p];
-                gaps[k++] = s.radius;
+                const scalar d = limited(r.p, r.radius) ? inSlits : wide;
+                spacings[k] = share*r.radius*d*closeness[r.p];
+                gaps[k++] = r.radius;
             }
         }
 
@@ -336,7 +336,7 @@ offsetEnvelope makeOffsetEnvelope
         maker.addPoint(p, r);
         maker.addLongEdges(neighbours, p, r);
     }
-    const auto onOuter = [&](const stem& s) { return !atTip[s.p]; };
+    const auto onOuter = [&](const ray& r) { return !atTip[r.p]; };
     maker.addSheet(1, mesh.radiusEdgeRatio, onOuter, envelope);
     envelope.nEnvelope = envelope.points.size();
 
@@ -345,11 +345,11 @@ offsetEnvelope makeOffsetEnvelope
     for (label k = 0; k < mesh.minSheets || share*longest >= 1; ++k)
     {
         // The lowest sheet is as far from the wall as its edges are long
-        const auto onInner = [&](const stem& s)
+        const auto onInner = [&](const ray& r)
         {
-            return !s.outerOnly
+            return !r.outerOnly
              && (k < mesh.minSheets
-              || share*envelope.radius[s.p] >= lengths[s.p]);
+              || share*envelope.radius[r.p] >= lengths[r.p]);
         };
         maker.addSheet(share, mesh.radiusEdgeRatio, onInner, envelope);
         share *= 0.5;
