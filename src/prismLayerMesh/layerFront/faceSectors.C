@@ -23,7 +23,7 @@ struct faceDirections
     const facesAround& around;
 
     //- Directions of the columns at the other ends of the edges
-    const vectorField& middles;
+    const vectorField& neighbourDirections;
 
     //- Edges at whose other ends sectors meet too
     const bitSet& shared;
@@ -92,7 +92,8 @@ struct faceDirections
 
     //- At a distance from the first or second edge of face i. The direction of
     //  the face on the other side is near to another edge: about this one it
-    //  is at less than 180 degrees, and the middle is between both.
+    //  is at less than 180 degrees, and the direction of the neighbour is
+    //  between both.
     vector nearEdge
     (
         const label i,
@@ -103,13 +104,14 @@ struct faceDirections
         const label j = isFirstEdge ? i : next(i);
         const scalar pi = constant::mathematical::pi;
         const scalar all = angleAbout(j, around.edges[prev(j)]);
-        const scalar middle = angleAbout(j, middles[j]);
+        const scalar neighbourAngle = angleAbout(j, neighbourDirections[j]);
 
         const scalar right = shared.test(j) ? pi/2 : GREAT;
         const scalar low =
-            isFirstEdge ? max(scalar(0), middle - right) : middle;
+            isFirstEdge
+          ? max(scalar(0), neighbourAngle - right) : neighbourAngle;
         const scalar high =
-            isFirstEdge ? middle : min(all, middle + right);
+            isFirstEdge ? neighbourAngle : min(all, neighbourAngle + right);
         const scalar angle = 0.5*(max(low, all - pi) + min(high, pi));
 
         const vector& e = around.edges[j];
@@ -143,17 +145,18 @@ struct faceDirections
     }
 
 
-    //- Within a right angle of the middle, about edge j
+    //- Within a right angle of the direction of the neighbour, about edge j
     void appendShared(const label j, DynamicField<vector>& all) const
     {
         if (shared.test(j))
         {
-            all.append(across(around.edges[j], middles[j]));
+            all.append(across(around.edges[j], neighbourDirections[j]));
         }
     }
 
 
-    //- What direction i must be in front of so that the middles at its edges
+    //- What direction i must be in front of so that the directions of the
+    //  neighbours at its edges
     //  are on the other sides, and all triangles positive
     vectorField limits(const label i) const
     {
@@ -162,14 +165,14 @@ struct faceDirections
         if (!isFirst(i))
         {
             const vector& e = around.edges[i];
-            all.append(normalised(middles[i] ^ e));
+            all.append(normalised(neighbourDirections[i] ^ e));
             all.append(normalised(d.rcValue(i) ^ e));
             appendShared(i, all);
         }
         if (!isLast(i))
         {
             const vector& e = around.edges[next(i)];
-            all.append(normalised(e ^ middles[next(i)]));
+            all.append(normalised(e ^ neighbourDirections[next(i)]));
             all.append(normalised(e ^ d.fcValue(i)));
             appendShared(next(i), all);
         }
@@ -304,7 +307,7 @@ normalSectors makeFaceSectors
     const wallSurface& wall,
     const wallAddressing& addressing,
     const wallVisibility& visibility,
-    const vectorField& middles,
+    const vectorField& neighbourDirections,
     const bitSet& shared,
     const label p
 )
@@ -313,7 +316,8 @@ normalSectors makeFaceSectors
 
     // On two side patches a column can only stand on the line of both
     return addressing.sidesOf(p).size() > 1 || around.normals.size() < 2
-      ? normalSectors() : faceDirections{around, middles, shared}.sectors();
+      ? normalSectors()
+      : faceDirections{around, neighbourDirections, shared}.sectors();
 }
 
 } // End namespace Foam

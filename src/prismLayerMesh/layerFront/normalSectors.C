@@ -18,7 +18,7 @@ sectorSearch::sectorSearch
     const wallSurface& wall,
     const wallAddressing& addressing,
     const wallVisibility& visibility,
-    const vectorField& middles,
+    const vectorField& neighbourDirections,
     const label p
 )
 :
@@ -40,7 +40,7 @@ sectorSearch::sectorSearch
     edges_.transfer(around.edges);
     normals_.transfer(around.normals);
 
-    vectorField all(middles);
+    vectorField all(neighbourDirections);
     if (side_)
     {
         reflect(all);
@@ -152,14 +152,17 @@ normalSectors makeNormalSectors
     const wallSurface& wall,
     const wallAddressing& addressing,
     const wallVisibility& visibility,
-    const vectorField& middles,
+    const vectorField& neighbourDirections,
     const label p
 )
 {
     // On two side patches a column can only stand on the line of both
     return addressing.sidesOf(p).size() > 1
       ? normalSectors()
-      : sectorSearch(wall, addressing, visibility, middles, p).best();
+      : sectorSearch
+        (
+            wall, addressing, visibility, neighbourDirections, p
+        ).best();
 }
 
 } // End namespace Foam

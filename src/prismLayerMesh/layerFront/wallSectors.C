@@ -52,7 +52,7 @@ struct pointDivider
 
     //- Direction of the column at the other end of edge i of p; where there are
     //  two, or it is not known yet, the mean of the normals of the edge's faces
-    vector middle(const label p, const label i) const
+    vector neighbourDirection(const label p, const label i) const
     {
         const label q = addressing.pointPoints[p][i];
         const label k = divided.indices[q];
@@ -72,36 +72,35 @@ struct pointDivider
 
     normalSectors sectorsOf(const label p) const
     {
-        vectorField middles(addressing.pointPoints[p].size());
-        vectorField normals(middles.size());
-        bitSet shared(middles.size());
-        forAll(middles, i)
+        vectorField neighbourDirections(addressing.pointPoints[p].size());
+        vectorField normals(neighbourDirections.size());
+        bitSet shared(neighbourDirections.size());
+        forAll(neighbourDirections, i)
         {
-            middles[i] = middle(p, i);
+            neighbourDirections[i] = neighbourDirection(p, i);
             normals[i] = edgeNormal(p, i);
             shared.set(i, isShared(p, i));
         }
 
+        const bool hasNoDirection = visibility.cones[p].empty();
         normalSectors sectors;
-        const auto found = [&](normalSectors&& made)
-        {
-            sectors = std::move(made);
 
-            return sectors.starts.size() || !visibility.cones[p].empty();
-        };
-        const auto byNormals = [&](const vectorField& m)
+        // Normals may divide where directions of neighbours do not
+        for (const vectorField* d : {&neighbourDirections, &normals})
         {
-            return makeNormalSectors(wall, addressing, visibility, m, p);
-        };
-        const auto byFaces = [&](const vectorField& m)
-        {
-            return
-                makeFaceSectors(wall, addressing, visibility, m, shared, p);
-        };
+            sectors = makeNormalSectors(wall, addressing, visibility, *d, p);
+            if (sectors.starts.size() || !hasNoDirection)
+            {
+                break;
+            }
 
-        // With other middles cells may be positive all the same
-        found(byNormals(middles)) || found(byFaces(middles))
-     || found(byNormals(normals)) || found(byFaces(normals));
+            sectors =
+                makeFaceSectors(wall, addressing, visibility, *d, shared, p);
+            if (sectors.starts.size())
+            {
+                break;
+            }
+        }
 
         return sectors;
     }

@@ -18,13 +18,14 @@ static normalSectors byFaces
     const wallSurface& wall,
     const wallAddressing& addressing,
     const wallVisibility& visibility,
-    const vectorField& middles,
+    const vectorField& neighbourDirections,
     const label p
 )
 {
     return makeFaceSectors
     (
-        wall, addressing, visibility, middles, bitSet(middles.size(), all), p
+        wall, addressing, visibility, neighbourDirections,
+        bitSet(neighbourDirections.size(), all), p
     );
 }
 
