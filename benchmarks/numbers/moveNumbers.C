@@ -87,7 +87,7 @@ static const std::initializer_list<tunedNumber> numbers =
     {"maxRounds", nullptr, &tuned::maxRounds, false},
     {"angleMargin", &tuned::angleMargin, nullptr, false},
     {"skewnessShare", &tuned::skewnessShare, nullptr, true},
-    {"aimedPlanarity", &tuned::aimedPlanarity, nullptr, false},
+    {"targetPlanarity", &tuned::targetPlanarity, nullptr, false},
     {"planarityWeight", &tuned::planarityWeight, nullptr, false},
     {"firstHeightWeight", &tuned::firstHeightWeight, nullptr, false},
     {"thicknessWeight", &tuned::thicknessWeight, nullptr, false},

@@ -55,9 +55,9 @@ static bool writeRow
 {
     const label most = faces.empty() ? 0 : max(layers);
     const label enough = asked ? asked : most;
-    label nLacking = 0;
+    label nIncomplete = 0;
     scalar area = 0;
-    scalar lacking = 0;
+    scalar incomplete = 0;
 
     forAll(faces, i)
     {
@@ -65,16 +65,17 @@ static bool writeRow
             mag(mesh.faces()[faces[i]].areaNormal(mesh.points()));
 
         area += a;
-        lacking += layers[i] < enough ? a : 0;
-        nLacking += layers[i] < enough;
+        incomplete += layers[i] < enough ? a : 0;
+        nIncomplete += layers[i] < enough;
     }
 
     Info<< "    " << padded(name).c_str() << setw(10) << faces.size()
         << setw(8) << (faces.empty() ? 0 : min(layers)) << setw(8) << most
-        << setw(12) << (nLacking && area > 0 ? 100*(1 - lacking/area) : 100)
+        << setw(12)
+        << (nIncomplete && area > 0 ? 100*(1 - incomplete/area) : 100)
         << nl;
 
-    return !nLacking;
+    return !nIncomplete;
 }
 
 } // End namespace Foam

@@ -102,7 +102,7 @@ static void improve
     setCentresAndVolumes(core, mesh.cutCells, centres, volumes);
     beyond.centres.append(centres);
     beyond.volumes.append(volumes);
-    improvePoorTets(beyond, mesh);
+    improveTets(beyond, mesh);
 
     if (!allPositive(mesh.points, mesh.tets))
     {

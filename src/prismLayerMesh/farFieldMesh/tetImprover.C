@@ -23,7 +23,7 @@ faceList tetImprover::innerTriangles(const farFieldTets& mesh)
 }
 
 
-scalar tetImprover::lackOfFace(const label t, const label i) const
+scalar tetImprover::faceViolation(const label t, const label i) const
 {
     const triFace f(tets_[t].face(i));
     const label neighbour = tets_.neighbour(t, i);
@@ -46,19 +46,20 @@ scalar tetImprover::lackOfFace(const label t, const label i) const
     const scalar toHere = mag((g.centre - here) & g.area);
     const scalar toBeyond = mag((beyond - g.centre) & g.area);
     const scalar weight = min(toHere, toBeyond)/(toHere + toBeyond + VSMALL);
-    const scalar aim = farFieldTuned.aimCosine;
+    const scalar target = farFieldTuned.targetCosine;
+    const scalar maxSkewness = farFieldTuned.targetSkewness;
     const scalar volume = neighbour < 0 ? beyond_.volumes[triangle] : 0;
     const scalar ratio = volume > 0 ? tets_[t].tet(points_).mag()/volume : 1;
 
     return
-        pow3(cosineLack(g.area, beyond - here, aim)/aim)
-      + pow3(skewnessExcess(g, x, here, beyond, farFieldTuned.aimSkewness))
-      + pow3(max(1 - weight/farFieldTuned.aimWeight, scalar(0)))
-      + pow3(max(1 - ratio/farFieldTuned.aimVolumeRatio, scalar(0)));
+        pow3(nonOrthoViolation(g.area, beyond - here, target)/target)
+      + pow3(skewnessViolation(g, x, here, beyond, maxSkewness))
+      + pow3(max(1 - weight/farFieldTuned.targetWeight, scalar(0)))
+      + pow3(max(1 - ratio/farFieldTuned.targetVolumeRatio, scalar(0)));
 }
 
 
-scalar tetImprover::lackOf(const labelUList& tets, const scalar bound) const
+scalar tetImprover::violation(const labelUList& tets, const scalar bound) const
 {
     scalar sum = 0;
 
@@ -71,7 +72,7 @@ scalar tetImprover::lackOf(const labelUList& tets, const scalar bound) const
 
             if (!within || beyond > t)
             {
-                sum += lackOfFace(t, i);
+                sum += faceViolation(t, i);
             }
         }
     }
@@ -92,7 +93,7 @@ bool tetImprover::replace
         return false;
     }
 
-    const scalar before = (1 - farFieldTuned.leastGain)*lackOf(old);
+    const scalar before = (1 - farFieldTuned.leastGain)*violation(old);
     const tetCellList kept(tets_.subset(old));
     const labelList now(tets_.replace(old, made));
 
@@ -101,7 +102,7 @@ bool tetImprover::replace
         move(newPoint);
     }
 
-    if (lackOf(now, before) < before)
+    if (violation(now, before) < before)
     {
         for (const tetCell& tet : made)
         {
@@ -297,10 +298,10 @@ bool tetImprover::split(const label t, const label i)
     for (const cavity& c : cavities(t, i))
     {
         points_[newPoint] = meanOf(c.common);
-        const scalar before = lackOf(c.tets);
+        const scalar before = violation(c.tets);
         const tetCellList kept(tets_.subset(c.tets));
         const labelList now(tets_.replace(c.tets, partsOf(c, newPoint)));
-        const scalar gain = before - lackOf(now);
+        const scalar gain = before - violation(now);
         tets_.replace(now, kept);
 
         if (gain > most)

@@ -25,7 +25,7 @@ bool tetImprover::step(const label p, const scalar distance, scalar& least)
         vector direction(Zero);
         direction[k/2] = k % 2 ? 1 : -1;
         points_[p] = from + distance*direction;
-        const scalar there = lackOf(around, least);
+        const scalar there = violation(around, least);
 
         if (there < least && allPositive(points_, tets_.subset(around)))
         {
@@ -60,7 +60,7 @@ scalar tetImprover::sizeAt(const label p) const
 bool tetImprover::move(const label p)
 {
     const scalar size = sizeAt(p);
-    scalar least = lackOf(tets_.pointTets(p));
+    scalar least = violation(tets_.pointTets(p));
     label nMoves = 0;
 
     for (const scalar length : farFieldTuned.moves)
@@ -78,9 +78,9 @@ bool tetImprover::move(const label p)
 }
 
 
-bool tetImprover::isPoor(const label t, const label i) const
+bool tetImprover::missesTargets(const label t, const label i) const
 {
-    return lackOfFace(t, i) > farFieldTuned.poor;
+    return faceViolation(t, i) > farFieldTuned.toleratedViolation;
 }
 
 
@@ -107,7 +107,7 @@ bool tetImprover::hasChanged(const label t) const
 }
 
 
-List<labelPair> tetImprover::poorFaces() const
+List<labelPair> tetImprover::facesMissingTargets() const
 {
     DynamicList<labelPair> faces;
 
@@ -121,7 +121,7 @@ List<labelPair> tetImprover::poorFaces() const
             (
                 (beyond < 0 || beyond > t)
              && (hasChanged(t) || (beyond >= 0 && hasChanged(beyond)))
-             && isPoor(t, i)
+             && missesTargets(t, i)
             )
             {
                 faces.append(labelPair(t, i));
@@ -168,19 +168,20 @@ bool tetImprover::improve()
 
     const auto tryAll = [&](bool (tetImprover::*change)(label, label))
     {
-        for (const labelPair& f : poorFaces())
+        for (const labelPair& f : facesMissingTargets())
         {
             // What was changed before may have removed the tetrahedron
-            if (!tets_.removed(f.first()) && isPoor(f.first(), f.second()))
+            const label t = f.first();
+            if (!tets_.removed(t) && missesTargets(t, f.second()))
             {
-                better = (this->*change)(f.first(), f.second()) || better;
+                better = (this->*change)(t, f.second()) || better;
             }
         }
     };
 
     tryAll(&tetImprover::flip);
 
-    for (const label p : pointsInside(poorFaces()))
+    for (const label p : pointsInside(facesMissingTargets()))
     {
         if (move(p))
         {

@@ -126,14 +126,14 @@ static bool bend
 (
     layerEditor& editor,
     const layerGeometry& geometry,
-    const bendAims& aims,
+    const bendTargets& targets,
     const label c,
     const columnState& before,
     const std::function<bool(label)>& isAtFault
 )
 {
     const layerMoveControls& controls = editor.controls();
-    columnCells cells(editor, geometry, aims, c);
+    columnCells cells(editor, geometry, targets, c);
     DynamicList<scalar> residuals;
     const scalar sum = cells.evaluate(residuals);
 
@@ -143,7 +143,7 @@ static bool bend
     }
 
     bentColumn column(editor, c, before);
-    const label nPoorFaces = cells.nPoorFaces();
+    const label nFacesWithoutDecomposition = cells.nFacesWithoutDecomposition();
     const normalEquations step(linearise(column, cells, residuals));
     const labelList& around = editor.front().addressing.pointFaces[c];
 
@@ -162,7 +162,7 @@ static bool bend
         if
         (
             cells.evaluate(residuals) <= controls.bendGain*sum
-         && cells.nPoorFaces() <= nPoorFaces
+         && cells.nFacesWithoutDecomposition() <= nFacesWithoutDecomposition
          && std::none_of(around.begin(), around.end(), isAtFault)
         )
         {
@@ -182,7 +182,7 @@ labelList bendColumns
 (
     layerEditor& editor,
     editedGeometry& geometry,
-    const bendAims& aims,
+    const bendTargets& targets,
     const labelUList& columns,
     const std::function<bool(label)>& isAtFault
 )
@@ -195,7 +195,7 @@ labelList bendColumns
         [&]() { current = &geometry.now(); },
         [&](const label c, const columnState& before)
         {
-            return bend(editor, *current, aims, c, before, isAtFault);
+            return bend(editor, *current, targets, c, before, isAtFault);
         }
     );
 }

@@ -82,9 +82,9 @@ void columnCells::updateCells(stack& s) const
 }
 
 
-scalar columnCells::heightError(const scalar height, const scalar held) const
+scalar columnCells::heightError(const scalar height, const scalar kept) const
 {
-    const scalar error = height/held - 1;
+    const scalar error = height/kept - 1;
     const scalar slack = controls_.heightSlack;
 
     return error - max(-slack, min(error, slack));
@@ -97,41 +97,43 @@ const UList<point>& columnCells::centresBeyond(const side& s) const
 }
 
 
-scalar columnCells::levelLack
+scalar columnCells::levelViolation
 (
     const stack& s,
     const label i,
-    const scalar aim
+    const scalar target
 ) const
 {
-    return planarityLack
+    return planarityViolation
     (
         s.levels[i], levelPoints{layers_, s.columns, i}, s.centres[i - 1],
-        i < layers_.nLayers ? &s.centres[i] : nullptr, aim
+        i < layers_.nLayers ? &s.centres[i] : nullptr, target
     );
 }
 
 
-scalar columnCells::sideLack
+scalar columnCells::sideViolation
 (
     const side& s,
     const label i,
-    const scalar aim
+    const scalar target
 ) const
 {
     const UList<point>& other = centresBeyond(s);
 
-    return planarityLack
+    return planarityViolation
     (
         s.faces[i - 1], sidePoints{layers_, s.a, s.b, i},
         stacks_[s.first].centres[i - 1],
-        other.size() ? &other[i - 1] : nullptr, aim
+        other.size() ? &other[i - 1] : nullptr, target
     );
 }
 
 
-void columnCells::addLacks(DynamicList<scalar>& residuals) const
+void columnCells::addViolations(DynamicList<scalar>& residuals) const
 {
+    const faceTargets& targets = targets_.faces;
+
     const auto add = [&]
     (
         const faceGeometry& f,
@@ -140,8 +142,8 @@ void columnCells::addLacks(DynamicList<scalar>& residuals) const
         const point& b
     )
     {
-        residuals.append(cosineLack(f.area, b - a, aims_.faces.cosine));
-        residuals.append(skewnessExcess(f, points, a, b, aims_.faces.skewness));
+        residuals.append(nonOrthoViolation(f.area, b - a, targets.cosine));
+        residuals.append(skewnessViolation(f, points, a, b, targets.skewness));
     };
 
     for (const stack& s : stacks_)
@@ -159,7 +161,7 @@ void columnCells::addLacks(DynamicList<scalar>& residuals) const
             residuals.append
             (
                 controls_.planarityWeight
-               *levelLack(s, i, aims_.faces.planarity)
+               *levelViolation(s, i, targets.planarity)
             );
         }
     }
@@ -180,7 +182,7 @@ void columnCells::addLacks(DynamicList<scalar>& residuals) const
             residuals.append
             (
                 controls_.planarityWeight
-               *sideLack(s, i, aims_.faces.planarity)
+               *sideViolation(s, i, targets.planarity)
             );
         }
     }
@@ -209,15 +211,15 @@ columnCells::columnCells
 (
     const layerEditor& editor,
     const layerGeometry& geometry,
-    const bendAims& aims,
+    const bendTargets& targets,
     const label column
 )
 :
     layers_(editor.layers()),
-    aims_(aims),
+    targets_(targets),
     controls_(editor.controls()),
     column_(column),
-    places_(aims.places[column])
+    places_(targets.places[column])
 {
     const labelList& around = editor.front().addressing.pointFaces[column];
     const label n = layers_.nLayers;
@@ -229,7 +231,7 @@ columnCells::columnCells
         (
             stack
             {
-                f, aims.heights[facei],
+                f, targets.heights[facei],
                 labelList(f.size()), boolList(f.size()),
                 List<faceGeometry>(n + 1), pointField(n), scalarField(n)
             }
@@ -269,30 +271,29 @@ scalar columnCells::evaluate(DynamicList<scalar>& residuals)
             scalar thickness = 0;
             forAll(s.heights, i)
             {
-                const scalar height = layerHeight
-                (
-                    s.levels[i], s.levels[i + 1], s.volumes3[i]
-                );
+                const scalar height =
+                    layerHeight(s.levels[i], s.levels[i + 1], s.volumes3[i]);
                 thickness += height;
                 if (i == 0)
                 {
                     const scalar error = heightError(height, s.heights[0]);
+                    const scalar weight = targets_.firstHeightWeight;
                     residuals.append
                     (
-                        aims_.firstHeightWeight*error
-                      + (controls_.firstHeightWeight - aims_.firstHeightWeight)
+                        weight*error
+                      + (controls_.firstHeightWeight - weight)
                        *max(error - (controls_.maxExcess - 1), scalar(0))
                     );
                 }
             }
             residuals.append
             (
-                aims_.thicknessWeight*heightError(thickness, sum(s.heights))
+                targets_.thicknessWeight*heightError(thickness, sum(s.heights))
             );
         }
     }
 
-    addLacks(residuals);
+    addViolations(residuals);
     addDisplacements(residuals);
 
     scalar sum = 0;
@@ -305,15 +306,15 @@ scalar columnCells::evaluate(DynamicList<scalar>& residuals)
 }
 
 
-label columnCells::nPoorFaces() const
+label columnCells::nFacesWithoutDecomposition() const
 {
-    label nPoor = 0;
+    label n = 0;
 
     for (const stack& s : stacks_)
     {
         for (label i = 1; i <= layers_.nLayers && s.columns.size() == 4; ++i)
         {
-            nPoor += levelLack(s, i, SMALL) > 0;
+            n += levelViolation(s, i, SMALL) > 0;
         }
     }
 
@@ -321,11 +322,11 @@ label columnCells::nPoorFaces() const
     {
         for (label i = 1; i <= layers_.nLayers; ++i)
         {
-            nPoor += sideLack(s, i, SMALL) > 0;
+            n += sideViolation(s, i, SMALL) > 0;
         }
     }
 
-    return nPoor;
+    return n;
 }
 
 } // End namespace Foam

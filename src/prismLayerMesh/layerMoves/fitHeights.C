@@ -22,8 +22,8 @@ struct fitTarget
     //- Level whose heights are looked at
     label level;
 
-    //- Whether a face that lacks a share of its height there is to be fitted
-    std::function<bool(const face& f, scalar lacking)> isWrong;
+    //- Whether a face is to be fitted if a share of its height is missing there
+    std::function<bool(const face& f, scalar missing)> isWrong;
 
     //- Share of a displacement that a column has at a height [m]
     std::function<scalar(label c, scalar height)> share;
@@ -83,8 +83,9 @@ static labelList mobileFaces
 }
 
 
-//- What faces lack in height [m] up to a level; normals are those of all faces
-static scalarField lackingHeights
+//- Returns the heights [m] that faces are too low by, up to a level.
+//  normals: normals of all faces
+static scalarField missingHeights
 (
     const layerEditor& editor,
     const labelUList& faces,
@@ -94,7 +95,7 @@ static scalarField lackingHeights
 {
     const pointField& wall = editor.front().surface.points;
     const prismLayers& layers = editor.layers();
-    scalarField lacking(faces.size(), 0);
+    scalarField missing(faces.size(), 0);
 
     forAll(faces, k)
     {
@@ -103,14 +104,14 @@ static scalarField lackingHeights
 
         for (const label c : f)
         {
-            lacking[k] +=
+            missing[k] +=
             (
                 editor.heights(c)[level] - ((layers(c, level) - wall[c]) & n)
             )/f.size();
         }
     }
 
-    return lacking;
+    return missing;
 }
 
 
@@ -119,7 +120,7 @@ static scalarField firstMobilities
 (
     const layerEditor& editor,
     const labelUList& faces,
-    const scalarField& lacking,
+    const scalarField& missing,
     const fitTarget& target
 )
 {
@@ -130,7 +131,7 @@ static scalarField firstMobilities
     {
         const face& f = front.surface.faces[faces[k]];
 
-        if (target.isWrong(f, lacking[k]/editor.heights(f[0])[target.level]))
+        if (target.isWrong(f, missing[k]/editor.heights(f[0])[target.level]))
         {
             UIndirectList<bool>(mobile, f) = true;
         }
@@ -176,7 +177,7 @@ static scalar excessOf
 static void fitMobilities
 (
     const layerEditor& editor,
-    const scalarField& lacking,
+    const scalarField& missing,
     const label level,
     heightFit& heights,
     scalarField& mobilities
@@ -187,7 +188,7 @@ static void fitMobilities
     for (label k = 0; k < editor.controls().maxLowerings && lowered; ++k)
     {
         heights.setMobilities(mobilities);
-        const vectorField displacements(heights.displacements(lacking));
+        const vectorField displacements(heights.displacements(missing));
         lowered = false;
 
         forAll(mobilities, c)
@@ -265,15 +266,15 @@ static void fit(layerEditor& editor, const fitTarget& target)
 {
     const layerFront& front = editor.front();
     const vectorField normals(front.surface.faceNormals());
-    const auto lacking = [&](const labelUList& faces, const label level)
+    const auto missing = [&](const labelUList& faces, const label level)
     {
-        return lackingHeights(editor, faces, normals, level);
+        return missingHeights(editor, faces, normals, level);
     };
 
     const labelList fitted(fittedFaces(editor));
     scalarField mobilities
     (
-        firstMobilities(editor, fitted, lacking(fitted, target.level), target)
+        firstMobilities(editor, fitted, missing(fitted, target.level), target)
     );
 
     if (max(mobilities) == 0)
@@ -290,7 +291,7 @@ static void fit(layerEditor& editor, const fitTarget& target)
     const labelList& faces = heights.faces();
     fitMobilities
     (
-        editor, lacking(faces, target.level), target.level, heights, mobilities
+        editor, missing(faces, target.level), target.level, heights, mobilities
     );
 
     forAll(mobilities, c)
@@ -309,7 +310,7 @@ static void fit(layerEditor& editor, const fitTarget& target)
     {
         displace
         (
-            heights.displacements(lacking(faces, levels[k])),
+            heights.displacements(missing(faces, levels[k])),
             target, levels[k], editor
         );
     }
@@ -326,11 +327,11 @@ void fitFirstHeights
 )
 {
     const layerMoveControls& controls = editor.controls();
-    const auto isWrong = [&](const face& f, const scalar lacking)
+    const auto isWrong = [&](const face& f, const scalar missing)
     {
         const bool any = UIndirectList<bool>(wanted, f).found(true);
 
-        return mag(lacking)
+        return mag(missing)
           > (any ? controls.heightTolerance : controls.largeTolerance);
     };
     const auto share = [&](const label c, const scalar height)
@@ -345,9 +346,9 @@ void fitFirstHeights
 void fitThickness(layerEditor& editor)
 {
     const layerMoveControls& controls = editor.controls();
-    const auto isWrong = [&](const face&, const scalar lacking)
+    const auto isWrong = [&](const face&, const scalar missing)
     {
-        return -lacking > controls.thicknessTolerance;
+        return -missing > controls.thicknessTolerance;
     };
     const auto share = [&](const label c, const scalar height)
     {

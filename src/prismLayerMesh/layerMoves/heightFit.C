@@ -105,9 +105,9 @@ void heightFit::setMobilities(const scalarField& mobilities)
 }
 
 
-vectorField heightFit::displacements(const scalarField& lacking) const
+vectorField heightFit::displacements(const scalarField& missing) const
 {
-    const Eigen::Map<const Eigen::VectorXd> r(lacking.cdata(), lacking.size());
+    const Eigen::Map<const Eigen::VectorXd> r(missing.cdata(), missing.size());
     const Eigen::VectorXd d(factors_->a.transpose()*factors_->inverse.solve(r));
 
     vectorField result(d.size()/3);

@@ -70,7 +70,7 @@ struct improvement
         );
     }
 
-    //- Lean columns of stacks that are below their aim
+    //- Lean columns of stacks that are below their target
     void lean(const labelUList& faces);
 
     //- Give height back to columns of faces that retreated
@@ -100,8 +100,8 @@ struct improvement
     //  bent and stay so.
     labelHashSet bendTo
     (
-        const faceAims& bounds,
-        bendAims& aims,
+        const faceTargets& bounds,
+        bendTargets& targets,
         editedGeometry& geometry,
         labelList looked
     );
@@ -273,8 +273,8 @@ void improvement::limitJumps()
 
 labelHashSet improvement::bendTo
 (
-    const faceAims& bounds,
-    bendAims& aims,
+    const faceTargets& bounds,
+    bendTargets& targets,
     editedGeometry& geometry,
     labelList looked
 )
@@ -288,14 +288,14 @@ labelHashSet improvement::bendTo
     {
         const labelList columns
         (
-            notBarredOf(poorStacks(geometry.now(), looked, bounds))
+            notBarredOf(stacksMissingTargets(geometry.now(), looked, bounds))
         );
-        aims.hold(editor, columns);
+        targets.keep(editor, columns);
 
         const label then = editor.now();
         const labelList tried
         (
-            bendColumns(editor, geometry, aims, columns, atFault)
+            bendColumns(editor, geometry, targets, columns, atFault)
         );
         settle();
 
@@ -318,16 +318,16 @@ void improvement::bend()
     const layerMoveControls& controls = editor.controls();
     const qualityControls& quality = controls.quality;
 
-    bendAims aims(bendAims::withMargins(controls));
+    bendTargets targets(bendTargets::withMargins(controls));
     editedGeometry geometry(editor);
     const label then = editor.now();
     const labelList all(identity(editor.layers().faces.size()));
-    labelList poor(poorStacks(geometry.now(), all, aims.faces));
-    bendTo(aims.faces, aims, geometry, poor);
+    labelList stacks(stacksMissingTargets(geometry.now(), all, targets.faces));
+    bendTo(targets.faces, targets, geometry, stacks);
 
     if (quality.priority == qualityControls::priorities::quality)
     {
-        const faceAims bounds
+        const faceTargets bounds
         {
             Foam::cos(degToRad(quality.maxNonOrtho)),
             quality.maxInternalSkewness, SMALL
@@ -335,16 +335,16 @@ void improvement::bend()
 
         const auto giveWay = [&]()
         {
-            poor.append
+            stacks.append
             (
                 geometry.now().withNeighbours(editor.touchedSince(then))
             );
-            inplaceUniqueSort(poor);
-            gaveWay |= bendTo(bounds, aims, geometry, poor);
+            inplaceUniqueSort(stacks);
+            gaveWay |= bendTo(bounds, targets, geometry, stacks);
         };
-        aims.thicknessWeight = controls.lowThicknessWeight;
+        targets.thicknessWeight = controls.lowThicknessWeight;
         giveWay();
-        aims.firstHeightWeight = controls.lowFirstHeightWeight;
+        targets.firstHeightWeight = controls.lowFirstHeightWeight;
         giveWay();
     }
 }

@@ -10,18 +10,23 @@ namespace Foam
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-scalar cosineLack(const vector& area, const vector& between, const scalar aim)
+scalar nonOrthoViolation
+(
+    const vector& area,
+    const vector& between,
+    const scalar target
+)
 {
     const scalar dot = between & area;
     const scalar squares = magSqr(between)*magSqr(area);
 
     // Most faces are good, and squares cost less than roots
-    if (squares <= 0 || (dot > 0 && sqr(dot) >= sqr(aim)*squares))
+    if (squares <= 0 || (dot > 0 && sqr(dot) >= sqr(target)*squares))
     {
         return 0;
     }
 
-    return aim - dot/Foam::sqrt(squares);
+    return target - dot/Foam::sqrt(squares);
 }
 
 } // End namespace Foam

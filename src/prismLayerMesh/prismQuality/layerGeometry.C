@@ -142,11 +142,15 @@ bool layerGeometry::isOfWall
     );
 
     return wallCosines_[facei][k] < 1
-        && cosineLack(side.area, between, wallCosines_[facei][k]) <= 0;
+        && nonOrthoViolation(side.area, between, wallCosines_[facei][k]) <= 0;
 }
 
 
-scalar layerGeometry::lack(const label facei, const faceAims& aims) const
+scalar layerGeometry::violation
+(
+    const label facei,
+    const faceTargets& targets
+) const
 {
     const face& f = layers_.faces[facei];
     const UList<point> own(centres(facei));
@@ -160,11 +164,11 @@ scalar layerGeometry::lack(const label facei, const faceAims& aims) const
     )
     {
         const faceGeometry here(points);
-        sum += sqr(planarityLack(here, points, a, b, aims.planarity));
+        sum += sqr(planarityViolation(here, points, a, b, targets.planarity));
         if (b)
         {
-            sum += sqr(cosineLack(here.area, *b - a, cosine))
-              + sqr(skewnessExcess(here, points, a, *b, aims.skewness));
+            sum += sqr(nonOrthoViolation(here.area, *b - a, cosine))
+              + sqr(skewnessViolation(here, points, a, *b, targets.skewness));
         }
     };
 
@@ -173,7 +177,7 @@ scalar layerGeometry::lack(const label facei, const faceAims& aims) const
         add
         (
             levelPoints{layers_, f, i}, own[i - 1],
-            i < layers_.nLayers ? &own[i] : nullptr, aims.cosine
+            i < layers_.nLayers ? &own[i] : nullptr, targets.cosine
         );
     }
 
@@ -186,7 +190,7 @@ scalar layerGeometry::lack(const label facei, const faceAims& aims) const
             (
                 sidePoints{layers_, f[k], f[f.fcIndex(k)], i}, own[i - 1],
                 g < 0 ? nullptr : &centres(g)[i - 1],
-                cosineAim(facei, k, aims)
+                targetCosine(facei, k, targets)
             );
         }
     }

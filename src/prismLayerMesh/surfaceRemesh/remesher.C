@@ -32,7 +32,7 @@ static constexpr label nFollowing = 2;
 static constexpr label maxFlips = 5;
 
 //- Angle [degrees] below which triangles are improved, and how often
-static constexpr scalar poorAngle = 25;
+static constexpr scalar smallAngle = 25;
 static constexpr label nImprovements = 4;
 
 
@@ -165,14 +165,14 @@ void remesher::changeEdges(const label nRounds)
 
 void remesher::improve()
 {
-    const scalar poor = degToRad(poorAngle);
+    const scalar small = degToRad(smallAngle);
     for (unsigned i = 0; i < mesh_.num_faces(); ++i)
     {
         const Face f(i);
         if
         (
             mesh_.is_removed(f) || !edited_.isTriangle(f)
-         || edited_.smallestAngle(f) >= poor
+         || edited_.smallestAngle(f) >= small
         )
         {
             continue;

@@ -165,7 +165,7 @@ TEST(splitCornerCells, keepsTheLayersWhereTheyEndOnTheBoundary)
 }
 
 
-TEST(improvePoorTets, movesAPoint)
+TEST(improveTets, movesAPoint)
 {
     // A point near to an end of a slender double pyramid
     farFieldTets mesh;
@@ -185,7 +185,7 @@ TEST(improvePoorTets, movesAPoint)
     EXPECT_GT(worstAngle(mesh), 75);
 
     const pointField before(mesh.points);
-    improvePoorTets(cellsBeyond(), mesh);
+    improveTets(cellsBeyond(), mesh);
 
     EXPECT_LT(worstAngle(mesh), 67);
     EXPECT_NEAR(volumeOf(mesh), 0.12, 1e-12);
@@ -197,7 +197,7 @@ TEST(improvePoorTets, movesAPoint)
 }
 
 
-TEST(improvePoorTets, removesAnEdge)
+TEST(improveTets, removesAnEdge)
 {
     // Three tetrahedra around an edge; their triangle is better without it
     farFieldTets mesh;
@@ -215,7 +215,7 @@ TEST(improvePoorTets, removesAnEdge)
     EXPECT_GT(worstAngle(mesh), 80);
 
     const scalar volume = volumeOf(mesh);
-    improvePoorTets(cellsBeyond(), mesh);
+    improveTets(cellsBeyond(), mesh);
 
     EXPECT_EQ(mesh.points.size(), 5);
     EXPECT_EQ(mesh.tets.size(), 2);
@@ -224,13 +224,13 @@ TEST(improvePoorTets, removesAnEdge)
 }
 
 
-TEST(improvePoorTets, addsPoints)
+TEST(improveTets, addsPoints)
 {
     farFieldTets mesh(filledCube(4));
     const label nPoints = mesh.points.size();
     EXPECT_GT(worstAngle(mesh), 75);
 
-    improvePoorTets(cellsBeyond(), mesh);
+    improveTets(cellsBeyond(), mesh);
 
     EXPECT_GT(mesh.points.size(), nPoints);
     EXPECT_LT(worstAngle(mesh), 67);
@@ -238,7 +238,7 @@ TEST(improvePoorTets, addsPoints)
 
     // What is good is left alone
     const farFieldTets before(mesh);
-    improvePoorTets(cellsBeyond(), mesh);
+    improveTets(cellsBeyond(), mesh);
     EXPECT_EQ(mesh.points, before.points);
     EXPECT_EQ(mesh.tets, before.tets);
 }

@@ -29,17 +29,17 @@ struct leaningColumn
 
     editedColumns m;
     editedGeometry geometry;
-    bendAims aims;
+    bendTargets targets;
 
     explicit leaningColumn(const scalar share = 1)
     :
         m(fronts()[0]),
         geometry(m.editor)
     {
-        aims.faces = faceAims{::cos(degToRad(60.0)), 3};
-        aims.firstHeightWeight = 10;
-        aims.thicknessWeight = 2;
-        aims.hold(m.editor, labelList(1, column));
+        targets.faces = faceTargets{::cos(degToRad(60.0)), 3};
+        targets.firstHeightWeight = 10;
+        targets.thicknessWeight = 2;
+        targets.keep(m.editor, labelList(1, column));
 
         const scalar* heights = m.editor.heights(column);
         for (label i = 1; i <= 4; ++i)
@@ -62,12 +62,12 @@ struct leaningColumn
         );
     }
 
-    scalar lack()
+    scalar violation()
     {
         scalar sum = 0;
         for (const label facei : m.front.addressing.pointFaces[column])
         {
-            sum += geometry.now().lack(facei, aims.faces);
+            sum += geometry.now().violation(facei, targets.faces);
         }
         return sum;
     }
@@ -76,7 +76,7 @@ struct leaningColumn
     {
         return bendColumns
         (
-            m.editor, geometry, aims, labelList(1, column), isAtFault
+            m.editor, geometry, targets, labelList(1, column), isAtFault
         );
     }
 };
@@ -87,15 +87,15 @@ struct leaningColumn
 TEST(bendColumns, columnComesBackFromASide)
 {
     leaningColumn one;
-    const scalar before = one.lack();
+    const scalar before = one.violation();
     ASSERT_GT(before, 0.1);
 
-    for (label i = 0; i < 10 && one.lack() > 0; ++i)
+    for (label i = 0; i < 10 && one.violation() > 0; ++i)
     {
         EXPECT_EQ(one.bend(), labelList(1, leaningColumn::column));
     }
 
-    EXPECT_LT(one.lack(), 1e-3*before);
+    EXPECT_LT(one.violation(), 1e-3*before);
 }
 
 
@@ -117,12 +117,12 @@ TEST(bendColumns, heightsAreHeld)
         stack.compute(facei);
         EXPECT_NEAR
         (
-            stack.heights()[0]/one.aims.heights[facei].first(), 1, 0.01
+            stack.heights()[0]/one.targets.heights[facei].first(), 1, 0.01
         );
         // The thickness has less weight
         EXPECT_NEAR
         (
-            sum(stack.heights())/sum(one.aims.heights[facei]), 1, 0.03
+            sum(stack.heights())/sum(one.targets.heights[facei]), 1, 0.03
         );
     }
 }
@@ -164,17 +164,20 @@ TEST(bendColumns, geometryFollows)
 }
 
 
-TEST(bendColumns, poorStacksAreThoseAroundALeaningColumn)
+TEST(bendColumns, stacksAroundALeaningColumnMissTargets)
 {
     leaningColumn one;
     const labelList all(identity(one.m.front.surface.faces.size()));
 
-    const labelList poor(poorStacks(one.geometry.now(), all, one.aims.faces));
-    const labelList columns(one.m.editor.layers().columnsOf(poor));
+    const labelList stacks
+    (
+        stacksMissingTargets(one.geometry.now(), all, one.targets.faces)
+    );
+    const labelList columns(one.m.editor.layers().columnsOf(stacks));
 
     EXPECT_TRUE(columns.found(leaningColumn::column));
     EXPECT_LT(columns.size(), 40);
-    EXPECT_FALSE(poor.found(0));
+    EXPECT_FALSE(stacks.found(0));
 }
 
 
@@ -188,14 +191,14 @@ TEST(bendColumns, numberOfThreadsChangesNothing)
         omp_set_num_threads(n);
         editedColumns m(fronts()[2]);
         editedGeometry geometry(m.editor);
-        bendAims aims;
-        aims.faces = faceAims{::cos(degToRad(5.0)), 0.01};
+        bendTargets targets;
+        targets.faces = faceTargets{::cos(degToRad(5.0)), 0.01};
         const labelList all(identity(m.nColumns()));
-        aims.hold(m.editor, all);
+        targets.keep(m.editor, all);
 
         EXPECT_FALSE
         (
-            bendColumns(m.editor, geometry, aims, all, never).empty()
+            bendColumns(m.editor, geometry, targets, all, never).empty()
         );
         if (n == 1)
         {

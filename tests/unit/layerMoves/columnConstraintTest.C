@@ -95,14 +95,14 @@ static void forAllMoves(editedColumns& m, const Test& test)
     limitHeightJumps(m.editor, neighboursOnWall(m.front));
     test("limitHeightJumps");
     editedGeometry geometry(m.editor);
-    bendAims aims;
-    aims.faces = faceAims{0.95, 0.5};
-    aims.hold(m.editor, all);
+    bendTargets targets;
+    targets.faces = faceTargets{0.95, 0.5};
+    targets.keep(m.editor, all);
     EXPECT_FALSE
     (
         bendColumns
         (
-            m.editor, geometry, aims, all, [](label) { return false; }
+            m.editor, geometry, targets, all, [](label) { return false; }
         ).empty()
     );
     test("bend");

@@ -63,7 +63,7 @@ static List<wallSurface> walls()
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
-TEST(heightFit, nothingLacksNothingMoves)
+TEST(heightFit, noHeightMissingNothingMoves)
 {
     for (const wallSurface& wall : walls())
     {
@@ -79,7 +79,7 @@ TEST(heightFit, nothingLacksNothingMoves)
 }
 
 
-TEST(heightFit, columnsOnAPlaneRiseByWhatLacks)
+TEST(heightFit, columnsOnAPlaneRiseByTheMissingHeight)
 {
     // All of the wall: three planes at the corner of a block
     const wallSurface wall(testSurfaces::lBlock(2));
@@ -94,20 +94,20 @@ TEST(heightFit, columnsOnAPlaneRiseByWhatLacks)
 }
 
 
-TEST(heightFit, whatLacksBecomesLess)
+TEST(heightFit, missingHeightsBecomeSmaller)
 {
     for (const wallSurface& wall : walls())
     {
         heightFit fit(wall, identity(wall.faces.size()));
         fit.setMobilities(scalarField(wall.points.size(), 1));
 
-        const scalarField lacking(randomHeights(wall));
+        const scalarField missing(randomHeights(wall));
         const scalarField left
         (
-            lacking - changes(wall, fit.displacements(lacking))
+            missing - changes(wall, fit.displacements(missing))
         );
 
-        EXPECT_LT(sumSqr(left), 0.5*sumSqr(lacking));
+        EXPECT_LT(sumSqr(left), 0.5*sumSqr(missing));
     }
 }
 
@@ -155,17 +155,17 @@ TEST(heightFit, columnsWithoutMobilityStay)
 TEST(heightFit, lessMobilityIsLessDisplacement)
 {
     const wallSurface wall(testSurfaces::sphere(2));
-    const scalarField lacking(randomHeights(wall));
+    const scalarField missing(randomHeights(wall));
     heightFit fit(wall, identity(wall.faces.size()));
 
     scalarField mobilities(wall.points.size(), 1);
     fit.setMobilities(mobilities);
-    const scalar before = mag(fit.displacements(lacking)[7]);
+    const scalar before = mag(fit.displacements(missing)[7]);
 
     mobilities[7] = 0.1;
     fit.setMobilities(mobilities);
 
-    EXPECT_LT(mag(fit.displacements(lacking)[7]), 0.5*before);
+    EXPECT_LT(mag(fit.displacements(missing)[7]), 0.5*before);
 }
 
 
@@ -175,8 +175,8 @@ TEST(heightFit, onlySomeFaces)
     heightFit fit(wall, labelList({5, 17}));
     fit.setMobilities(scalarField(wall.points.size(), 1));
 
-    const scalarField lacking(scalarList({0.1, -0.2}));
-    const vectorField d(fit.displacements(lacking));
+    const scalarField missing(scalarList({0.1, -0.2}));
+    const vectorField d(fit.displacements(missing));
     const scalarField risen(changes(wall, d));
 
     EXPECT_NEAR(risen[5], 0.1, 1e-3);

@@ -29,11 +29,11 @@ static void bendAll(editedColumns& m)
 {
     const labelList all(identity(m.nColumns()));
     editedGeometry geometry(m.editor);
-    bendAims aims;
-    aims.faces = faceAims{::cos(degToRad(5.0)), 0.01};
-    aims.hold(m.editor, all);
+    bendTargets targets;
+    targets.faces = faceTargets{::cos(degToRad(5.0)), 0.01};
+    targets.keep(m.editor, all);
 
-    bendColumns(m.editor, geometry, aims, all, [](label) { return false; });
+    bendColumns(m.editor, geometry, targets, all, [](label) { return false; });
 }
 
 

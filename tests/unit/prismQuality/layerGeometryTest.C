@@ -56,10 +56,10 @@ TEST(layerGeometry, centresAreThoseOfPolyMesh)
 }
 
 
-TEST(layerGeometry, lacksAreThoseOfPolyMesh)
+TEST(layerGeometry, violationsEqualThoseOfPolyMesh)
 {
     // Twice from the two sides of a side of cells, once between layers
-    const faceAims aims{0.7, 0.1};
+    const faceTargets targets{0.7, 0.1};
 
     for (const wallSurface& wall : walls())
     {
@@ -68,7 +68,7 @@ TEST(layerGeometry, lacksAreThoseOfPolyMesh)
         scalar sum = 0;
         forAll(wall.faces, facei)
         {
-            sum += geometry.lack(facei, aims);
+            sum += geometry.violation(facei, targets);
         }
 
         const memoryMesh memory(layers);
@@ -94,10 +94,10 @@ TEST(layerGeometry, lacksAreThoseOfPolyMesh)
         {
             const label a = mesh.faceOwner()[facei];
             const label b = mesh.faceNeighbour()[facei];
-            const scalar lack =
-                sqr(max(aims.cosine - cosines[facei], scalar(0)))
-              + sqr(max(skewness[facei]/aims.skewness - 1, scalar(0)));
-            expected += (a/n == b/n ? 1 : 2)*lack;
+            const scalar violation =
+                sqr(max(targets.cosine - cosines[facei], scalar(0)))
+              + sqr(max(skewness[facei]/targets.skewness - 1, scalar(0)));
+            expected += (a/n == b/n ? 1 : 2)*violation;
         }
 
         EXPECT_GT(expected, 1);
@@ -118,10 +118,10 @@ TEST(layerGeometry, skewnessFromEitherSideIsTheSame)
         const point& b = mesh.cellCentres()[mesh.faceNeighbour()[facei]];
         const pointField points(mesh.faces()[facei].points(mesh.points()));
         faceGeometry f(geometryOf(mesh, facei));
-        const scalar one = skewnessExcess(f, points, a, b, 0.01);
+        const scalar one = skewnessViolation(f, points, a, b, 0.01);
         f.area *= -1;
 
-        EXPECT_NEAR(skewnessExcess(f, points, b, a, 0.01), one, 1e-6*one);
+        EXPECT_NEAR(skewnessViolation(f, points, b, a, 0.01), one, 1e-6*one);
     }
 }
 
@@ -132,28 +132,29 @@ TEST(layerGeometry, skewnessIsBoundedIfCentresAreBesideEachOther)
     const pointField points({{0, 0, 0}, {2e4, 0, 0}, {0, 1e4, 0}});
     const point a(0, 0, 1e4);
     const point b(1e4, 0, 1e4);
-    const scalar excess = skewnessExcess(faceGeometry(points), points, a, b, 3);
+    const faceGeometry f(points);
+    const scalar excess = skewnessViolation(f, points, a, b, 3);
 
     EXPECT_GT(excess, 1e9);
     EXPECT_LT(excess, 1e20);
 }
 
 
-//- What a square with a corner that is raised, between centres above and below
-//  it, lacks of an aim
-static scalar lackOfRaised
+//- The violation of a square with a corner that is raised, between centres
+//  above and below it
+static scalar violationOfRaised
 (
     const scalar by,
     const point* above,
-    const scalar aim = 0.1
+    const scalar target = 0.1
 )
 {
     const pointField points
     ({{0, 0, 0}, {1, 0, 0}, {1, 1, by}, {0, 1, 0}});
 
-    return planarityLack
+    return planarityViolation
     (
-        faceGeometry(points), points, point(0.5, 0.5, -0.2), above, aim
+        faceGeometry(points), points, point(0.5, 0.5, -0.2), above, target
     );
 }
 
@@ -166,31 +167,31 @@ TEST(layerGeometry, sidesNeedNotBeBetterThanTheWall)
         testSurfaces::straightLayers(wall, scalarList({0, 0.01, 0.02}))
     );
     const layerGeometry flat(layers, makeWallAddressing(wall));
-    const faceAims aims{0.9};
+    const faceTargets targets{0.9};
 
-    EXPECT_LT(flat.cosineAim(0, 0, aims), 0.2);
-    EXPECT_EQ(flat.cosineAim(0, 1, aims), 0.9);
-    EXPECT_EQ(flat.lack(0, aims), 0);
+    EXPECT_LT(flat.targetCosine(0, 0, targets), 0.2);
+    EXPECT_EQ(flat.targetCosine(0, 1, targets), 0.9);
+    EXPECT_EQ(flat.violation(0, targets), 0);
     EXPECT_TRUE(flat.isOfWall(0, 0, 1));
 
     // Nor worse by more than five degrees
     layers.points[layers.index(0, 1)] += vector(0, 0.05, 0);
     layers.points[layers.index(1, 1)] -= vector(0, 0.3, 0);
     const layerGeometry turned(layers, makeWallAddressing(wall));
-    EXPECT_GT(turned.lack(0, aims), 0);
+    EXPECT_GT(turned.violation(0, targets), 0);
 }
 
 
-TEST(planarityLack, isZeroForPlaneFacesAndTriangles)
+TEST(planarityViolation, isZeroForPlaneFacesAndTriangles)
 {
     const point above(0.4, 0.6, 0.1);
     const pointField triangle({{0, 0, 0}, {1, 0, 0}, {1, 1, 1}});
 
-    EXPECT_EQ(lackOfRaised(0, &above, 0.999), 0);
-    EXPECT_NEAR(lackOfRaised(0, &above, 1.5), 0.5, 1e-14);
+    EXPECT_EQ(violationOfRaised(0, &above, 0.999), 0);
+    EXPECT_NEAR(violationOfRaised(0, &above, 1.5), 0.5, 1e-14);
     EXPECT_EQ
     (
-        planarityLack
+        planarityViolation
         (
             faceGeometry(triangle), triangle, point::zero, &above, 2
         ),
@@ -199,17 +200,17 @@ TEST(planarityLack, isZeroForPlaneFacesAndTriangles)
 }
 
 
-TEST(planarityLack, isMoreThanTheAimBehindATriangleOfEitherCut)
+TEST(planarityViolation, isMoreThanTheAimBehindATriangleOfEitherCut)
 {
     const point above(0.8, 0.8, 0.3);
 
-    EXPECT_EQ(lackOfRaised(0.2, &above), 0);
-    EXPECT_EQ(lackOfRaised(0.9, nullptr), 0);
-    EXPECT_GT(lackOfRaised(0.9, &above), 0.1);
+    EXPECT_EQ(violationOfRaised(0.2, &above), 0);
+    EXPECT_EQ(violationOfRaised(0.9, nullptr), 0);
+    EXPECT_GT(violationOfRaised(0.9, &above), 0.1);
 }
 
 
-TEST(planarityLack, isWherePolyMeshFindsNoBasePoint)
+TEST(planarityViolation, isWherePolyMeshFindsNoBasePoint)
 {
     const prismLayers layers(shakenLayers(testSurfaces::quadSphere(4), 0.12));
     const memoryMesh memory(layers);
@@ -219,7 +220,7 @@ TEST(planarityLack, isWherePolyMeshFindsNoBasePoint)
     for (label facei = 0; facei < mesh.nInternalFaces(); ++facei)
     {
         const pointField points(mesh.faces()[facei].points(mesh.points()));
-        const bool isPlane = 0 == planarityLack
+        const bool isPlane = 0 == planarityViolation
         (
             geometryOf(mesh, facei), points,
             mesh.cellCentres()[mesh.faceOwner()[facei]],

@@ -13,7 +13,7 @@ namespace Foam
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void improvePoorTets(const cellsBeyond& beyond, farFieldTets& mesh)
+void improveTets(const cellsBeyond& beyond, farFieldTets& mesh)
 {
     tetImprover improver(beyond, mesh);
     bool better = true;

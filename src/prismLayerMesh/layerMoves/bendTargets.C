@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "bendAims.H"
+#include "bendTargets.H"
 #include "stackHeights.H"
 #include "unitConversion.H"
 
@@ -12,23 +12,23 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bendAims bendAims::withMargins(const layerMoveControls& controls)
+bendTargets bendTargets::withMargins(const layerMoveControls& controls)
 {
     const qualityControls& quality = controls.quality;
 
-    bendAims aims;
-    aims.faces.cosine =
+    bendTargets targets;
+    targets.faces.cosine =
         Foam::cos(degToRad(quality.maxNonOrtho - controls.angleMargin));
-    aims.faces.skewness = controls.skewnessShare*quality.maxInternalSkewness;
-    aims.faces.planarity = controls.aimedPlanarity;
-    aims.firstHeightWeight = controls.firstHeightWeight;
-    aims.thicknessWeight = controls.thicknessWeight;
+    targets.faces.skewness = controls.skewnessShare*quality.maxInternalSkewness;
+    targets.faces.planarity = controls.targetPlanarity;
+    targets.firstHeightWeight = controls.firstHeightWeight;
+    targets.thicknessWeight = controls.thicknessWeight;
 
-    return aims;
+    return targets;
 }
 
 
-void bendAims::hold(const layerEditor& editor, const labelUList& columns)
+void bendTargets::keep(const layerEditor& editor, const labelUList& columns)
 {
     const labelListList& pointFaces = editor.front().addressing.pointFaces;
     stackHeights stack(editor.layers());
@@ -58,22 +58,22 @@ void bendAims::hold(const layerEditor& editor, const labelUList& columns)
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-labelList poorStacks
+labelList stacksMissingTargets
 (
     const layerGeometry& geometry,
     const labelUList& faces,
-    const faceAims& aims
+    const faceTargets& targets
 )
 {
-    boolList isPoor(faces.size());
+    boolList missesTargets(faces.size());
 
     #pragma omp parallel for schedule(dynamic, 64) if (faces.size() > 64)
     forAll(faces, i)
     {
-        isPoor[i] = geometry.lack(faces[i], aims) > 0;
+        missesTargets[i] = geometry.violation(faces[i], targets) > 0;
     }
 
-    return subset(isPoor, labelList(faces));
+    return subset(missesTargets, labelList(faces));
 }
 
 } // End namespace Foam
