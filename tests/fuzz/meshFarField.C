@@ -181,7 +181,7 @@ bool farFieldStage::isJustified(const reasons reason) const
 
 void farFieldStage::tellCut(const polyMesh& mesh) const
 {
-    const facesBeyondBounds cut
+    const faceQualityCounts cut
     (
         makeFarFieldReport(mesh, qualityControls()).cut
     );

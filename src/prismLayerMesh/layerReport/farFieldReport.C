@@ -5,7 +5,7 @@
 
 #include "farFieldReport.H"
 #include "DynamicField.H"
-#include "faceBoundsReport.H"
+#include "faceQualityReport.H"
 #include "makeFarFieldMesh.H"
 #include "prismPolyMesh.H"
 #include "UIndirectList.H"
@@ -50,7 +50,7 @@ farFieldReport makeFarFieldReport
         f.centre = mesh.faceCentres()[facei];
         f.area = mesh.faceAreas()[facei];
         const UIndirectList<point> points(mesh.points(), mesh.faces()[facei]);
-        facesBeyondBounds& faces =
+        faceQualityCounts& faces =
             owner < nLayerCells ? report.transition
           : isTet(neighbour) ? report.farField
           : isTet(owner) ? report.cut : report.core;

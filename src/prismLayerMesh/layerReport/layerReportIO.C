@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layerReport.H"
-#include "faceBoundsReport.H"
+#include "faceQualityReport.H"
 #include "StringStream.H"
 #include "Switch.H"
 

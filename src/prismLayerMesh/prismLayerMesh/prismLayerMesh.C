@@ -120,7 +120,7 @@ prismLayerMesh makePrismLayerMesh
 
     mesh.certificate = makeCertificate(mesh.made.layers, observer);
     mesh.bounds = controls.quality;
-    mesh.faces = boundsOfLayers
+    mesh.faces = faceQualityOfLayers
     (
         mesh.made.layers,
         layerGeometry(mesh.made.layers, mesh.front.addressing), mesh.bounds

@@ -164,7 +164,7 @@ TEST(makeFarFieldMesh, reportsTheTransition)
     EXPECT_EQ(report.transition.nFaces, 300);
     EXPECT_EQ(report.patches.size(), 6);
     EXPECT_LT(report.farField.maxNonOrtho, 70);
-    EXPECT_EQ(report.farField.nPoor, 0);
+    EXPECT_EQ(report.farField.nBeyondAny, 0);
     EXPECT_GT(report.volumeRatio.min, 0.1);
 
     const dictionary dict(toDictionary(report));

@@ -36,13 +36,13 @@ static madeLayers withPriorityThickness(const prismLayerMesh& m)
 }
 
 
-static facesBeyondBounds facesOf
+static faceQualityCounts facesOf
 (
     const prismLayerMesh& m,
     const prismLayers& layers
 )
 {
-    return boundsOfLayers
+    return faceQualityOfLayers
     (
         layers, layerGeometry(layers, m.front.addressing), qualityControls()
     );
@@ -50,7 +50,7 @@ static facesBeyondBounds facesOf
 
 
 //- Those beyond maxNonOrtho that are not so by the wall
-static label nNonOrthogonal(const facesBeyondBounds& faces)
+static label nNonOrthogonal(const faceQualityCounts& faces)
 {
     return faces.nBeyond[0] - faces.nOfWall;
 }
@@ -68,7 +68,7 @@ TEST(giveWay, onlyIfThePriorityIsQuality)
     {
         const prismLayerMesh m(testSurfaces::layeredMesh(wall, 8, 0.1));
         const madeLayers high(withPriorityThickness(m));
-        const facesBeyondBounds faces(facesOf(m, high.layers));
+        const faceQualityCounts faces(facesOf(m, high.layers));
 
         EXPECT_TRUE(high.gaveWay.empty());
         EXPECT_FALSE(high.causes.found(squeezeCause::quality));
@@ -77,7 +77,7 @@ TEST(giveWay, onlyIfThePriorityIsQuality)
             m.made.gaveWay.empty(),
             high.layers.points == m.made.layers.points
         );
-        EXPECT_LE(m.faces.nPoor, faces.nPoor);
+        EXPECT_LE(m.faces.nBeyondAny, faces.nBeyondAny);
 
         n += nNonOrthogonal(m.faces);
         nOfHigh += nNonOrthogonal(faces);

@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "faceBoundsReport.H"
+#include "faceQualityReport.H"
 
 #include <iomanip>
 #include <sstream>
@@ -13,12 +13,12 @@ namespace Foam
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-dictionary toDictionary(const facesBeyondBounds& faces)
+dictionary toDictionary(const faceQualityCounts& faces)
 {
     dictionary beyond;
-    for (label k = 0; k < facesBeyondBounds::nBounds; ++k)
+    for (label k = 0; k < faceQualityCounts::nBounds; ++k)
     {
-        beyond.add(facesBeyondBounds::names[k], faces.nBeyond[k]);
+        beyond.add(faceQualityCounts::names[k], faces.nBeyond[k]);
     }
 
     dictionary dict;
@@ -28,7 +28,7 @@ dictionary toDictionary(const facesBeyondBounds& faces)
     dict.add("maxSkewness", faces.maxSkewness);
     dict.add("minFaceWeight", faces.minWeight);
     dict.add("minVolumeRatio", faces.minVolRatio);
-    dict.add("poorFaces", faces.nPoor);
+    dict.add("poorFaces", faces.nBeyondAny);
     dict.add("nonOrthogonalByWall", faces.nOfWall);
     dict.add("beyond", beyond);
 
@@ -36,7 +36,7 @@ dictionary toDictionary(const facesBeyondBounds& faces)
 }
 
 
-void write(Ostream& os, const char* where, const facesBeyondBounds& faces)
+void write(Ostream& os, const char* where, const faceQualityCounts& faces)
 {
     std::ostringstream text;
     text<< std::fixed << std::setprecision(1)
@@ -47,15 +47,15 @@ void write(Ostream& os, const char* where, const facesBeyondBounds& faces)
         << "; weight min " << faces.minWeight
         << "; volume ratio min " << faces.minVolRatio << '\n';
 
-    if (faces.nPoor)
+    if (faces.nBeyondAny)
     {
         const char* separator = "    beyond bounds: ";
-        for (label k = 0; k < facesBeyondBounds::nBounds; ++k)
+        for (label k = 0; k < faceQualityCounts::nBounds; ++k)
         {
             if (faces.nBeyond[k])
             {
                 text<< separator << faces.nBeyond[k] << ' '
-                    << facesBeyondBounds::names[k];
+                    << faceQualityCounts::names[k];
                 separator = ", ";
             }
             if (k == 0 && faces.nOfWall)

@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "faceBounds.H"
+#include "faceQualityCounts.H"
 #include "tetPointRef.H"
 #include "unitConversion.H"
 
@@ -12,7 +12,7 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Static Member Data  * * * * * * * * * * * * //
 
-const char* const facesBeyondBounds::names[nBounds] =
+const char* const faceQualityCounts::names[nBounds] =
 {
     "maxNonOrtho", "maxInternalSkewness", "minFaceWeight", "minVolRatio",
     "minTetQuality"
@@ -30,7 +30,7 @@ static scalar angleOf(const scalar cosine)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void facesBeyondBounds::add
+void faceQualityCounts::add
 (
     const label facei,
     const faceGeometry& f,
@@ -55,15 +55,15 @@ void facesBeyondBounds::add
     minWeight = min(minWeight, measures[2]);
     minVolRatio = min(minVolRatio, measures[3]);
 
-    bool isPoor = false;
+    bool isBeyondAny = false;
     for (label k = 0; k < nBounds; ++k)
     {
         nBeyond[k] += isBeyond[k];
-        isPoor = isPoor || isBeyond[k];
+        isBeyondAny = isBeyondAny || isBeyond[k];
     }
 
-    nPoor += isPoor;
-    if (isPoor && facei < firstLabel)
+    nBeyondAny += isBeyondAny;
+    if (isBeyondAny && facei < firstLabel)
     {
         firstLabel = facei;
         firstPlace = f.centre;
@@ -73,14 +73,14 @@ void facesBeyondBounds::add
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-scalar facesBeyondBounds::meanNonOrtho() const
+scalar faceQualityCounts::meanNonOrtho() const
 {
     return nFaces ? angleOf(sumCosines/nFaces) : 0;
 }
 
 
 
-void facesBeyondBounds::operator+=(const facesBeyondBounds& others)
+void faceQualityCounts::operator+=(const faceQualityCounts& others)
 {
     nFaces += others.nFaces;
     sumCosines += others.sumCosines;
@@ -88,7 +88,7 @@ void facesBeyondBounds::operator+=(const facesBeyondBounds& others)
     maxSkewness = max(maxSkewness, others.maxSkewness);
     minWeight = min(minWeight, others.minWeight);
     minVolRatio = min(minVolRatio, others.minVolRatio);
-    nPoor += others.nPoor;
+    nBeyondAny += others.nBeyondAny;
     nOfWall += others.nOfWall;
 
     for (label k = 0; k < nBounds; ++k)
@@ -106,7 +106,7 @@ void facesBeyondBounds::operator+=(const facesBeyondBounds& others)
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-bool isPoorTet
+bool isBelowQuality
 (
     const point& a,
     const point& b,
@@ -144,7 +144,7 @@ static void addStack
     const layerGeometry& geometry,
     const qualityControls& bounds,
     const label facei,
-    facesBeyondBounds& faces
+    faceQualityCounts& faces
 )
 {
     const face& f = layers.faces[facei];
@@ -184,27 +184,27 @@ static void addStack
 }
 
 
-facesBeyondBounds boundsOfLayers
+faceQualityCounts faceQualityOfLayers
 (
     const prismLayers& layers,
     const layerGeometry& geometry,
     const qualityControls& bounds
 )
 {
-    facesBeyondBounds all;
+    faceQualityCounts all;
 
     #pragma omp parallel
     {
-        facesBeyondBounds own;
+        faceQualityCounts ofThread;
 
         #pragma omp for schedule(static, 64)
         forAll(layers.faces, facei)
         {
-            addStack(layers, geometry, bounds, facei, own);
+            addStack(layers, geometry, bounds, facei, ofThread);
         }
 
         #pragma omp critical
-        all += own;
+        all += ofThread;
     }
 
     return all;

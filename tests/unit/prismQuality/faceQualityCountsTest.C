@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "faceBoundsReport.H"
+#include "faceQualityReport.H"
 #include "memoryMesh.H"
 #include "openSurfaces.H"
 #include "testLayers.H"
@@ -20,14 +20,14 @@
 
 using namespace Foam;
 
-static facesBeyondBounds countedIn
+static faceQualityCounts countedIn
 (
     const wallSurface& wall,
     const prismLayers& layers,
     const qualityControls& bounds
 )
 {
-    return boundsOfLayers
+    return faceQualityOfLayers
     (
         layers, layerGeometry(layers, makeWallAddressing(wall)), bounds
     );
@@ -81,7 +81,7 @@ static label nBelow(const scalarField& values, const scalar bound)
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
-TEST(facesBeyondBounds, areThoseOfPolyMesh)
+TEST(faceQualityCounts, equalThoseOfPolyMesh)
 {
     qualityControls bounds;
     bounds.maxNonOrtho = 40;
@@ -93,7 +93,7 @@ TEST(facesBeyondBounds, areThoseOfPolyMesh)
          {testSurfaces::sphere(4), testSurfaces::quadSphere(4)})
     {
         const prismLayers layers(testSurfaces::shakenLayers(wall, 0.06));
-        const facesBeyondBounds faces(countedIn(wall, layers, bounds));
+        const faceQualityCounts faces(countedIn(wall, layers, bounds));
         const memoryMesh memory(layers);
         const polyMeshMeasures m(memory());
 
@@ -122,17 +122,17 @@ TEST(facesBeyondBounds, areThoseOfPolyMesh)
             EXPECT_GT(expected[k], 0) << k;
             EXPECT_EQ(faces.nBeyond[k], expected[k]) << k;
         }
-        EXPECT_GE(faces.nPoor, expected[0]);
-        EXPECT_LE(faces.nPoor, faces.nFaces);
+        EXPECT_GE(faces.nBeyondAny, expected[0]);
+        EXPECT_LE(faces.nBeyondAny, faces.nFaces);
     }
 }
 
 
-TEST(facesBeyondBounds, tetrahedraArePoorWherePolyMeshFindsNoBasePoint)
+TEST(faceQualityCounts, findNoBasePointWherePolyMeshDoesNot)
 {
     const wallSurface wall(testSurfaces::quadSphere(4));
     const prismLayers layers(testSurfaces::shakenLayers(wall, 0.09));
-    const facesBeyondBounds faces(countedIn(wall, layers, qualityControls()));
+    const faceQualityCounts faces(countedIn(wall, layers, qualityControls()));
 
     const memoryMesh memory(layers);
     label expected = 0;
@@ -149,7 +149,7 @@ TEST(facesBeyondBounds, tetrahedraArePoorWherePolyMeshFindsNoBasePoint)
 }
 
 
-TEST(facesBeyondBounds, poorTetrahedraAreBelowTheBound)
+TEST(faceQualityCounts, tetrahedraAreBelowTheBound)
 {
     const point a(0, 0, 0), b(1, 0, 0), c(0, 1, 0);
 
@@ -158,22 +158,22 @@ TEST(facesBeyondBounds, poorTetrahedraAreBelowTheBound)
         const point d(0.3, 0.3, height);
         const scalar quality = tetPointRef(a, b, c, d).quality();
 
-        EXPECT_TRUE(isPoorTet(a, b, c, d, 1.01*quality));
-        EXPECT_FALSE(isPoorTet(a, b, c, d, 0.99*quality));
-        EXPECT_TRUE(isPoorTet(a, c, b, d, 0.99*quality));
-        EXPECT_TRUE(isPoorTet(a, c, b, d, -1));
+        EXPECT_TRUE(isBelowQuality(a, b, c, d, 1.01*quality));
+        EXPECT_FALSE(isBelowQuality(a, b, c, d, 0.99*quality));
+        EXPECT_TRUE(isBelowQuality(a, c, b, d, 0.99*quality));
+        EXPECT_TRUE(isBelowQuality(a, c, b, d, -1));
     }
 }
 
 
-TEST(facesBeyondBounds, knowWhatTheWallBrings)
+TEST(faceQualityCounts, knowFacesOfTheWall)
 {
     const wallSurface wall(testSurfaces::unequalTriangles());
     const prismLayers layers
     (
         testSurfaces::straightLayers(wall, scalarList({0, 0.01, 0.02}))
     );
-    const facesBeyondBounds faces(countedIn(wall, layers, qualityControls()));
+    const faceQualityCounts faces(countedIn(wall, layers, qualityControls()));
 
     EXPECT_GT(faces.maxNonOrtho, 80);
     EXPECT_EQ(faces.nBeyond[0], 2);
@@ -181,19 +181,19 @@ TEST(facesBeyondBounds, knowWhatTheWallBrings)
 }
 
 
-TEST(facesBeyondBounds, logNamesBoundsAndPlace)
+TEST(faceQualityCounts, logNamesBoundsAndPlace)
 {
     const wallSurface wall(testSurfaces::sphere(4));
     const prismLayers layers(testSurfaces::shakenLayers(wall, 0.06));
     qualityControls bounds;
-    OStringStream good, poor;
+    OStringStream good, bad;
     write(good, "of layers", countedIn(wall, layers, bounds));
     bounds.maxNonOrtho = 30;
-    write(poor, "of layers", countedIn(wall, layers, bounds));
+    write(bad, "of layers", countedIn(wall, layers, bounds));
 
     EXPECT_EQ(good.str().find("Faces of layers: non-orthogonality"), 0u);
-    EXPECT_NE(poor.str().find(" maxNonOrtho"), std::string::npos);
-    EXPECT_NE(poor.str().find("; first at ("), std::string::npos);
+    EXPECT_NE(bad.str().find(" maxNonOrtho"), std::string::npos);
+    EXPECT_NE(bad.str().find("; first at ("), std::string::npos);
 }
 
 
