@@ -93,7 +93,7 @@ static void visitEntries(Piece& piece, const Visit& visit)
     visit(piece.patchNames);
     visit(piece.patchTypes);
     visit(piece.open);
-    visit(piece.beyond);
+    visit(piece.faceNeighbours);
     visit(piece.processors);
     visit(piece.labels.nLayers);
     visit(piece.labels.firstFaces);

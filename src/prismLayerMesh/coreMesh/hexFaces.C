@@ -72,7 +72,12 @@ class hexFaceMaker
     face sideOf(label leaf, label side) const;
 
     //- The leaves beyond a side of a leaf; none at the side of the box
-    void addBeyond(label leaf, label side, DynamicList<label>& beyond) const;
+    void addNeighbours
+    (
+        label leaf,
+        label side,
+        DynamicList<label>& neighbours
+    ) const;
 
     void addCell(label celli, const labelList& sidePatches);
 
@@ -174,11 +179,11 @@ face hexFaceMaker::sideOf(const label leaf, const label side) const
 }
 
 
-void hexFaceMaker::addBeyond
+void hexFaceMaker::addNeighbours
 (
     const label leaf,
     const label side,
-    DynamicList<label>& beyond
+    DynamicList<label>& neighbours
 ) const
 {
     const direction d = side/2;
@@ -190,7 +195,7 @@ void hexFaceMaker::addBeyond
     {
         if (node >= 0)
         {
-            beyond.append(node);
+            neighbours.append(node);
         }
         return;
     }
@@ -200,7 +205,7 @@ void hexFaceMaker::addBeyond
     {
         if ((octant >> d & 1) != side % 2)
         {
-            beyond.append(tree_.children(node) + octant);
+            neighbours.append(tree_.children(node) + octant);
         }
     }
 }
@@ -209,22 +214,22 @@ void hexFaceMaker::addBeyond
 void hexFaceMaker::addCell(const label celli, const labelList& sidePatches)
 {
     DynamicList<cellFace, 24> higher;
-    DynamicList<label> beyond;
+    DynamicList<label> neighbours;
     const label leaf = leaves_[celli];
 
     for (label side = 0; side < 6; ++side)
     {
-        beyond.clear();
-        addBeyond(leaf, side, beyond);
+        neighbours.clear();
+        addNeighbours(leaf, side, neighbours);
 
-        if (beyond.empty())
+        if (neighbours.empty())
         {
             boundary_[sidePatches[side]].append
             (
                 boundaryFace{celli, leaf, side}
             );
         }
-        for (const label other : beyond)
+        for (const label other : neighbours)
         {
             const bool isSmaller = tree_.level(other) > tree_.level(leaf);
             const label facing = side ^ 1;

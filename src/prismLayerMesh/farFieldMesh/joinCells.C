@@ -193,18 +193,18 @@ void cellJoiner::addTetFaces()
         cutOf(cutTets_[i]).append(i);
     }
 
-    // Cells beyond, with the face of the tetrahedron, or less than 0 the
+    // Neighbours, with the face of the tetrahedron, or less than 0 the
     // triangle of the cut
-    DynamicList<labelPair> beyond(4);
+    DynamicList<labelPair> neighbours(4);
 
     forAll(tets_.tets, t)
     {
-        beyond.clear();
+        neighbours.clear();
         for (label i = 0; i < 4; ++i)
         {
             if (tets_.neighbours[t][i] > t)
             {
-                beyond.append(labelPair(tets_.neighbours[t][i], i));
+                neighbours.append(labelPair(tets_.neighbours[t][i], i));
             }
         }
         if (cutOf.found(t))
@@ -212,12 +212,12 @@ void cellJoiner::addTetFaces()
             for (const label i : cutOf[t])
             {
                 const label celli = cells_[tets_.cutCells[i]];
-                beyond.append(labelPair(nTets() + celli, -1 - i));
+                neighbours.append(labelPair(nTets() + celli, -1 - i));
             }
         }
-        std::sort(beyond.begin(), beyond.end());
+        std::sort(neighbours.begin(), neighbours.end());
 
-        for (const labelPair& b : beyond)
+        for (const labelPair& b : neighbours)
         {
             const label i = b.second();
             if (i < 0)

@@ -52,7 +52,7 @@ static void addLayerFaces
     label outeri = 0;
 
     // Cells of the far field on a last cell, with their faces
-    DynamicList<labelPair> beyond;
+    DynamicList<labelPair> neighbours;
 
     forAll(layers.faces, fronti)
     {
@@ -68,7 +68,7 @@ static void addLayerFaces
             );
         }
 
-        beyond.clear();
+        neighbours.clear();
         for
         (
             ;
@@ -77,11 +77,11 @@ static void addLayerFaces
         )
         {
             const label i = start + outeri;
-            beyond.append(labelPair(far.topology.owner[i], i));
+            neighbours.append(labelPair(far.topology.owner[i], i));
         }
-        std::sort(beyond.begin(), beyond.end());
+        std::sort(neighbours.begin(), neighbours.end());
 
-        for (const labelPair& b : beyond)
+        for (const labelPair& b : neighbours)
         {
             face& f = far.topology.faces[b.second()];
             f.flip();

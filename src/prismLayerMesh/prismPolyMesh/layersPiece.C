@@ -5,7 +5,7 @@
 
 #include "layersPiece.H"
 #include "bitSet.H"
-#include "facesBeyond.H"
+#include "findFaceNeighbours.H"
 #include "readWallSurface.H"
 #include "SubField.H"
 
@@ -108,18 +108,18 @@ static labelList pointAddressing(const layersPiece& piece)
 static DynamicList<label> faceAddressing
 (
     const layersPiece& piece,
-    const labelListList& beyond,
+    const labelListList& faceNeighbours,
     const label nFaces
 )
 {
     const prismLayers& layers = piece.layers;
     DynamicList<label> addressing(nFaces);
 
-    forAll(beyond, facei)
+    forAll(faceNeighbours, facei)
     {
         visitInternalFaces
         (
-            layers.nLayers, beyond[facei], facei,
+            layers.nLayers, faceNeighbours[facei], facei,
             [&](const label k, const label i, const label)
             {
                 addressing.append(piece.labels(facei, k, i) + 1);
@@ -202,7 +202,8 @@ static void addBetween
 
         // The face is of the stack with the lower label
         const edge e(layers.faces[facei].faceEdge(k));
-        const bool turned = piece.beyond[facei][k] < piece.stacks[facei];
+        const bool turned =
+            piece.faceNeighbours[facei][k] < piece.stacks[facei];
         mesh.append
         (
             turned
@@ -232,9 +233,9 @@ static void dropUnused(meshPiece& piece)
 layersDivider::layersDivider(const prismLayers& layers)
 :
     layers_(layers),
-    beyond_(facesBeyond(layers)),
-    open_(openEdges(layers, beyond_)),
-    labels_(makePrismFaceLabels(layers, beyond_, open_)),
+    faceNeighbours_(findFaceNeighbours(layers)),
+    open_(openEdges(layers, faceNeighbours_)),
+    labels_(makePrismFaceLabels(layers, faceNeighbours_, open_)),
     patches_(patchesOfLayers(layers, open_.size()))
 {}
 
@@ -243,7 +244,7 @@ layersDivider::layersDivider(const prismLayers& layers)
 
 labelListList layersDivider::neighbours() const
 {
-    labelListList beside(beyond_);
+    labelListList beside(faceNeighbours_);
     for (labelList& stacks : beside)
     {
         inplaceSubsetList(stacks, [](const label other) { return other >= 0; });
@@ -286,8 +287,9 @@ layersPiece layersDivider::piece
     some.patchNames = patches_.names;
     some.patchTypes = patches_.types();
     some.labels = labels_.subset(some.stacks);
-    some.beyond = labelListList(UIndirectList<labelList>(beyond_, some.stacks));
-    some.processors = some.beyond;
+    some.faceNeighbours =
+        labelListList(UIndirectList<labelList>(faceNeighbours_, some.stacks));
+    some.processors = some.faceNeighbours;
     for (labelList& others : some.processors)
     {
         for (label& other : others)
@@ -318,11 +320,14 @@ layersPiece layersDivider::piece
 meshPiece makeMeshPiece(const layersPiece& piece, const label processor)
 {
     const prismLayers& layers = piece.layers;
-    const labelListList beyond(facesBeyond(layers));
-    polyMeshTopology mesh(makePrismTopology(layers, beyond, piece.open));
+    const labelListList faceNeighbours(findFaceNeighbours(layers));
+    polyMeshTopology mesh
+    (
+        makePrismTopology(layers, faceNeighbours, piece.open)
+    );
     DynamicList<label> addressing
     (
-        faceAddressing(piece, beyond, mesh.faces.size())
+        faceAddressing(piece, faceNeighbours, mesh.faces.size())
     );
 
     meshPiece result;

@@ -15,7 +15,7 @@ namespace Foam
 static void setInternalSides
 (
     const prismLayers& layers,
-    const labelListList& beyond,
+    const labelListList& faceNeighbours,
     const label facei,
     prismFaceLabels& labels
 )
@@ -24,7 +24,7 @@ static void setInternalSides
 
     visitInternalFaces
     (
-        1, beyond[facei], facei,
+        1, faceNeighbours[facei], facei,
         [&](const label k, const label, const label other)
         {
             // The other runs along the edge the other way
@@ -102,7 +102,7 @@ prismFaceLabels prismFaceLabels::subset(const labelUList& stacks) const
 prismFaceLabels makePrismFaceLabels
 (
     const prismLayers& layers,
-    const labelListList& beyond,
+    const labelListList& faceNeighbours,
     const UList<DynamicList<labelPair>>& open
 )
 {
@@ -110,7 +110,7 @@ prismFaceLabels makePrismFaceLabels
     const label n = layers.nLayers;
     prismFaceLabels labels;
     labels.nLayers = n;
-    labels.firstFaces = firstInternalFaces(beyond, n);
+    labels.firstFaces = firstInternalFaces(faceNeighbours, n);
     label next = labels.firstFaces.last();
     labels.firstFaces.setSize(nFront);
     labels.strides.setSize(nFront);
@@ -118,16 +118,17 @@ prismFaceLabels makePrismFaceLabels
     labels.outerFaces.setSize(nFront);
 
     // As many as there are edges; all are set
-    labels.firstSides = beyond;
-    labels.sideStrides = beyond;
+    labels.firstSides = faceNeighbours;
+    labels.sideStrides = faceNeighbours;
 
     forAll(labels.strides, facei)
     {
-        labels.strides[facei] = 1 + nHigherBeyond(beyond[facei], facei);
+        labels.strides[facei] =
+            1 + nHigherNeighbours(faceNeighbours[facei], facei);
     }
-    forAll(beyond, facei)
+    forAll(faceNeighbours, facei)
     {
-        setInternalSides(layers, beyond, facei, labels);
+        setInternalSides(layers, faceNeighbours, facei, labels);
     }
 
     visitBoundaryFaces

@@ -66,7 +66,7 @@ face prismFace
 List<DynamicList<labelPair>> openEdges
 (
     const prismLayers& layers,
-    const labelListList& beyond
+    const labelListList& faceNeighbours
 )
 {
     const wordList names(sidePatchNames(layers.border));
@@ -86,7 +86,7 @@ List<DynamicList<labelPair>> openEdges
 
         forAll(f, k)
         {
-            if (beyond[facei][k] < 0)
+            if (faceNeighbours[facei][k] < 0)
             {
                 edges[patchOf.lookup(f.faceEdge(k), names.size())].append
                 (
@@ -105,23 +105,27 @@ List<DynamicList<labelPair>> openEdges
 }
 
 
-label nHigherBeyond(const labelUList& beyond, const label facei)
+label nHigherNeighbours(const labelUList& faceNeighbours, const label facei)
 {
     return std::count_if
     (
-        beyond.begin(), beyond.end(),
+        faceNeighbours.begin(), faceNeighbours.end(),
         [&](const label other) { return other > facei; }
     );
 }
 
 
-labelList firstInternalFaces(const labelListList& beyond, const label nLayers)
+labelList firstInternalFaces
+(
+    const labelListList& faceNeighbours,
+    const label nLayers
+)
 {
-    labelList starts(beyond.size() + 1, 0);
-    forAll(beyond, facei)
+    labelList starts(faceNeighbours.size() + 1, 0);
+    forAll(faceNeighbours, facei)
     {
         starts[facei + 1] = starts[facei] + nLayers - 1
-          + nHigherBeyond(beyond[facei], facei)*nLayers;
+          + nHigherNeighbours(faceNeighbours[facei], facei)*nLayers;
     }
 
     return starts;

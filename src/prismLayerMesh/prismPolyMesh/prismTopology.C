@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "prismPolyMesh.H"
-#include "facesBeyond.H"
+#include "findFaceNeighbours.H"
 #include "prismFaces.H"
 
 namespace Foam
@@ -15,7 +15,7 @@ namespace Foam
 static void addInternalFaces
 (
     const prismLayers& layers,
-    const labelListList& beyond,
+    const labelListList& faceNeighbours,
     const labelList& starts,
     polyMeshTopology& mesh
 )
@@ -25,12 +25,12 @@ static void addInternalFaces
     mesh.neighbour.setSize(starts.last());
 
     #pragma omp parallel for schedule(static, 256)
-    forAll(beyond, facei)
+    forAll(faceNeighbours, facei)
     {
         label at = starts[facei];
         visitInternalFaces
         (
-            layers.nLayers, beyond[facei], facei,
+            layers.nLayers, faceNeighbours[facei], facei,
             [&](const label k, const label i, const label other)
             {
                 const label celli = cellLabel(layers, facei, i);
@@ -65,7 +65,7 @@ wordList sidePatchNames(const wallBorder& border)
 polyMeshTopology makePrismTopology
 (
     const prismLayers& layers,
-    const labelListList& beyond,
+    const labelListList& faceNeighbours,
     const UList<DynamicList<labelPair>>& open
 )
 {
@@ -76,10 +76,10 @@ polyMeshTopology makePrismTopology
         nBoundary += edges.size()*n;
     }
 
-    const labelList starts(firstInternalFaces(beyond, n));
+    const labelList starts(firstInternalFaces(faceNeighbours, n));
     polyMeshTopology mesh;
     mesh.reserve(starts.last() + nBoundary, starts.last());
-    addInternalFaces(layers, beyond, starts, mesh);
+    addInternalFaces(layers, faceNeighbours, starts, mesh);
     visitBoundaryFaces
     (
         layers, open, [&]() { mesh.startPatch(); },
@@ -99,9 +99,12 @@ polyMeshTopology makePrismTopology
 
 polyMeshTopology makePrismTopology(const prismLayers& layers)
 {
-    const labelListList beyond(facesBeyond(layers));
+    const labelListList faceNeighbours(findFaceNeighbours(layers));
 
-    return makePrismTopology(layers, beyond, openEdges(layers, beyond));
+    return makePrismTopology
+    (
+        layers, faceNeighbours, openEdges(layers, faceNeighbours)
+    );
 }
 
 } // End namespace Foam

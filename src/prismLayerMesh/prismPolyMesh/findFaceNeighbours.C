@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "facesBeyond.H"
+#include "findFaceNeighbours.H"
 #include "ListOps.H"
 
 namespace Foam
@@ -11,14 +11,14 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- No front face is beyond an edge; the surface is at fault there
-static constexpr label nothingBeyond = -1;
-static constexpr label faultBeyond = -2;
+//- No front face is across an edge; the surface is at fault there
+static constexpr label noNeighbour = -1;
+static constexpr label faultyEdge = -2;
 
 
-//- The front face beyond edge k of a front face; columnFaces has the front
+//- The front face across edge k of a front face; columnFaces has the front
 //  faces on each column
-static label faceBeyond
+static label faceNeighbour
 (
     const prismLayers& layers,
     const labelListList& columnFaces,
@@ -27,7 +27,7 @@ static label faceBeyond
 )
 {
     const edge e(layers.faces[facei].faceEdge(k));
-    label beyond = nothingBeyond;
+    label neighbour = noNeighbour;
     label nFaces = 0;
     bool flipped = false;
 
@@ -38,24 +38,24 @@ static label faceBeyond
 
         if (direction && other != facei)
         {
-            beyond = other;
+            neighbour = other;
             flipped = flipped || direction > 0;
         }
     }
 
-    return nFaces > 2 || flipped ? faultBeyond : beyond;
+    return nFaces > 2 || flipped ? faultyEdge : neighbour;
 }
 
 
 static void requireNoFault
 (
     const prismLayers& layers,
-    const labelListList& beyond
+    const labelListList& faceNeighbours
 )
 {
-    forAll(beyond, facei)
+    forAll(faceNeighbours, facei)
     {
-        const label k = beyond[facei].find(faultBeyond);
+        const label k = faceNeighbours[facei].find(faultyEdge);
         if (k >= 0)
         {
             const edge e(layers.faces[facei].faceEdge(k));
@@ -72,26 +72,27 @@ static void requireNoFault
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-labelListList facesBeyond(const prismLayers& layers)
+labelListList findFaceNeighbours(const prismLayers& layers)
 {
     const labelListList columnFaces
     (
         invertManyToMany<face, labelList>(layers.nColumns(), layers.faces)
     );
-    labelListList beyond(layers.faces.size());
+    labelListList faceNeighbours(layers.faces.size());
 
     #pragma omp parallel for schedule(static, 256)
-    forAll(beyond, facei)
+    forAll(faceNeighbours, facei)
     {
-        beyond[facei].setSize(layers.faces[facei].size());
-        forAll(beyond[facei], k)
+        faceNeighbours[facei].setSize(layers.faces[facei].size());
+        forAll(faceNeighbours[facei], k)
         {
-            beyond[facei][k] = faceBeyond(layers, columnFaces, facei, k);
+            faceNeighbours[facei][k] =
+                faceNeighbour(layers, columnFaces, facei, k);
         }
     }
-    requireNoFault(layers, beyond);
+    requireNoFault(layers, faceNeighbours);
 
-    return beyond;
+    return faceNeighbours;
 }
 
 } // End namespace Foam
