@@ -43,7 +43,7 @@ roomParts::roomParts(const polyMeshParts& core, const coreCut& cut)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-label roomParts::beyond(const label facei, const label celli) const
+label roomParts::across(const label facei, const label celli) const
 {
     const polyMeshTopology& t = core_.topology;
 

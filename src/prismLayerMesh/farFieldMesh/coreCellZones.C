@@ -38,7 +38,7 @@ static labelList roomsOf
     forAll(cutTets, i)
     {
         rooms[together.find(cutTets[i])] =
-            room.beyond(tets.cutFaces[i], tets.cutCells[i]);
+            room.across(tets.cutFaces[i], tets.cutCells[i]);
     }
 
     // The patches of the core follow other triangles

@@ -13,9 +13,9 @@ namespace Foam
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void improveTets(const cellsBeyond& beyond, farFieldTets& mesh)
+void improveTets(const neighbourCells& neighbours, farFieldTets& mesh)
 {
-    tetImprover improver(beyond, mesh);
+    tetImprover improver(neighbours, mesh);
     bool better = true;
 
     for (label pass = 0; better && pass < farFieldTuned.maxPasses; ++pass)

@@ -94,15 +94,15 @@ static void improve
 {
     splitCornerCells(mesh);
 
-    cellsBeyond beyond;
-    beyond.centres = layerCentres(layers, mesh);
-    beyond.volumes.setSize(beyond.centres.size(), 0);
+    neighbourCells neighbours;
+    neighbours.centres = layerCentres(layers, mesh);
+    neighbours.volumes.setSize(neighbours.centres.size(), 0);
     pointField centres;
     scalarField volumes;
     setCentresAndVolumes(core, mesh.cutCells, centres, volumes);
-    beyond.centres.append(centres);
-    beyond.volumes.append(volumes);
-    improveTets(beyond, mesh);
+    neighbours.centres.append(centres);
+    neighbours.volumes.append(volumes);
+    improveTets(neighbours, mesh);
 
     if (!allPositive(mesh.points, mesh.tets))
     {

@@ -34,26 +34,27 @@ scalar tetImprover::faceViolation(const label t, const label i) const
         return 0;
     }
 
-    const point here(tets_[t].tet(points_).centre());
-    const point beyond
+    const point owner(tets_[t].tet(points_).centre());
+    const point other
     (
         neighbour < 0
-      ? beyond_.centres[triangle]
+      ? neighbourCells_.centres[triangle]
       : tets_[neighbour].tet(points_).centre()
     );
     const FixedList<point, 3> x({points_[f[0]], points_[f[1]], points_[f[2]]});
     const faceGeometry g(x);
-    const scalar toHere = mag((g.centre - here) & g.area);
-    const scalar toBeyond = mag((beyond - g.centre) & g.area);
-    const scalar weight = min(toHere, toBeyond)/(toHere + toBeyond + VSMALL);
+    const scalar toOwner = mag((g.centre - owner) & g.area);
+    const scalar toNeighbour = mag((other - g.centre) & g.area);
+    const scalar weight =
+        min(toOwner, toNeighbour)/(toOwner + toNeighbour + VSMALL);
     const scalar target = farFieldTuned.targetCosine;
     const scalar maxSkewness = farFieldTuned.targetSkewness;
-    const scalar volume = neighbour < 0 ? beyond_.volumes[triangle] : 0;
+    const scalar volume = neighbour < 0 ? neighbourCells_.volumes[triangle] : 0;
     const scalar ratio = volume > 0 ? tets_[t].tet(points_).mag()/volume : 1;
 
     return
-        pow3(nonOrthoViolation(g.area, beyond - here, target)/target)
-      + pow3(skewnessViolation(g, x, here, beyond, maxSkewness))
+        pow3(nonOrthoViolation(g.area, other - owner, target)/target)
+      + pow3(skewnessViolation(g, x, owner, other, maxSkewness))
       + pow3(max(1 - weight/farFieldTuned.targetWeight, scalar(0)))
       + pow3(max(1 - ratio/farFieldTuned.targetVolumeRatio, scalar(0)));
 }
@@ -67,10 +68,10 @@ scalar tetImprover::violation(const labelUList& tets, const scalar bound) const
     {
         for (label i = 0; i < 4 && sum <= bound; ++i)
         {
-            const label beyond = tets_.neighbour(t, i);
-            const bool within = beyond >= 0 && tets.found(beyond);
+            const label neighbour = tets_.neighbour(t, i);
+            const bool within = neighbour >= 0 && tets.found(neighbour);
 
-            if (!within || beyond > t)
+            if (!within || neighbour > t)
             {
                 sum += faceViolation(t, i);
             }
@@ -123,9 +124,9 @@ DynamicList<std::pair<edge, label>> tetImprover::edgesAt
 ) const
 {
     DynamicList<std::pair<edge, label>> edges;
-    const label beyond = tets_.neighbour(t, i);
+    const label neighbour = tets_.neighbour(t, i);
 
-    for (const label cell : {t, beyond})
+    for (const label cell : {t, neighbour})
     {
         for (label k = 0; cell >= 0 && k < 6; ++k)
         {
@@ -146,9 +147,9 @@ DynamicList<std::pair<edge, label>> tetImprover::edgesAt
 
 bool tetImprover::flipFace(const label t, const label i)
 {
-    const label beyond = tets_.neighbour(t, i);
+    const label neighbour = tets_.neighbour(t, i);
 
-    if (beyond < 0)
+    if (neighbour < 0)
     {
         return false;
     }
@@ -157,7 +158,7 @@ bool tetImprover::flipFace(const label t, const label i)
     const triFace f(tets_[t].face(i));
     const label a = tets_[t][i];
     label b = -1;
-    for (const label p : tets_[beyond])
+    for (const label p : tets_[neighbour])
     {
         b = f.found(p) ? b : p;
     }
@@ -168,7 +169,7 @@ bool tetImprover::flipFace(const label t, const label i)
         made.append(tetCell(a, b, f[k], f[(k + 1) % 3]));
     }
 
-    return replace(labelList({t, beyond}), made);
+    return replace(labelList({t, neighbour}), made);
 }
 
 
@@ -233,16 +234,17 @@ List<tetImprover::cavity> tetImprover::cavities
 ) const
 {
     DynamicList<cavity> made;
-    const label beyond = tets_.neighbour(t, i);
+    const label neighbour = tets_.neighbour(t, i);
     made.append(cavity{labelList({t}), labelList(tets_[t])});
 
-    if (beyond >= 0)
+    if (neighbour >= 0)
     {
-        made.append(cavity{labelList({beyond}), labelList(tets_[beyond])});
+        const triFace f(tets_[t].face(i));
         made.append
         (
-            cavity{labelList({t, beyond}), labelList(triFace(tets_[t].face(i)))}
+            cavity{labelList({neighbour}), labelList(tets_[neighbour])}
         );
+        made.append(cavity{labelList({t, neighbour}), labelList(f)});
     }
 
     labels around;

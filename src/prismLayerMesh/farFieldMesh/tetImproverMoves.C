@@ -115,12 +115,12 @@ List<labelPair> tetImprover::facesMissingTargets() const
     {
         for (label i = 0; i < 4 && !tets_.removed(t); ++i)
         {
-            const label beyond = tets_.neighbour(t, i);
+            const label neighbour = tets_.neighbour(t, i);
 
             if
             (
-                (beyond < 0 || beyond > t)
-             && (hasChanged(t) || (beyond >= 0 && hasChanged(beyond)))
+                (neighbour < 0 || neighbour > t)
+             && (hasChanged(t) || (neighbour >= 0 && hasChanged(neighbour)))
              && missesTargets(t, i)
             )
             {

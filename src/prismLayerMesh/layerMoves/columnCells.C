@@ -91,9 +91,9 @@ scalar columnCells::heightError(const scalar height, const scalar kept) const
 }
 
 
-const UList<point>& columnCells::centresBeyond(const side& s) const
+const UList<point>& columnCells::neighbourCentres(const side& s) const
 {
-    return s.second < 0 ? s.beyond : stacks_[s.second].centres;
+    return s.second < 0 ? s.fixedCentres : stacks_[s.second].centres;
 }
 
 
@@ -119,7 +119,7 @@ scalar columnCells::sideViolation
     const scalar target
 ) const
 {
-    const UList<point>& other = centresBeyond(s);
+    const UList<point>& other = neighbourCentres(s);
 
     return planarityViolation
     (
@@ -168,7 +168,7 @@ void columnCells::addViolations(DynamicList<scalar>& residuals) const
 
     for (const side& s : sides_)
     {
-        const UList<point>& other = centresBeyond(s);
+        const UList<point>& other = neighbourCentres(s);
         for (label i = 1; i <= other.size(); ++i)
         {
             add

@@ -115,7 +115,7 @@ static labelList countLayers
 
             nLayers[i] += counts;
             facei = next;
-            celli = mesh.beyond(facei, celli);
+            celli = mesh.across(facei, celli);
         }
     }
 
@@ -157,7 +157,7 @@ static void addVolumes(const polyhedralMesh& mesh, meshCertificate& certificate)
     forAll(mesh.faces(), facei)
     {
         const label owner = mesh.owner(facei);
-        if (mesh.beyond(facei, owner) < 0)
+        if (mesh.across(facei, owner) < 0)
         {
             certificate.boundaryVolume +=
                 mesh.pyramidVolume(facei, owner, middle);

@@ -66,7 +66,7 @@ polyhedralMesh::polyhedralMesh
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-label polyhedralMesh::beyond(const label facei, const label celli) const
+label polyhedralMesh::across(const label facei, const label celli) const
 {
     if (facei >= neighbour_.size())
     {

@@ -46,9 +46,9 @@ void tetEditor::connect
     const labelUList& outerTets
 )
 {
-    // Faces that still look for what is beyond them
+    // Faces that still look for their neighbours
     DynamicList<triFace, 64> faces(outerFaces);
-    DynamicList<label, 64> beyond(outerTets);
+    DynamicList<label, 64> neighbours(outerTets);
 
     for (const label t : tets)
     {
@@ -65,11 +65,11 @@ void tetEditor::connect
             if (k == faces.size())
             {
                 faces.append(f);
-                beyond.append(t);
+                neighbours.append(t);
                 continue;
             }
 
-            const label other = beyond[k];
+            const label other = neighbours[k];
             neighbours_[t][i] = other;
 
             for (label j = 0; other >= 0 && j < 4; ++j)
@@ -81,9 +81,9 @@ void tetEditor::connect
             }
 
             faces[k] = faces.last();
-            beyond[k] = beyond.last();
+            neighbours[k] = neighbours.last();
             faces.remove();
-            beyond.remove();
+            neighbours.remove();
         }
     }
 

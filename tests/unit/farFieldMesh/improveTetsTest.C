@@ -65,9 +65,9 @@ static scalar worstAngle(const farFieldTets& mesh)
     {
         for (label i = 0; i < 4; ++i)
         {
-            const label beyond = neighbours[t][i];
+            const label neighbour = neighbours[t][i];
 
-            if (beyond >= 0)
+            if (neighbour >= 0)
             {
                 const vector area
                 (
@@ -75,7 +75,7 @@ static scalar worstAngle(const farFieldTets& mesh)
                 );
                 const vector between
                 (
-                    mesh.tets[beyond].tet(mesh.points).centre()
+                    mesh.tets[neighbour].tet(mesh.points).centre()
                   - mesh.tets[t].tet(mesh.points).centre()
                 );
                 const scalar cosine
@@ -114,10 +114,10 @@ static labelPair boundaryFaces(const farFieldTets& mesh)
     (
         tetNeighbours(mesh.tets, mesh.points.size())
     );
-    for (const FixedList<label, 4>& beyond : neighbours)
+    for (const FixedList<label, 4>& ofTet : neighbours)
     {
         label n = 0;
-        for (const label t : beyond)
+        for (const label t : ofTet)
         {
             n += t < 0;
         }
@@ -185,7 +185,7 @@ TEST(improveTets, movesAPoint)
     EXPECT_GT(worstAngle(mesh), 75);
 
     const pointField before(mesh.points);
-    improveTets(cellsBeyond(), mesh);
+    improveTets(neighbourCells(), mesh);
 
     EXPECT_LT(worstAngle(mesh), 67);
     EXPECT_NEAR(volumeOf(mesh), 0.12, 1e-12);
@@ -215,7 +215,7 @@ TEST(improveTets, removesAnEdge)
     EXPECT_GT(worstAngle(mesh), 80);
 
     const scalar volume = volumeOf(mesh);
-    improveTets(cellsBeyond(), mesh);
+    improveTets(neighbourCells(), mesh);
 
     EXPECT_EQ(mesh.points.size(), 5);
     EXPECT_EQ(mesh.tets.size(), 2);
@@ -230,7 +230,7 @@ TEST(improveTets, addsPoints)
     const label nPoints = mesh.points.size();
     EXPECT_GT(worstAngle(mesh), 75);
 
-    improveTets(cellsBeyond(), mesh);
+    improveTets(neighbourCells(), mesh);
 
     EXPECT_GT(mesh.points.size(), nPoints);
     EXPECT_LT(worstAngle(mesh), 67);
@@ -238,7 +238,7 @@ TEST(improveTets, addsPoints)
 
     // What is good is left alone
     const farFieldTets before(mesh);
-    improveTets(cellsBeyond(), mesh);
+    improveTets(neighbourCells(), mesh);
     EXPECT_EQ(mesh.points, before.points);
     EXPECT_EQ(mesh.tets, before.tets);
 }
