@@ -155,13 +155,15 @@ struct sideFacets
             const face f(labelList(cut.faces[facei] + first));
             const label s = cut.planes[facei];
 
-            for (label k = 1; s < 0 && k + 1 < f.size(); ++k)
+            if (s >= 0)
+            {
+                regions[s].boundary.append(f.edges());
+                continue;
+            }
+
+            for (label k = 1; k + 1 < f.size(); ++k)
             {
                 domain.facets.append(face({f[0], f[k], f[k + 1]}));
-            }
-            for (label k = 0; s >= 0 && k < f.size(); ++k)
-            {
-                regions[s].boundary.append(f.faceEdge(k));
             }
         }
     }

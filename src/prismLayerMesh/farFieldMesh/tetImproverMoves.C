@@ -113,7 +113,12 @@ List<labelPair> tetImprover::facesMissingTargets() const
 
     for (label t = 0; t < tets_.size(); ++t)
     {
-        for (label i = 0; i < 4 && !tets_.removed(t); ++i)
+        if (tets_.removed(t))
+        {
+            continue;
+        }
+
+        for (label i = 0; i < 4; ++i)
         {
             const label neighbour = tets_.neighbour(t, i);
 

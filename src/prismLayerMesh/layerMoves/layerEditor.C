@@ -253,7 +253,12 @@ void layerEditor::setDirections
     const label lowest
 )
 {
-    for (label i = lowest; i <= spacing_.nLayers && !isFixed(c); ++i)
+    if (isFixed(c))
+    {
+        return;
+    }
+
+    for (label i = lowest; i <= spacing_.nLayers; ++i)
     {
         const scalar h = heights(c)[i];
         const vector own((before.points[i - 1] - layers_(c, 0))/h);

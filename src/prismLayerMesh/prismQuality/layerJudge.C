@@ -25,9 +25,7 @@ static labelList selected(const labelUList& items, const Test& test)
         holds[i] = test(items[i]);
     }
 
-    const labelList held(findIndices(holds, true));
-
-    return labelList(UIndirectList<label>(items, held));
+    return subset(holds, labelList(items));
 }
 
 
@@ -98,15 +96,24 @@ stackFault layerJudge::faultOf
         return first <= fault && fault <= last;
     };
 
-    return
+    if
+    (
         isAsked(stackFault::belowAttainable)
      && isBelowAttainable(facei, controls_.minJacobian)
-      ? stackFault::belowAttainable
-      : isAsked(stackFault::notPositive) && !isPositiveStack(layers_, facei)
-      ? stackFault::notPositive
-      : isAsked(stackFault::centreOutside) && isCentreOutside(facei)
-      ? stackFault::centreOutside
-      : stackFault::none;
+    )
+    {
+        return stackFault::belowAttainable;
+    }
+    if (isAsked(stackFault::notPositive) && !isPositiveStack(layers_, facei))
+    {
+        return stackFault::notPositive;
+    }
+    if (isAsked(stackFault::centreOutside) && isCentreOutside(facei))
+    {
+        return stackFault::centreOutside;
+    }
+
+    return stackFault::none;
 }
 
 

@@ -143,12 +143,12 @@ struct sideColumns
                 box.add(layers(c, layers.nLayers));
             }
 
-            for
-            (
-                label k = 1;
-                k + 1 < f.size() && bounds.overlaps(box) && !touches(f);
-                ++k
-            )
+            if (!bounds.overlaps(box) || touches(f))
+            {
+                continue;
+            }
+
+            for (label k = 1; k + 1 < f.size(); ++k)
             {
                 triangles.append(face({f[0], f[k], f[k + 1]}));
                 triangleFaces.append(facei);

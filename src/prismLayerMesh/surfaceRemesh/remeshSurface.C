@@ -71,8 +71,10 @@ static wallSurface trianglesOf
         {
             faces.append(f);
             patchIDs.append(surface.patchIDs[facei]);
+            continue;
         }
-        for (label k = 1; !isKept && k + 1 < f.size(); ++k)
+
+        for (label k = 1; k + 1 < f.size(); ++k)
         {
             faces.append(triFace(f[0], f[k], f[k + 1]));
             patchIDs.append(surface.patchIDs[facei]);
@@ -245,20 +247,20 @@ static remeshedSurface remeshed
     autoPtr<remesher> mesher(new remesher(shape, controls));
     mesher->remesh();
     remeshedSurface result(resultOf(mesher()));
-    const wallSurface& made = result.surface;
-    labelList conflicts(facesInConflict(made));
-    labelList folded(foldedFaces(made));
+    labelList conflicts(facesInConflict(result.surface));
+    labelList folded(foldedFaces(result.surface));
 
     // The last without intersections, which a round for distances may bring
     remeshedSurface valid;
 
     for (label round = 0; round < maxRounds; ++round)
     {
+        const wallSurface& surface = result.surface;
         const labelList nearest(mesher->edited().nearestFaces());
         labelList faces(conflicts);
         faces.append(folded);
-        labelHashSet tightened(trianglesNear(shape, made, nearest, faces));
-        tightened |= trianglesAway(shape, search, made, nearest, controls);
+        labelHashSet tightened(trianglesNear(shape, surface, nearest, faces));
+        tightened |= trianglesAway(shape, search, surface, nearest, controls);
 
         valid = faces.empty() ? result : valid;
         if (faces.empty() && tightened.empty())
@@ -281,15 +283,15 @@ static remeshedSurface remeshed
             mesher->follow();
         }
         result = resultOf(mesher());
-        conflicts = facesInConflict(made);
-        folded = foldedFaces(made);
+        conflicts = facesInConflict(result.surface);
+        folded = foldedFaces(result.surface);
     }
 
     if (conflicts.size() && valid.surface.faces.size())
     {
         return valid;
     }
-    requireNone(conflicts, made);
+    requireNone(conflicts, result.surface);
 
     return result;
 }

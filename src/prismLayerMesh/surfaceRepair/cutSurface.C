@@ -93,11 +93,14 @@ struct planeCutter
             // Faces on the plane are beyond it
             const face left(isInFront ? part(f) : face());
 
-            for (label k = 1; left.size() > 4 && k + 1 < left.size(); ++k)
+            if (left.size() > 4)
             {
-                add(face({left[0], left[k], left[k + 1]}), facei);
+                for (label k = 1; k + 1 < left.size(); ++k)
+                {
+                    add(face({left[0], left[k], left[k + 1]}), facei);
+                }
             }
-            if (left.size() && left.size() <= 4)
+            else if (left.size())
             {
                 add(left, facei);
             }
