@@ -116,7 +116,7 @@ TEST(makeHexCore, hangingPointsAreOnAllFacesAround)
 }
 
 
-TEST(makeHexCore, whatIsBehindTheBodyIsLeftOut)
+TEST(makeHexCore, cellsBehindTheBodyAreLeftOut)
 {
     const polyMeshParts parts
     (

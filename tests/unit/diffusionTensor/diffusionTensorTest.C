@@ -91,7 +91,7 @@ TEST(anisotropicTensor, noFactorIsTheIsotropicField)
 }
 
 
-TEST(anisotropicTensor, isThatOfEdgesInAllDirections)
+TEST(anisotropicTensor, equalsTheTensorOfEdgesInAllDirections)
 {
     // Of a field with a known slope: the sum of eq. 11 over many directions,
     // which is diagonal

@@ -58,7 +58,7 @@ static void write42(std::FILE* out)
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
-TEST(isolatedProcess, whatIsWrittenIsRead)
+TEST(isolatedProcess, writtenDataIsRead)
 {
     EXPECT_TRUE(completes(write42));
 }

@@ -60,7 +60,7 @@ TEST(layerEditor, nothingIsTouchedSinceNow)
 }
 
 
-TEST(layerEditor, whatIsTouchedCanBeAskedAgain)
+TEST(layerEditor, touchedStacksCanBeAskedAgain)
 {
     editedColumns m(fronts()[0]);
     const label now = m.editor.now();
@@ -245,7 +245,7 @@ TEST(layerEditor, rollBackUndoesAllChangesSinceKeep)
 }
 
 
-TEST(layerEditor, whatIsKeptIsNotChanged)
+TEST(layerEditor, keptColumnsAreNotChanged)
 {
     editedColumns m(fronts()[0]);
     m.editor.record();

@@ -268,7 +268,7 @@ TEST(makePrismLayers, heightsAscend)
 }
 
 
-TEST(makePrismLayers, whatIsShorterThanAskedForHasACause)
+TEST(makePrismLayers, shortColumnsHaveACause)
 {
     for (const layeredShape& s : shapes())
     {

@@ -102,7 +102,7 @@ TEST(nameCauses, fullColumnsHaveNone)
 }
 
 
-TEST(nameCauses, whatIsLowHasOne)
+TEST(nameCauses, lowColumnsHaveACause)
 {
     namedColumns named(testSurfaces::sphere(8));
     named.lower(5, 0.8);

@@ -13,7 +13,7 @@ using namespace Foam;
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
-TEST(makeFaceHeights, areThoseOfTheCells)
+TEST(makeFaceHeights, equalTheHeightsOfCells)
 {
     const wallSurface wall(testSurfaces::quadCube(4));
     const label n = 3;

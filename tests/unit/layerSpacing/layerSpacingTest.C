@@ -128,7 +128,7 @@ TEST(fittedRatio, isOneForUniformHeights)
 }
 
 
-TEST(fittedRatio, isThatOfTheRequest)
+TEST(fittedRatio, equalsTheRequestedRatio)
 {
     for (const scalar ratio : {0.5, 0.9, 1.01, 1.2, 3.0})
     {

@@ -202,7 +202,7 @@ TEST(limitRatio, powersOfTheRatioAroundOneLowPoint)
 }
 
 
-TEST(followGradient, isWhatTheWholeWallGives)
+TEST(followGradient, equalsTheWholeWall)
 {
     const wallSurface wall(testSurfaces::sphere(10));
     const wallAddressing addressing(makeWallAddressing(wall));

@@ -122,7 +122,7 @@ TEST(layersDivider, centresAreInTheMiddleOfStacks)
 }
 
 
-TEST(layersPiece, isThatOfTheMeshOnTriangles)
+TEST(layersPiece, equalsTheWholeMeshOnTriangles)
 {
     expectPiecesOfTheMesh(shakenLayers(sphere(5)));
 }
@@ -145,13 +145,13 @@ TEST(layersPiece, ofAProcessWithoutStacksIsEmpty)
 }
 
 
-TEST(layersPiece, isThatOfTheMeshOnQuadrilateralsInOneLayer)
+TEST(layersPiece, equalsTheWholeMeshOnQuadrilateralsInOneLayer)
 {
     expectPiecesOfTheMesh(straightLayers(quadSphere(4), {0, 0.1}));
 }
 
 
-TEST(layersPiece, isThatOfTheMeshWithSeveralColumnsOnAPoint)
+TEST(layersPiece, equalsTheWholeMeshWithSeveralColumnsOnAPoint)
 {
     const prismLayers layers
     (
@@ -163,7 +163,7 @@ TEST(layersPiece, isThatOfTheMeshWithSeveralColumnsOnAPoint)
 }
 
 
-TEST(layersPiece, isThatOfTheMeshOnAWallThatEnds)
+TEST(layersPiece, equalsTheWholeMeshOnAWallThatEnds)
 {
     const wallSurface wall(endedOn(halfSphere(6), halfPlanes()));
     const prismLayerMesh run(layeredMesh(wall, 3, 0.1));

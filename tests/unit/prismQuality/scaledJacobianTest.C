@@ -35,7 +35,7 @@ static const scalar ofTriangle = 0.5*::sqrt(3.0);
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
-TEST(worstJacobian, isThatOfTheShear)
+TEST(worstJacobian, equalsTheFormulaOfAShear)
 {
     for (const scalar cosine : {1.0, 0.5, 0.1, -0.3})
     {
@@ -47,7 +47,7 @@ TEST(worstJacobian, isThatOfTheShear)
 }
 
 
-TEST(attainableJacobians, areThoseOfUprightColumns)
+TEST(attainableJacobians, equalThoseOfUprightColumns)
 {
     const layerFront front(testSurfaces::frontOf(testSurfaces::cube(2), 0));
     const prismLayers low(testSurfaces::frontLayers(front, {0, 1e-6}));
@@ -63,7 +63,7 @@ TEST(attainableJacobians, areThoseOfUprightColumns)
 }
 
 
-TEST(jacobianPenalty, isWhatTheFormulaSays)
+TEST(jacobianPenalty, equalsTheFormula)
 {
     for (const scalar cosine : {1.0, 0.5, 0.1, -0.3, -1.0})
     {

@@ -112,7 +112,7 @@ TEST(remeshQuality, anglesBetweenTwoFeaturesDoNotCount)
 }
 
 
-TEST(remeshQuality, ofRegularFacesIsGood)
+TEST(remeshQuality, regularFacesCountNothing)
 {
     const remeshQuality quality
     (

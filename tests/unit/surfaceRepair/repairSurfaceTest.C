@@ -36,7 +36,7 @@ static void expectUntouched(const repairedSurface& r, const wallSurface& given)
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
-TEST(repairSurface, whatNeedsNothingIsUntouched)
+TEST(repairSurface, soundSurfaceIsUntouched)
 {
     const wallSurface whole(duct(3));
     for (const method repair : {method::none, method::stitch, method::wrap})

@@ -77,7 +77,7 @@ static List<sidePatch> sectorPlanes()
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
-TEST(sideCones, areThoseOfTheWholeBody)
+TEST(sideCones, equalTheWholeBody)
 {
     expectSameCones(endedOn(halfCube(4), halfPlanes()), wholeCube(false));
     expectSameCones
@@ -87,7 +87,7 @@ TEST(sideCones, areThoseOfTheWholeBody)
 }
 
 
-TEST(sideCones, areThoseWithoutBorderAwayFromIt)
+TEST(sideCones, awayFromTheBorderEqualThoseWithoutOne)
 {
     const wallSurface wall(endedOn(halfSphere(6), halfPlanes()));
     const wallVisibility ended(visibilityOf(wall));
