@@ -128,12 +128,12 @@ hexCoreBox coreBoundaryMaker::hexBox() const
 {
     const farBoundary& boundary = domain.boundary;
     const bool onSides = sides.empty() || staysOnSides();
-    hexCoreBox made;
-    made.box = onSides ? boxBehindPlanes() : box();
+    hexCoreBox result;
+    result.box = onSides ? boxBehindPlanes() : box();
 
     if (!onSides || (boundary.boxPatches.empty() && sides.empty()))
     {
-        return made;
+        return result;
     }
 
     labelList planeOn(6, -1);
@@ -156,22 +156,22 @@ hexCoreBox coreBoundaryMaker::hexBox() const
             if (planeOn[i] < 0 && boundary.boxPatches[i] == patchi)
             {
                 const word& name = boundary.surface.patchNames[patchi];
-                patchOf(name, boundary.patchTypes[patchi], made.patches);
+                patchOf(name, boundary.patchTypes[patchi], result.patches);
             }
         }
     }
     for (const sidePatch& side : sides)
     {
-        patchOf(side.name, side.type, made.patches);
+        patchOf(side.name, side.type, result.patches);
     }
 
     // Beyond the layers there is no patch without a far boundary
-    made.sidePatches.setSize(6, made.patches.names.size());
+    result.sidePatches.setSize(6, result.patches.names.size());
     forAll(planeOn, i)
     {
         if (planeOn[i] >= 0 || boundary.boxPatches.size())
         {
-            made.sidePatches[i] = made.patches.names.find
+            result.sidePatches[i] = result.patches.names.find
             (
                 planeOn[i] >= 0
               ? sides[planeOn[i]].name
@@ -180,7 +180,7 @@ hexCoreBox coreBoundaryMaker::hexBox() const
         }
     }
 
-    return made;
+    return result;
 }
 
 
@@ -257,13 +257,13 @@ tetBoundary coreBoundaryMaker::makeOnPlanes()
     addSidePatches();
     cut = cutCore(domain.core, obstacles, controls.gap, sides);
 
-    tetBoundary made
+    tetBoundary result
     (
         makePlaneBoundary(layers, cut, domain.core.patches, size)
     );
-    addCut(cut, domain.core.patches, made);
+    addCut(cut, domain.core.patches, result);
 
-    return made;
+    return result;
 }
 
 
@@ -278,21 +278,21 @@ tetBoundary coreBoundaryMaker::makeAround()
             << " tet or hexCore" << exit(FatalError);
     }
 
-    tetBoundary made;
+    tetBoundary result;
     if (domain.boundary.boxPatches.empty() || sides.size())
     {
-        made = makeTetBoundary(layers, domain.boundary, size);
+        result = makeTetBoundary(layers, domain.boundary, size);
     }
 
-    const wallSurface both(joined(outer, made));
+    const wallSurface both(joined(outer, result));
     checkBodies(both, outer.faces.size());
     const wallSearch surface(both);
     const coreObstacles obstacles{surface, surface};
     setCore(obstacles);
     cut = cutCore(domain.core, obstacles, controls.gap);
-    addCut(cut, domain.core.patches, made);
+    addCut(cut, domain.core.patches, result);
 
-    return made;
+    return result;
 }
 
 } // End anonymous namespace

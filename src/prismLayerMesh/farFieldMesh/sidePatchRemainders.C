@@ -358,10 +358,13 @@ farFieldBoundary makeFarFieldBoundary
     const std::function<scalar(const point&)>& size
 )
 {
-    farFieldBoundary made(farFieldBoundaryMaker(layers, boundary, size).make());
-    removeUnusedPoints(made.surface.faces, made.surface.points);
+    farFieldBoundary result
+    (
+        farFieldBoundaryMaker(layers, boundary, size).make()
+    );
+    removeUnusedPoints(result.surface.faces, result.surface.points);
 
-    return made;
+    return result;
 }
 
 

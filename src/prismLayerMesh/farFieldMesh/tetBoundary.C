@@ -69,24 +69,24 @@ tetBoundary makeTetBoundary
     const std::function<scalar(const point&)>& size
 )
 {
-    tetBoundary made;
+    tetBoundary result;
 
     if (layers.border.sides.empty())
     {
-        made.surface = boundary.surface;
-        made.surface.patchTypes = boundary.patchTypes;
-        refineSurface(made.surface, size, boundary.project);
+        result.surface = boundary.surface;
+        result.surface.patchTypes = boundary.patchTypes;
+        refineSurface(result.surface, size, boundary.project);
 
-        return made;
+        return result;
     }
 
     const farFieldBoundary coarse(makeFarFieldBoundary(layers, boundary, size));
-    made.columns = coarse.columns;
-    made.surface = coarse.surface;
-    refineSurface(made.surface, size, boundary.project);
-    putOnSides(layers.border.sides, coarse, made.surface);
+    result.columns = coarse.columns;
+    result.surface = coarse.surface;
+    refineSurface(result.surface, size, boundary.project);
+    putOnSides(layers.border.sides, coarse, result.surface);
 
-    return made;
+    return result;
 }
 
 
@@ -99,8 +99,8 @@ tetBoundary makePlaneBoundary
 )
 {
     const farFieldBoundary remainders(makePlaneRemainders(layers, cut, size));
-    tetBoundary made;
-    made.columns = remainders.columns;
+    tetBoundary result;
+    result.columns = remainders.columns;
 
     // Better triangles, of the points that are used, then with all points
     const label nKept = remainders.columns.size() + cut.surface.points.size();
@@ -114,18 +114,18 @@ tetBoundary makePlaneBoundary
     );
     refineSurface(planes, size, nullptr);
 
-    made.surface = remainders.surface;
-    made.surface.points.setSize(nKept);
-    made.surface.points.append
+    result.surface = remainders.surface;
+    result.surface.points.setSize(nKept);
+    result.surface.points.append
     (
         SubList<point>
         (
             planes.points, planes.points.size() - nUsedKept, nUsedKept
         )
     );
-    made.surface.faces = planes.faces;
-    made.surface.patchIDs = planes.patchIDs;
-    for (face& f : made.surface.faces)
+    result.surface.faces = planes.faces;
+    result.surface.patchIDs = planes.patchIDs;
+    for (face& f : result.surface.faces)
     {
         for (label& p : f)
         {
@@ -134,15 +134,15 @@ tetBoundary makePlaneBoundary
     }
 
     // By the names of the core's patches
-    for (label& patchi : made.surface.patchIDs)
+    for (label& patchi : result.surface.patchIDs)
     {
         patchi = patches.names.find(remainders.surface.patchNames[patchi]);
     }
-    made.surface.patchNames.clear();
-    made.surface.patchTypes.clear();
-    made.nCutPoints = cut.surface.points.size();
+    result.surface.patchNames.clear();
+    result.surface.patchTypes.clear();
+    result.nCutPoints = cut.surface.points.size();
 
-    return made;
+    return result;
 }
 
 

@@ -34,8 +34,8 @@ static labelList columnsWithRoots
 }
 
 
-//- Some stacks as layers without a border
-static prismLayers someOf
+//- The layers of some stacks, without a border
+static prismLayers layersOf
 (
     const prismLayers& layers,
     const labelUList& stacks,
@@ -43,9 +43,9 @@ static prismLayers someOf
 )
 {
     labelList newColumns(layers.nColumns(), -1);
-    prismLayers some;
-    some.nLayers = layers.nLayers;
-    some.points.setSize(columns.size()*(layers.nLayers + 1));
+    prismLayers result;
+    result.nLayers = layers.nLayers;
+    result.points.setSize(columns.size()*(layers.nLayers + 1));
     DynamicList<label> roots, patchIDs(stacks.size());
 
     forAll(columns, c)
@@ -53,29 +53,29 @@ static prismLayers someOf
         newColumns[columns[c]] = c;
         for (label i = 0; i <= layers.nLayers; ++i)
         {
-            some.points[some.index(c, i)] = layers(columns[c], i);
+            result.points[result.index(c, i)] = layers(columns[c], i);
         }
         if (columns[c] >= layers.nWallPoints())
         {
             roots.append(newColumns[layers.root(columns[c])]);
         }
     }
-    some.extraColumnPoints.transfer(roots);
+    result.extraColumnPoints.transfer(roots);
 
-    some.faces.setSize(stacks.size());
+    result.faces.setSize(stacks.size());
     forAll(stacks, i)
     {
-        some.faces[i] = layers.faces[stacks[i]];
-        inplaceRenumber(newColumns, some.faces[i]);
+        result.faces[i] = layers.faces[stacks[i]];
+        inplaceRenumber(newColumns, result.faces[i]);
         if (stacks[i] < layers.nWallFaces())
         {
             patchIDs.append(layers.patchIDs[stacks[i]]);
         }
     }
-    some.patchIDs.transfer(patchIDs);
-    some.patchNames = layers.patchNames;
+    result.patchIDs.transfer(patchIDs);
+    result.patchNames = layers.patchNames;
 
-    return some;
+    return result;
 }
 
 
@@ -279,18 +279,18 @@ layersPiece layersDivider::piece
     const label processor
 ) const
 {
-    layersPiece some;
-    some.stacks = findIndices(processorOfStack, processor);
-    some.columns = columnsWithRoots(layers_, some.stacks);
-    some.layers = someOf(layers_, some.stacks, some.columns);
-    some.nWallPoints = layers_.nWallPoints();
-    some.patchNames = patches_.names;
-    some.patchTypes = patches_.types();
-    some.labels = labels_.subset(some.stacks);
-    some.faceNeighbours =
-        labelListList(UIndirectList<labelList>(faceNeighbours_, some.stacks));
-    some.processors = some.faceNeighbours;
-    for (labelList& others : some.processors)
+    layersPiece result;
+    result.stacks = findIndices(processorOfStack, processor);
+    result.columns = columnsWithRoots(layers_, result.stacks);
+    result.layers = layersOf(layers_, result.stacks, result.columns);
+    result.nWallPoints = layers_.nWallPoints();
+    result.patchNames = patches_.names;
+    result.patchTypes = patches_.types();
+    result.labels = labels_.subset(result.stacks);
+    result.faceNeighbours =
+        labelListList(UIndirectList<labelList>(faceNeighbours_, result.stacks));
+    result.processors = result.faceNeighbours;
+    for (labelList& others : result.processors)
     {
         for (label& other : others)
         {
@@ -298,20 +298,21 @@ layersPiece layersDivider::piece
         }
     }
 
-    const labelList newFaces(invert(layers_.faces.size(), some.stacks));
-    some.open.setSize(open_.size());
+    const labelList newFaces(invert(layers_.faces.size(), result.stacks));
+    result.open.setSize(open_.size());
     forAll(open_, i)
     {
         for (const labelPair& e : open_[i])
         {
-            if (newFaces[e.first()] >= 0)
+            const label facei = newFaces[e.first()];
+            if (facei >= 0)
             {
-                some.open[i].append(labelPair(newFaces[e.first()], e.second()));
+                result.open[i].append(labelPair(facei, e.second()));
             }
         }
     }
 
-    return some;
+    return result;
 }
 
 

@@ -32,7 +32,7 @@ namespace
 
 class surfaceRepairer
 {
-    const wallSurface& given_;
+    const wallSurface& original_;
     const surfaceRepairControls& controls_;
     const List<sidePatch>& planes_;
     const bool fluidOutside_;
@@ -63,7 +63,7 @@ class surfaceRepairer
     //- Returns the faces of patches that are to have no layers
     bitSet facesOnSides() const;
 
-    void wrap(const nearestSurface& given);
+    void wrap(const nearestSurface& nearest);
 
 public:
 
@@ -74,7 +74,7 @@ public:
         const layerControls& layers
     )
     :
-        given_(surface),
+        original_(surface),
         controls_(controls.repair),
         planes_(controls.sidePlanes),
         fluidOutside_(controls.fluidOutside),
@@ -182,11 +182,11 @@ void surfaceRepairer::stitch()
 
 bitSet surfaceRepairer::facesOnSides() const
 {
-    bitSet onSides(given_.faces.size());
+    bitSet onSides(original_.faces.size());
 
-    forAll(given_.faces, facei)
+    forAll(original_.faces, facei)
     {
-        const word& name = given_.patchNames[given_.patchIDs[facei]];
+        const word& name = original_.patchNames[original_.patchIDs[facei]];
         onSides.set(facei, sidePatches_.found(name));
     }
 
@@ -194,24 +194,27 @@ bitSet surfaceRepairer::facesOnSides() const
 }
 
 
-void surfaceRepairer::wrap(const nearestSurface& given)
+void surfaceRepairer::wrap(const nearestSurface& nearest)
 {
     const scalar size = orShare(controls_.size, 0.01);
     const scalar offset =
         controls_.offset > 0 ? controls_.offset : 0.1*size;
 
     wallSurface& surface = repaired_.surface;
-    surface = wrapSurface(given_, size, offset, controls_.seeds);
+    surface = wrapSurface(original_, size, offset, controls_.seeds);
     repairSteps& steps = repaired_.steps;
     addStep(steps, "points of the wrap", surface.points.size());
     const snapControls controls
     {
-        2*offset, featureAngle, facesInside(given_, given, surface),
+        2*offset, featureAngle, facesInside(original_, nearest, surface),
         facesOnSides()
     };
-    addLeaks(given_, controls.inside, size, steps);
+    addLeaks(original_, controls.inside, size, steps);
 
-    const snapCounts counts(snapToSurface(given_, given, controls, surface));
+    const snapCounts counts
+    (
+        snapToSurface(original_, nearest, controls, surface)
+    );
     addStep(steps, "points brought back to sharp edges", counts.nOnEdges);
     addStep(steps, "points brought back to faces", counts.nOnFaces);
     addStep(steps, "points brought half way", counts.nHalfWay);
@@ -228,7 +231,7 @@ repairedSurface surfaceRepairer::repair()
 
     // CGAL's intervals may be infinite
     const sigFpe::ignore untrapped;
-    const nearestSurface given(given_);
+    const nearestSurface nearest(original_);
 
     if (controls_.repair == surfaceRepairControls::method::stitch)
     {
@@ -236,7 +239,7 @@ repairedSurface surfaceRepairer::repair()
     }
     else
     {
-        wrap(given);
+        wrap(nearest);
     }
 
     wallSurface& surface = repaired_.surface;
@@ -258,16 +261,16 @@ repairedSurface surfaceRepairer::repair()
         );
     }
 
-    given.setPatches(surface, sidePatches_);
+    nearest.setPatches(surface, sidePatches_);
     cutReflexFaces(surface);
     orientWallSurface(surface, fluidOutside_);
 
-    wallSurface inFront(given_);
+    wallSurface inFront(original_);
     for (const sidePatch& plane : planes_)
     {
         cutOff(inFront, plane, distancesTo(plane, inFront));
     }
-    repaired_.distance = distanceTo(given, surface);
+    repaired_.distance = distanceTo(nearest, surface);
     repaired_.distanceOfGiven = distanceTo(nearestSurface(surface), inFront);
 
     return repaired_;
