@@ -25,11 +25,11 @@ bool tetImprover::step(const label p, const scalar distance, scalar& least)
         vector direction(Zero);
         direction[k/2] = k % 2 ? 1 : -1;
         points_[p] = from + distance*direction;
-        const scalar there = violation(around, least);
+        const scalar trial = violation(around, least);
 
-        if (there < least && allPositive(points_, tets_.subset(around)))
+        if (trial < least && allPositive(points_, tets_.subset(around)))
         {
-            least = there;
+            least = trial;
             to = points_[p];
             moved = true;
         }

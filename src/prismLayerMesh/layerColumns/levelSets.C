@@ -60,19 +60,19 @@ static scalar heightOf
     for (label k = p*lines.nSamples; k < (p + 1)*lines.nSamples; ++k)
     {
         // Where the line ends the energy is that of the envelope
-        const scalar here = min(lines.energies[k], before);
+        const scalar after = min(lines.energies[k], before);
         const scalar next =
             max(visibility.heightCosine(p, lines.points[k] - start), height);
 
-        if (here <= energy)
+        if (after <= energy)
         {
-            const scalar s = (before - energy)/max(before - here, VSMALL);
+            const scalar s = (before - energy)/max(before - after, VSMALL);
 
             return height + s*(next - height);
         }
 
         height = next;
-        before = here;
+        before = after;
     }
 
     return height;

@@ -214,13 +214,13 @@ string describe
             continue;
         }
 
-        const layerSpacing here(asked.at(points[patchi].sortedToc()));
+        const layerSpacing ofPatch(asked.at(points[patchi].sortedToc()));
 
         text += wall.patchNames[patchi]
-          + ": layers " + range(here.layersAsked)
-          + ", first height " + range(here.firstThickness)
-          + " m, ratio " + range(here.ratio)
-          + ", thickness " + range(here.thickness) + " m\n";
+          + ": layers " + range(ofPatch.layersAsked)
+          + ", first height " + range(ofPatch.firstThickness)
+          + " m, ratio " + range(ofPatch.ratio)
+          + ", thickness " + range(ofPatch.thickness) + " m\n";
     }
 
     return text;

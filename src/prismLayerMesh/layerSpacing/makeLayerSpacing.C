@@ -64,20 +64,20 @@ static label automaticNumber
 
     forAll(heights, p)
     {
-        const heightSeries& here = heights[p];
+        const heightSeries& series = heights[p];
 
-        if (here.expansionRatio <= 1)
+        if (series.expansionRatio <= 1)
         {
             FatalErrorInFunction
                 << "With nSurfaceLayers auto the expansionRatio must be more"
-                << " than 1; it is " << here.expansionRatio
+                << " than 1; it is " << series.expansionRatio
                 << " at the point " << wall.points[p] << exit(FatalError);
         }
 
         const scalar growth =
-            max(finalHeights[p]/here.firstLayerThickness, 1.0);
+            max(finalHeights[p]/series.firstLayerThickness, 1.0);
 
-        numbers[p].first = 1 + ::log(growth)/::log(here.expansionRatio);
+        numbers[p].first = 1 + ::log(growth)/::log(series.expansionRatio);
         numbers[p].second = p;
     }
 
@@ -191,15 +191,15 @@ layerSpacing makeLayerSpacing
 
     forAll(heights, p)
     {
-        const heightSeries& here = heights[p];
-        const scalar h1 = here.firstLayerThickness;
+        const heightSeries& series = heights[p];
+        const scalar h1 = series.firstLayerThickness;
         const scalar ratio =
-            here.n < n ? ratioOfMore(n, here) : here.expansionRatio;
+            series.n < n ? ratioOfMore(n, series) : series.expansionRatio;
 
         spacing.firstThickness[p] = h1;
         spacing.ratio[p] = ratio;
         spacing.thickness[p] = totalThickness(n, h1, ratio);
-        spacing.layersAsked[p] = here.n;
+        spacing.layersAsked[p] = series.n;
     }
 
     return spacing;

@@ -116,14 +116,14 @@ heightSeries pointHeights::patchHeights(const label p) const
     for (const label facei : addressing_.pointFaces[p])
     {
         const heightEntries* given = ofPatch_[wall_.patchIDs[facei]];
-        const heightSeries here
+        const heightSeries ofFace
         (
             given ? changedHeights(general, *given, unit(p)) : general
         );
 
-        if (thinner(here, thinnest))
+        if (thinner(ofFace, thinnest))
         {
-            thinnest = here;
+            thinnest = ofFace;
         }
     }
 

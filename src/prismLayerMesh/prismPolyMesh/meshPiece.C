@@ -88,8 +88,8 @@ struct pieceMaker
             const label nei = mesh.faceNeighbour()[facei];
             if (isHere(own) != isHere(nei))
             {
-                const label there = isHere(own) ? nei : own;
-                facesTo(processorOfCell[there]).append(facei);
+                const label otherCell = isHere(own) ? nei : own;
+                facesTo(processorOfCell[otherCell]).append(facei);
             }
         }
 

@@ -29,12 +29,12 @@ static void setInternalSides
         {
             // The other runs along the edge the other way
             const label end = layers.faces[facei].nextLabel(k);
-            const label there = layers.faces[other].find(end);
+            const label otherEdge = layers.faces[other].find(end);
 
             labels.firstSides[facei][k] = side;
             labels.sideStrides[facei][k] = labels.strides[facei];
-            labels.firstSides[other][there] = side;
-            labels.sideStrides[other][there] = labels.strides[facei];
+            labels.firstSides[other][otherEdge] = side;
+            labels.sideStrides[other][otherEdge] = labels.strides[facei];
             ++side;
         }
     );

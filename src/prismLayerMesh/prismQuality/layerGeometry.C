@@ -153,7 +153,7 @@ scalar layerGeometry::violation
 ) const
 {
     const face& f = layers_.faces[facei];
-    const UList<point> own(centres(facei));
+    const UList<point> cellCentres(centres(facei));
     scalar sum = 0;
     const auto add = [&]
     (
@@ -163,12 +163,12 @@ scalar layerGeometry::violation
         const scalar cosine
     )
     {
-        const faceGeometry here(points);
-        sum += sqr(planarityViolation(here, points, a, b, targets.planarity));
+        const faceGeometry g(points);
+        sum += sqr(planarityViolation(g, points, a, b, targets.planarity));
         if (b)
         {
-            sum += sqr(nonOrthoViolation(here.area, *b - a, cosine))
-              + sqr(skewnessViolation(here, points, a, *b, targets.skewness));
+            sum += sqr(nonOrthoViolation(g.area, *b - a, cosine))
+              + sqr(skewnessViolation(g, points, a, *b, targets.skewness));
         }
     };
 
@@ -176,8 +176,8 @@ scalar layerGeometry::violation
     {
         add
         (
-            levelPoints{layers_, f, i}, own[i - 1],
-            i < layers_.nLayers ? &own[i] : nullptr, targets.cosine
+            levelPoints{layers_, f, i}, cellCentres[i - 1],
+            i < layers_.nLayers ? &cellCentres[i] : nullptr, targets.cosine
         );
     }
 
@@ -188,7 +188,8 @@ scalar layerGeometry::violation
         {
             add
             (
-                sidePoints{layers_, f[k], f[f.fcIndex(k)], i}, own[i - 1],
+                sidePoints{layers_, f[k], f[f.fcIndex(k)], i},
+                cellCentres[i - 1],
                 g < 0 ? nullptr : &centres(g)[i - 1],
                 targetCosine(facei, k, targets)
             );

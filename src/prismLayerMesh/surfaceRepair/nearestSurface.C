@@ -116,10 +116,10 @@ void nearestSurface::setPatches
     if (chamfers.size() && kept.size())
     {
         // The surface without those patches
-        wallSurface rest(surface_);
-        rest.faces = UIndirectList<face>(surface_.faces, kept)();
-        removeUnusedPoints(rest.faces, rest.points);
-        nearestSurface(rest).find
+        wallSurface remaining(surface_);
+        remaining.faces = UIndirectList<face>(surface_.faces, kept)();
+        removeUnusedPoints(remaining.faces, remaining.points);
+        nearestSurface(remaining).find
         (
             pointField(centres, chamfers), nearest, faces
         );
