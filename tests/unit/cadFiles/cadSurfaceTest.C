@@ -116,7 +116,7 @@ protected:
                 "log", 60
             ),
             programEnd::complete
-        )   << "Install the program gmsh: etc/setup gmsh";
+        )   << "Install the program gmsh: etc/setup -test";
         mv(folder_/"box.step", folder_/name);
 
         return folder_/name;
