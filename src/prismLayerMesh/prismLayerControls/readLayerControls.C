@@ -153,7 +153,8 @@ static heightField readHeightField(const dictionary& dict)
 
 static void readFields(const dictionary& dict, layerControls& controls)
 {
-    const dictionary& fields = optionalDict(dict, "fields");
+    const word name("fields");
+    const dictionary& fields = optionalDict(dict, name);
     checkKeys(fields, {"firstLayerThickness", "thickness"});
 
     if (fields.found("firstLayerThickness", keyType::LITERAL))

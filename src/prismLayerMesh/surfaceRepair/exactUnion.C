@@ -8,6 +8,7 @@
 #include "ListOps.H"
 #include "orientation.H"
 #include "readWallSurface.H"
+#include "UIndirectList.H"
 #include "unionBoundary.H"
 
 #include <algorithm>
@@ -98,8 +99,21 @@ faceList trianglesWithArea(const wallSurface& surface)
 }
 
 
-//- Turns groups of faces that hang together by edges and have a negative volume
-void turnOutwards(const pointField& points, faceList& faces)
+struct faceGroup
+{
+    std::vector<label> faces;
+
+    //- Positive if the normals of a closed group point out of it [m3]
+    scalar volume;
+};
+
+
+//- Groups of faces that hang together by edges
+std::vector<faceGroup> groupsByEdges
+(
+    const pointField& points,
+    const faceList& faces
+)
 {
     const edgeFaceMap onEdges
     (
@@ -119,25 +133,62 @@ void turnOutwards(const pointField& points, faceList& faces)
         }
     };
 
+    std::vector<faceGroup> result;
     for (const std::vector<label>& group : groupsOf(faces.size(), neighbours))
     {
+        const point& origin = points[faces[group[0]][0]];
         scalar volume = 0;
         for (const label i : group)
         {
             const face& f = faces[i];
             const point& a = points[f[0]];
-            const point& origin = points[faces[group[0]][0]];
-            volume += (a - origin)
-                & ((points[f[1]] - a) ^ (points[f[2]] - a));
+            volume +=
+                (a - origin) & ((points[f[1]] - a) ^ (points[f[2]] - a))/6;
         }
-        for (const label i : group)
+        result.push_back(faceGroup{group, volume});
+    }
+
+    return result;
+}
+
+
+//- Turns groups that have a negative volume
+void turnOutwards(const pointField& points, faceList& faces)
+{
+    for (const faceGroup& group : groupsByEdges(points, faces))
+    {
+        for (const label i : group.faces)
         {
-            if (volume < 0)
+            if (group.volume < 0)
             {
                 faces[i].flip();
             }
         }
     }
+}
+
+
+//- Removes groups that have a negative volume: the boundaries of voids. Returns
+//  their number.
+label fillVoids(const pointField& points, faceList& faces)
+{
+    label nVoids = 0;
+    labelList kept;
+    for (const faceGroup& group : groupsByEdges(points, faces))
+    {
+        if (group.volume > 0)
+        {
+            kept.append(labelList(group.faces.begin(), group.faces.end()));
+        }
+        else
+        {
+            ++nVoids;
+        }
+    }
+    Foam::sort(kept);
+    faces = faceList(UIndirectList<face>(faces, kept));
+
+    return nVoids;
 }
 
 } // End anonymous namespace
@@ -192,6 +243,11 @@ void uniteExactly(wallSurface& surface, repairSteps& steps)
     makeEqualPointsOne(boundary.points, boundary.faces);
     surface.points = boundary.points;
     surface.faces = withoutCollapsed(boundary.faces);
+    addStep
+    (
+        steps, "voids between bodies filled",
+        fillVoids(surface.points, surface.faces)
+    );
     removeUnusedPoints(surface.faces, surface.points);
 }
 

@@ -146,6 +146,7 @@ void surfaceRepairer::stitch()
 {
     wallSurface& surface = repaired_.surface;
     repairSteps& steps = repaired_.steps;
+    const scalar gap = orShare(controls_.gap, 1e-4);
 
     mergeEqualPoints(surface, steps);
     const wallSurface merged(surface);
@@ -154,28 +155,40 @@ void surfaceRepairer::stitch()
     stitchFaces(surface, steps);
     orientWallSurface(surface, true);
 
-    if (!isSound() && fluidOutside_ && isBalanced(merged.faces))
-    {
-        surface = merged;
-        steps = mergedSteps;
-        uniteBalanced(surface, orShare(controls_.gap, 1e-4), steps);
-        orientWallSurface(surface, true);
-    }
     if (!isSound())
     {
         closeGaps
         (
-            surface, orShare(controls_.gap, 1e-4),
-            orShare(controls_.hole, 0.05), planes_, tolerance_, steps
+            surface, gap, orShare(controls_.hole, 0.05), planes_, tolerance_,
+            steps
         );
         orientWallSurface(surface, true);
     }
-    if (!isSound())
+    if (isSound())
     {
-        uniteBodies
-        (
-            surface, fluidOutside_, orShare(controls_.gap, 1e-4), steps
-        );
+        return;
+    }
+
+    string failure = uniteBodies(surface, fluidOutside_, gap, steps);
+
+    if
+    (
+        fluidOutside_ && isBalanced(merged.faces)
+     && (!failure.empty() || !isSound())
+    )
+    {
+        surface = merged;
+        steps = mergedSteps;
+        failure = uniteBalanced(surface, gap, steps);
+        orientWallSurface(surface, true);
+    }
+    if (!failure.empty())
+    {
+        FatalErrorInFunction
+            << "The bodies of the surface cannot be united: "
+            << failure.c_str() << nl
+            << "Unite them in CAD, or go around them with surface.repair wrap"
+            << exit(FatalError);
     }
 }
 

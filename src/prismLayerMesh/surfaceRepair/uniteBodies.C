@@ -188,7 +188,12 @@ static bool readSurface
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void uniteBalanced(wallSurface& surface, const scalar step, repairSteps& steps)
+string uniteBalanced
+(
+    wallSurface& surface,
+    const scalar step,
+    repairSteps& steps
+)
 {
     string places;
     const processEnd end = isolatedProcess
@@ -197,17 +202,14 @@ void uniteBalanced(wallSurface& surface, const scalar step, repairSteps& steps)
         [&](std::FILE* in) { return readSurface(in, places, surface, steps); }
     );
 
-    if (end != processEnd::complete)
-    {
-        FatalErrorInFunction
-            << "The bodies of the surface cannot be united: CGAL ended" << nl
-            << "Unite them in CAD, or go around them with surface.repair wrap"
-            << exit(FatalError);
-    }
+    return
+        end == processEnd::complete
+      ? string()
+      : string("CGAL ended while it divided the faces");
 }
 
 
-void uniteBodies
+string uniteBodies
 (
     wallSurface& surface,
     const bool fluidOutside,
@@ -222,18 +224,15 @@ void uniteBodies
         [&](std::FILE* in) { return readSurface(in, places, surface, steps); }
     );
 
-    if (end != processEnd::complete)
+    if (end == processEnd::complete)
     {
-        FatalErrorInFunction
-            << "The bodies of the surface cannot be united"
-            << (
-                   places.empty()
-                 ? string(": one of them intersects itself")
-                 : ": CGAL ended while it joined the bodies about " + places
-               ).c_str() << nl
-            << "Unite them in CAD, or go around them with surface.repair wrap"
-            << exit(FatalError);
+        return string();
     }
+
+    return
+        places.empty()
+      ? string("one of them intersects itself")
+      : string("CGAL ended while it joined the bodies about " + places);
 }
 
 } // End namespace Foam

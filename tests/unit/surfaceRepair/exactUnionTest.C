@@ -33,7 +33,7 @@ static wallSurface unitedAndFilled(wallSurface surface)
 {
     repairSteps steps;
     mergeEqualPoints(surface, steps);
-    uniteBalanced(surface, 1e-4, steps);
+    EXPECT_TRUE(uniteBalanced(surface, 1e-4, steps).empty());
     EXPECT_TRUE(findWallDefects(surface).empty());
 
     return surface;
@@ -120,6 +120,28 @@ TEST(exactUnion, bodiesThatAreEqual)
 
     EXPECT_TRUE(findWallDefects(surface).empty());
     EXPECT_NEAR(volume(surface), 1, 1e-12);
+}
+
+
+TEST(exactUnion, voidsBetweenBodiesAreFilled)
+{
+    wallSurface around;
+    for (label i = 0; i < 27; ++i)
+    {
+        const vector at(i % 3, (i/3) % 3, i/9);
+        if (i == 0)
+        {
+            around = translated(cube(1), at);
+        }
+        else if (i != 13)
+        {
+            around = merge(around, translated(cube(1), at));
+        }
+    }
+    const wallSurface surface(united(around));
+
+    EXPECT_TRUE(findWallDefects(surface).empty());
+    EXPECT_NEAR(volume(surface), 27, 1e-12);
 }
 
 
