@@ -153,8 +153,7 @@ static heightField readHeightField(const dictionary& dict)
 
 static void readFields(const dictionary& dict, layerControls& controls)
 {
-    const word name("fields");
-    const dictionary& fields = optionalDict(dict, name);
+    const dictionary& fields = optionalDict(dict, "fields");
     checkKeys(fields, {"firstLayerThickness", "thickness"});
 
     if (fields.found("firstLayerThickness", keyType::LITERAL))
