@@ -60,13 +60,14 @@ wallSurface wrapSurface
     wrapMesh mesh;
     auto seedPoints = cgalPoints<wrapKernel::Point_3>(seeds);
     labelList triangleFace;
+
+    // CGAL 5.5 reads the parameters of the output, CGAL 6.0 those of the input
+    const auto atSeeds = CGAL::parameters::seed_points(std::ref(seedPoints));
     CGAL::alpha_wrap_3
     (
         cgalPoints<wrapKernel::Point_3>(surface.points),
         cgalPolygons(wallTriangles(surface, triangleFace)),
-        size, offset, mesh,
-        CGAL::parameters::default_values(),
-        CGAL::parameters::seed_points(std::ref(seedPoints))
+        size, offset, mesh, atSeeds, atSeeds
     );
 
     if (mesh.is_empty())
