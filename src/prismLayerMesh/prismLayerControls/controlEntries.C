@@ -119,7 +119,7 @@ void checkKeys(const dictionary& dict, const wordList& validKeys)
 }
 
 
-const dictionary& optionalDict(const dictionary& dict, const word key)
+const dictionary& optionalDict(const dictionary& dict, const word& key)
 {
     if (!dict.found(key, keyType::LITERAL))
     {
