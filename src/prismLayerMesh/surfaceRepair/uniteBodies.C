@@ -16,6 +16,10 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
+//- Contacts of bodies are filled so many times at most
+static constexpr label maxFills = 5;
+
+
 static void send(const char tag, const OStringStream& text, std::FILE* out)
 {
     const string message(text.str());
@@ -44,10 +48,6 @@ static bool receive(std::FILE* in, char& tag, string& message)
 
     return std::fread(&message[0], 1, length, in) == length;
 }
-
-
-//- Contacts of bodies are filled so many times at most
-static constexpr label maxFills = 5;
 
 
 //- Sends 's', a surface and the steps that made it
@@ -144,8 +144,8 @@ static void sendUnion(wallSurface surface, const scalar step, std::FILE* out)
 }
 
 
-//- Reads what is sent before. Returns false if no surface comes. Places are
-//  then the places of the last two bodies.
+//- Reads what sendJoined or sendUnion sends. Returns false if no surface comes;
+//  the places are those of the last two bodies then.
 static bool readSurface
 (
     std::FILE* in,
@@ -174,15 +174,35 @@ static bool readSurface
         {
             string what;
             label count;
-            DynamicList<point> places;
-            result >> what >> count >> places;
-            addStep(steps, what, count, places);
+            DynamicList<point> at;
+            result >> what >> count >> at;
+            addStep(steps, what, count, at);
         }
 
         return true;
     }
 
     return false;
+}
+
+
+//- Runs what sends a surface in a process of its own. Returns whether the
+//  surface came; sets the places of the last two bodies of which it was told.
+static bool receiveSurface
+(
+    const std::function<void(std::FILE*)>& sender,
+    string& places,
+    wallSurface& surface,
+    repairSteps& steps
+)
+{
+    const processEnd end = isolatedProcess
+    (
+        sender,
+        [&](std::FILE* in) { return readSurface(in, places, surface, steps); }
+    );
+
+    return end == processEnd::complete;
 }
 
 
@@ -196,14 +216,10 @@ string uniteBalanced
 )
 {
     string places;
-    const processEnd end = isolatedProcess
-    (
-        [&](std::FILE* out) { sendUnion(surface, step, out); },
-        [&](std::FILE* in) { return readSurface(in, places, surface, steps); }
-    );
+    const auto sender = [&](std::FILE* out) { sendUnion(surface, step, out); };
 
     return
-        end == processEnd::complete
+        receiveSurface(sender, places, surface, steps)
       ? string()
       : string("CGAL ended while it divided the faces");
 }
@@ -218,13 +234,12 @@ string uniteBodies
 )
 {
     string places;
-    const processEnd end = isolatedProcess
-    (
-        [&](std::FILE* out) { sendJoined(surface, fluidOutside, step, out); },
-        [&](std::FILE* in) { return readSurface(in, places, surface, steps); }
-    );
+    const auto sender = [&](std::FILE* out)
+    {
+        sendJoined(surface, fluidOutside, step, out);
+    };
 
-    if (end == processEnd::complete)
+    if (receiveSurface(sender, places, surface, steps))
     {
         return string();
     }
