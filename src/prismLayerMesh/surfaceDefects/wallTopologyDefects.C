@@ -225,12 +225,7 @@ void findFlippedFaces
 }
 
 
-void findNonManifoldPoints
-(
-    const wallSurface& wall,
-    const wallSides& sides,
-    defectList& defects
-)
+labelList countFans(const wallSurface& wall, const wallSides& sides)
 {
     labelList starts(wall.faces.size() + 1, Zero);
     forAll(wall.faces, facei)
@@ -271,6 +266,19 @@ void findNonManifoldPoints
             nFans[f[i]] += (corners.find(corner) == corner);
         }
     }
+
+    return nFans;
+}
+
+
+void findNonManifoldPoints
+(
+    const wallSurface& wall,
+    const wallSides& sides,
+    defectList& defects
+)
+{
+    const labelList nFans(countFans(wall, sides));
 
     forAll(nFans, p)
     {

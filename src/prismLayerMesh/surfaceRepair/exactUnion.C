@@ -4,15 +4,17 @@
 \*---------------------------------------------------------------------------*/
 
 #include "exactUnion.H"
-#include "faceGroups.H"
+#include "bitSet.H"
 #include "ListOps.H"
 #include "orientation.H"
 #include "readWallSurface.H"
-#include "UIndirectList.H"
+#include "stitchSurface.H"
 #include "unionBoundary.H"
+#include "wallSides.H"
 
 #include <algorithm>
 #include <array>
+#include <map>
 
 namespace Foam
 {
@@ -22,65 +24,35 @@ namespace Foam
 namespace
 {
 
-//- Gives faces the first of the points that are equal
-void makeEqualPointsOne(const pointField& points, faceList& faces)
-{
-    std::map<std::array<scalar, 3>, label> firsts;
-    labelList first(points.size());
-    forAll(points, p)
-    {
-        const point& x = points[p];
-        first[p] = firsts.emplace
-        (
-            std::array<scalar, 3>{{x.x(), x.y(), x.z()}}, p
-        ).first->second;
-    }
-    for (face& f : faces)
-    {
-        inplaceRenumber(first, f);
-    }
-}
-
-
 //- Faces but for faces with a point twice, and for pairs of faces on the same
 //  points that are oriented otherwise
 faceList withoutCollapsed(const faceList& faces)
 {
-    std::vector<bool> isGone(faces.size());
+    bitSet isKept(faces.size());
     std::map<std::array<label, 3>, label> single;
 
     forAll(faces, i)
     {
         const face& f = faces[i];
-        isGone[i] = f[0] == f[1] || f[1] == f[2] || f[2] == f[0];
-        if (isGone[i])
+        if (f[0] == f[1] || f[1] == f[2] || f[2] == f[0])
         {
             continue;
         }
 
+        isKept.set(i);
         std::array<label, 3> key{{f[0], f[1], f[2]}};
         std::sort(key.begin(), key.end());
         const auto inserted = single.emplace(key, i);
         const label j = inserted.first->second;
         if (!inserted.second && face::compare(faces[j], f) < 0)
         {
-            isGone[i] = isGone[j] = true;
+            isKept.unset(i);
+            isKept.unset(j);
             single.erase(inserted.first);
         }
     }
 
-    faceList result(faces.size());
-    label n = 0;
-    forAll(faces, i)
-    {
-        if (!isGone[i])
-        {
-            result[n++] = faces[i];
-        }
-    }
-    result.setSize(n);
-
-    return result;
+    return subset(isKept, faces);
 }
 
 
@@ -99,94 +71,62 @@ faceList trianglesWithArea(const wallSurface& surface)
 }
 
 
-struct faceGroup
+//- Marks faces of components, connected by edges, that have no positive volume:
+//  their normals point into them. Returns the number of such components.
+label findInward(const wallSurface& surface, bitSet& isInward)
 {
-    std::vector<label> faces;
-
-    //- Positive if the normals of a closed group point out of it [m3]
-    scalar volume;
-};
-
-
-//- Groups of faces that hang together by edges
-std::vector<faceGroup> groupsByEdges
-(
-    const pointField& points,
-    const faceList& faces
-)
-{
-    const edgeFaceMap onEdges
+    const faceList& faces = surface.faces;
+    const pointField& points = surface.points;
+    labelList componentOf;
+    const label nComponents = findComponents
     (
-        facesOnEdges
-        (
-            faces.size(), [&](const label i) -> const face& { return faces[i]; }
-        )
+        makeWallSides(faces, points.size()), faces.size(), componentOf
     );
-    const auto neighbours = [&](const label i, const auto& visit)
-    {
-        for (const edge& e : faces[i].edges())
-        {
-            for (const label j : onEdges.at(ordered(e)))
-            {
-                visit(j);
-            }
-        }
-    };
 
-    std::vector<faceGroup> result;
-    for (const std::vector<label>& group : groupsOf(faces.size(), neighbours))
+    scalarList volumes(nComponents, Zero);
+    labelList firsts(nComponents, -1);
+    forAll(faces, i)
     {
-        const point& origin = points[faces[group[0]][0]];
-        scalar volume = 0;
-        for (const label i : group)
-        {
-            const face& f = faces[i];
-            const point& a = points[f[0]];
-            volume +=
-                (a - origin) & ((points[f[1]] - a) ^ (points[f[2]] - a))/6;
-        }
-        result.push_back(faceGroup{group, volume});
+        const face& f = faces[i];
+        label& first = firsts[componentOf[i]];
+        first = first < 0 ? f[0] : first;
+        const point& a = points[f[0]];
+        volumes[componentOf[i]] +=
+            (a - points[first]) & ((points[f[1]] - a) ^ (points[f[2]] - a));
     }
 
-    return result;
+    isInward.resize(faces.size());
+    forAll(faces, i)
+    {
+        isInward.set(i, volumes[componentOf[i]] <= 0);
+    }
+
+    return std::count_if
+    (
+        volumes.begin(), volumes.end(), [](const scalar v) { return v <= 0; }
+    );
 }
 
 
-//- Turns groups that have a negative volume
-void turnOutwards(const pointField& points, faceList& faces)
+//- Turns components that have no positive volume
+void turnOutwards(wallSurface& surface)
 {
-    for (const faceGroup& group : groupsByEdges(points, faces))
+    bitSet isInward;
+    findInward(surface, isInward);
+    for (const label i : isInward)
     {
-        for (const label i : group.faces)
-        {
-            if (group.volume < 0)
-            {
-                faces[i].flip();
-            }
-        }
+        surface.faces[i].flip();
     }
 }
 
 
-//- Removes groups that have a negative volume: the boundaries of voids. Returns
-//  their number.
-label fillVoids(const pointField& points, faceList& faces)
+//- Removes components that have no positive volume: the boundaries of voids.
+//  Returns their number.
+label fillVoids(wallSurface& surface)
 {
-    label nVoids = 0;
-    labelList kept;
-    for (const faceGroup& group : groupsByEdges(points, faces))
-    {
-        if (group.volume > 0)
-        {
-            kept.append(labelList(group.faces.begin(), group.faces.end()));
-        }
-        else
-        {
-            ++nVoids;
-        }
-    }
-    Foam::sort(kept);
-    faces = faceList(UIndirectList<face>(faces, kept));
+    bitSet isInward;
+    const label nVoids = findInward(surface, isInward);
+    surface.faces = subset(isInward, surface.faces, true);
 
     return nVoids;
 }
@@ -196,58 +136,45 @@ label fillVoids(const pointField& points, faceList& faces)
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-bool isBalanced(const faceList& faces)
+bool isBalanced(const wallSurface& surface)
 {
-    std::map<std::pair<label, label>, label> balance;
-    for (const face& f : faces)
+    const wallSides sides
+    (
+        makeWallSides(surface.faces, surface.points.size())
+    );
+
+    for (label e = 0; e < sides.nEdges(); ++e)
     {
-        for (const edge& e : f.edges())
+        label balance = 0;
+        for (const wallSide& s : sides.on(e))
         {
-            balance[ordered(e)] += e.start() < e.end() ? 1 : -1;
+            balance += s.up ? 1 : -1;
+        }
+        if (balance)
+        {
+            return false;
         }
     }
 
-    return std::all_of
-    (
-        balance.begin(), balance.end(),
-        [](const auto& entry) { return entry.second == 0; }
-    );
+    return true;
 }
 
 
 void uniteExactly(wallSurface& surface, repairSteps& steps)
 {
     surface.faces = trianglesWithArea(surface);
-    turnOutwards(surface.points, surface.faces);
+    turnOutwards(surface);
 
     unionBoundary boundary(findUnionBoundary(surface));
-    std::vector<bool> isThere(surface.faces.size(), false);
-    for (const label i : boundary.triangleOf)
-    {
-        isThere[i] = true;
-    }
-    addStep
-    (
-        steps, "faces divided where bodies meet",
-        std::count
-        (
-            boundary.isDivided.begin(), boundary.isDivided.end(), true
-        )
-    );
-    addStep
-    (
-        steps, "faces removed inside of other bodies",
-        std::count(isThere.begin(), isThere.end(), false)
-    );
+    addStep(steps, "faces divided where bodies meet", boundary.nDivided);
+    addStep(steps, "faces removed inside of other bodies", boundary.nInside);
 
-    makeEqualPointsOne(boundary.points, boundary.faces);
+    repairSteps untold;
     surface.points = boundary.points;
-    surface.faces = withoutCollapsed(boundary.faces);
-    addStep
-    (
-        steps, "voids between bodies filled",
-        fillVoids(surface.points, surface.faces)
-    );
+    surface.faces = boundary.faces;
+    mergeEqualPoints(surface, untold);
+    surface.faces = withoutCollapsed(surface.faces);
+    addStep(steps, "voids between bodies filled", fillVoids(surface));
     removeUnusedPoints(surface.faces, surface.points);
 }
 

@@ -5,10 +5,10 @@
 
 #include "fillContacts.H"
 #include "boundBox.H"
-#include "faceGroups.H"
 #include "mathematicalConstants.H"
+#include "wallTopologyDefects.H"
 
-#include <algorithm>
+#include <cmath>
 #include <set>
 #include <vector>
 
@@ -30,53 +30,6 @@ static constexpr scalar prismShare = 0.5;
 
 namespace
 {
-
-typedef std::pair<label, label> labels2;
-
-
-//- Whether faces around a point are one fan or cycle: they hang together by
-//  edges at the point that have two faces
-bool isOneFan
-(
-    const label p,
-    const faceList& faces,
-    const std::vector<label>& around
-)
-{
-    // The other ends of the two edges of each face at the point
-    std::vector<labels2> sides;
-    for (const label facei : around)
-    {
-        const face& f = faces[facei];
-        const label k = f.find(p);
-        sides.emplace_back(f.prevLabel(k), f.nextLabel(k));
-    }
-
-    std::vector<bool> isIn(sides.size(), false);
-    std::vector<std::size_t> fan{0};
-    isIn[0] = true;
-
-    for (std::size_t n = 0; n < fan.size(); ++n)
-    {
-        const labels2 s = sides[fan[n]];
-        for (std::size_t i = 0; i < sides.size(); ++i)
-        {
-            const labels2 t = sides[i];
-            const bool meets =
-                s.first == t.first || s.first == t.second
-             || s.second == t.first || s.second == t.second;
-
-            if (!isIn[i] && meets)
-            {
-                isIn[i] = true;
-                fan.push_back(i);
-            }
-        }
-    }
-
-    return fan.size() == sides.size();
-}
-
 
 //- Points and faces of several bodies
 struct bodies
@@ -170,42 +123,26 @@ void addPrism
 
 surfaceContacts findContacts(const wallSurface& surface)
 {
+    const label nPoints = surface.points.size();
+    const wallSides sides(makeWallSides(surface.faces, nPoints));
     surfaceContacts contacts;
-    std::vector<bool> isOnContact(surface.points.size(), false);
+    bitSet isOnContact(nPoints);
 
-    const edgeFaceMap onEdges
-    (
-        facesOnEdges
-        (
-            surface.faces.size(),
-            [&](const label i) -> const face& { return surface.faces[i]; }
-        )
-    );
-    for (const auto& entry : onEdges)
+    for (label e = 0; e < sides.nEdges(); ++e)
     {
-        if (entry.second.size() > 2)
+        if (sides.on(e).size() > 2)
         {
-            contacts.edges.append(edge(entry.first.first, entry.first.second));
-            isOnContact[entry.first.first] = true;
-            isOnContact[entry.first.second] = true;
+            const wallSide& s = sides.on(e)[0];
+            contacts.edges.append(edge(s.low, s.high));
+            isOnContact.set(s.low);
+            isOnContact.set(s.high);
         }
     }
 
-    std::vector<std::vector<label>> around(surface.points.size());
-    forAll(surface.faces, facei)
+    const labelList nFans(countFans(surface, sides));
+    forAll(nFans, p)
     {
-        for (const label p : surface.faces[facei])
-        {
-            around[p].push_back(facei);
-        }
-    }
-    for (std::size_t p = 0; p < around.size(); ++p)
-    {
-        if
-        (
-            !isOnContact[p] && !around[p].empty()
-         && !isOneFan(p, surface.faces, around[p])
-        )
+        if (nFans[p] > 1 && !isOnContact.test(p))
         {
             contacts.points.append(p);
         }

@@ -5,11 +5,11 @@
 
 #include "removeSlivers.H"
 #include "edgeList.H"
-#include "faceGroups.H"
 #include "fillContacts.H"
 #include "ListOps.H"
 #include "readWallSurface.H"
 #include "wallPredicates.H"
+#include "wallSides.H"
 
 #include <algorithm>
 #include <set>
@@ -28,14 +28,16 @@ class sliverRemover
     const pointField& points_;
     faceList faces_;
 
-    //- Made for each sweep
-    edgeFaceMap onEdges_;
+    //- The faces of each point at the beginning of a sweep
     std::vector<std::vector<label>> facesOf_;
 
     //- Points around which something has changed in this sweep
     std::vector<bool> isTouched_;
 
     void prepareSweep();
+
+    //- Faces that have both points
+    std::vector<label> facesOn(label p, label q) const;
 
     vector normal(const face& f) const
     {
@@ -79,10 +81,6 @@ public:
 
 void sliverRemover::prepareSweep()
 {
-    onEdges_ = facesOnEdges
-    (
-        faces_.size(), [&](const label i) -> const face& { return faces_[i]; }
-    );
     facesOf_.assign(points_.size(), std::vector<label>());
     forAll(faces_, facei)
     {
@@ -92,6 +90,21 @@ void sliverRemover::prepareSweep()
         }
     }
     isTouched_.assign(points_.size(), false);
+}
+
+
+std::vector<label> sliverRemover::facesOn(const label p, const label q) const
+{
+    std::vector<label> result;
+    for (const label facei : facesOf_[p])
+    {
+        if (faces_[facei].found(q))
+        {
+            result.push_back(facei);
+        }
+    }
+
+    return result;
 }
 
 
@@ -191,7 +204,7 @@ bool sliverRemover::flip(const label facei)
     const label a = f[longest];
     const label b = f.nextLabel(longest);
     const label v = f.prevLabel(longest);
-    const std::vector<label>& sides = onEdges_.at(ordered(edge(a, b)));
+    const std::vector<label> sides(facesOn(a, b));
     if (sides.size() != 2)
     {
         return false;
@@ -204,7 +217,7 @@ bool sliverRemover::flip(const label facei)
     const face right{w, b, v};
     if
     (
-        v == w || isTouched_[w] || onEdges_.count(ordered(edge(v, w)))
+        v == w || isTouched_[w] || !facesOn(v, w).empty()
      || !mayBecome(g, left) || !mayBecome(g, right)
     )
     {
@@ -227,10 +240,11 @@ label sliverRemover::sweep()
     prepareSweep();
     label nChanges = 0;
 
-    for (const auto& entry : onEdges_)
+    const wallSides sides(makeWallSides(faces_, points_.size()));
+    for (label e = 0; e < sides.nEdges(); ++e)
     {
-        const label a = entry.first.first;
-        const label b = entry.first.second;
+        const label a = sides.on(e)[0].low;
+        const label b = sides.on(e)[0].high;
         if
         (
             !isTouched_[a] && !isTouched_[b]

@@ -148,10 +148,6 @@ void surfaceRepairer::stitch()
     repairSteps& steps = repaired_.steps;
     const scalar gap = orShare(controls_.gap, 1e-4);
 
-    mergeEqualPoints(surface, steps);
-    const wallSurface merged(surface);
-    const repairSteps mergedSteps(steps);
-
     stitchFaces(surface, steps);
     orientWallSurface(surface, true);
 
@@ -171,16 +167,19 @@ void surfaceRepairer::stitch()
 
     string failure = uniteBodies(surface, fluidOutside_, gap, steps);
 
-    if
-    (
-        fluidOutside_ && isBalanced(merged.faces)
-     && (!failure.empty() || !isSound())
-    )
+    if (fluidOutside_ && (!failure.empty() || !isSound()))
     {
-        surface = merged;
-        steps = mergedSteps;
-        failure = uniteBalanced(surface, gap, steps);
-        orientWallSurface(surface, true);
+        wallSurface united(original_);
+        repairSteps unitedSteps;
+        mergeEqualPoints(united, unitedSteps);
+
+        if (isBalanced(united))
+        {
+            failure = uniteBalanced(united, gap, unitedSteps);
+            surface = united;
+            steps = unitedSteps;
+            orientWallSurface(surface, true);
+        }
     }
     if (!failure.empty())
     {

@@ -4,9 +4,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "unionBoundary.H"
+#include "bitSet.H"
 #include "divideTriangles.H"
-#include "faceGroups.H"
 #include "treeBoundBox.H"
+#include "wallSides.H"
 
 #include <algorithm>
 #include <random>
@@ -30,6 +31,9 @@ struct facet
     face points;
     label triangle;
     label jump;
+
+    //- Square of the area [m4]
+    scalar sqrArea;
 };
 
 
@@ -42,7 +46,6 @@ class unionFacets
     scalar size_;
 
     std::vector<facet> facets_;
-    std::vector<scalar> areas_;
 
     triangle3 onPoints(const face& f) const
     {
@@ -53,9 +56,9 @@ class unionFacets
 
     void collectFacets();
 
-    //- Returns groups of facets. The winding number is the same in front of all
-    //  facets of a group, and behind them.
-    std::vector<std::vector<label>> patches() const;
+    //- Sets the patch of each facet. The winding number is the same in front of
+    //  all facets of a patch, and behind them. Returns the number of patches.
+    label findPatches(labelList& patchOf) const;
 
     //- Returns whether the number could be found along a direction
     bool windingAlong
@@ -77,9 +80,9 @@ public:
     //- Points of all parts, rounded
     pointField points() const;
 
-    //- Whether each triangle was divided, or is in the plane of another that it
-    //  intersects
-    std::vector<bool> areDivided() const;
+    //- Number of triangles that were divided, or are in the plane of another
+    //  that they intersect
+    label nDivided() const;
 };
 
 
@@ -113,7 +116,7 @@ void unionFacets::collectFacets()
 {
     for (std::size_t k = 0; k < divided_.parts.size(); ++k)
     {
-        facet f{divided_.parts[k], divided_.triangleOf[k], 1};
+        facet f{divided_.parts[k], divided_.triangleOf[k], 1, 0};
         const std::vector<label>& others = divided_.inPlane[f.triangle];
         bool isFirst = true;
 
@@ -145,41 +148,23 @@ void unionFacets::collectFacets()
         }
         if (isFirst && f.jump)
         {
+            f.sqrArea = CGAL::to_double(onPoints(f.points).squared_area());
             facets_.push_back(f);
-            areas_.push_back
-            (
-                CGAL::to_double(onPoints(f.points).squared_area())
-            );
         }
     }
 }
 
 
-std::vector<std::vector<label>> unionFacets::patches() const
+label unionFacets::findPatches(labelList& patchOf) const
 {
-    const edgeFaceMap onEdges
-    (
-        facesOnEdges
-        (
-            facets_.size(), [&](const label i) -> const face&
-            {
-                return facets_[i].points;
-            }
-        )
-    );
-
-    return groupsOf(facets_.size(), [&](const label i, const auto& visit)
+    faceList faces(facets_.size());
+    forAll(faces, i)
     {
-        for (const edge& e : facets_[i].points.edges())
-        {
-            const std::vector<label>& around = onEdges.at(ordered(e));
-            if (around.size() == 2)
-            {
-                visit(around[0]);
-                visit(around[1]);
-            }
-        }
-    });
+        faces[i] = facets_[i].points;
+    }
+    const wallSides sides(makeWallSides(faces, divided_.points.size()));
+
+    return findComponents(sides, faces.size(), patchOf, 2);
 }
 
 
@@ -269,26 +254,28 @@ label unionFacets::windingInFront(const facet& f) const
 std::vector<facet> unionFacets::boundary()
 {
     collectFacets();
-    std::vector<facet> result;
-
-    for (const std::vector<label>& patch : patches())
+    labelList patchOf;
+    labelList largest(findPatches(patchOf), -1);
+    forAll(patchOf, i)
     {
-        const label largest = *std::max_element
-        (
-            patch.begin(), patch.end(), [&](const label i, const label j)
-            {
-                return areas_[i] < areas_[j];
-            }
-        );
-        const facet& f = facets_[largest];
-        const label inFront = windingInFront(f);
+        label& l = largest[patchOf[i]];
+        l = l < 0 || facets_[l].sqrArea < facets_[i].sqrArea ? i : l;
+    }
 
-        if (inFront < 1 && inFront + f.jump >= 1)
+    boolList isBoundary(largest.size());
+    forAll(largest, patchi)
+    {
+        const facet& f = facets_[largest[patchi]];
+        const label inFront = windingInFront(f);
+        isBoundary[patchi] = inFront < 1 && inFront + f.jump >= 1;
+    }
+
+    std::vector<facet> result;
+    forAll(patchOf, i)
+    {
+        if (isBoundary[patchOf[i]])
         {
-            for (const label i : patch)
-            {
-                result.push_back(facets_[i]);
-            }
+            result.push_back(facets_[i]);
         }
     }
 
@@ -308,21 +295,21 @@ pointField unionFacets::points() const
 }
 
 
-std::vector<bool> unionFacets::areDivided() const
+label unionFacets::nDivided() const
 {
-    std::vector<label> nParts(triangles_.size(), 0);
+    labelList nParts(triangles_.size(), Zero);
     for (const label i : divided_.triangleOf)
     {
         ++nParts[i];
     }
 
-    std::vector<bool> result(triangles_.size());
-    forAll(triangles_, i)
+    label n = 0;
+    forAll(nParts, i)
     {
-        result[i] = nParts[i] > 1 || !divided_.inPlane[i].empty();
+        n += nParts[i] > 1 || !divided_.inPlane[i].empty();
     }
 
-    return result;
+    return n;
 }
 
 } // End anonymous namespace
@@ -335,15 +322,17 @@ unionBoundary findUnionBoundary(const wallSurface& surface)
     unionFacets facets(surface);
     const std::vector<facet> boundary(facets.boundary());
 
+    bitSet isThere(surface.faces.size());
     unionBoundary result;
     result.points = facets.points();
     result.faces.setSize(boundary.size());
     forAll(result.faces, i)
     {
         result.faces[i] = boundary[i].points;
-        result.triangleOf.push_back(boundary[i].triangle);
+        isThere.set(boundary[i].triangle);
     }
-    result.isDivided = facets.areDivided();
+    result.nDivided = facets.nDivided();
+    result.nInside = isThere.size() - isThere.count();
 
     return result;
 }

@@ -88,13 +88,19 @@ label findComponents
 (
     const wallSides& sides,
     const label nFaces,
-    labelList& componentOfFace
+    labelList& componentOfFace,
+    const label maxOnEdge
 )
 {
     disjointSets sets(nFaces);
 
     for (label e = 0; e < sides.nEdges(); ++e)
     {
+        if (sides.on(e).size() > maxOnEdge)
+        {
+            continue;
+        }
+
         for (const wallSide& s : sides.on(e))
         {
             sets.join(sides.on(e)[0].facei, s.facei);

@@ -21,7 +21,7 @@ static wallSurface united(wallSurface surface)
 {
     repairSteps steps;
     mergeEqualPoints(surface, steps);
-    EXPECT_TRUE(isBalanced(surface.faces));
+    EXPECT_TRUE(isBalanced(surface));
     uniteExactly(surface, steps);
 
     return surface;
@@ -51,14 +51,14 @@ static scalar volume(const wallSurface& surface)
 TEST(exactUnion, openAndDoubledFacesAreNotBalanced)
 {
     wallSurface surface(cube(2));
-    EXPECT_TRUE(isBalanced(surface.faces));
+    EXPECT_TRUE(isBalanced(surface));
 
     const face first(surface.faces.first());
     surface.faces.append(first);
-    EXPECT_FALSE(isBalanced(surface.faces));
+    EXPECT_FALSE(isBalanced(surface));
 
     surface.faces.setSize(surface.faces.size() - 2);
-    EXPECT_FALSE(isBalanced(surface.faces));
+    EXPECT_FALSE(isBalanced(surface));
 }
 
 
