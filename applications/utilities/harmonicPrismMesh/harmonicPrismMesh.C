@@ -358,6 +358,7 @@ int main(int argc, char *argv[])
         {
             writer.writeSurface(preparedFile, given.prepared.surface, replaced);
         });
+        logPatches(given.prepared.surface);
         Info<< nl << "Surface: " << preparedFile << nl << endl;
     }
     else

@@ -143,6 +143,27 @@ string sizesOf(const wallSurface& surface)
 }
 
 
+void logPatches(const wallSurface& surface)
+{
+    const List<patchMeasures> patches(measuresOfPatches(surface));
+
+    Info<< nl << "Patches:" << nl;
+    forAll(patches, patchi)
+    {
+        const patchMeasures& patch = patches[patchi];
+        Info<< "    " << surface.patchNames[patchi] << ": faces "
+            << patch.nFaces << ", area " << patch.area << " m2, centre "
+            << patch.centre;
+        if (patch.normal != vector(Zero))
+        {
+            Info<< ", plane, normal " << patch.normal;
+        }
+        Info<< nl;
+    }
+    Info<< flush;
+}
+
+
 void repair
 (
     const wallSurfaceControls& controls,

@@ -38,6 +38,39 @@ surfaceMeasures measuresOf(const wallSurface& surface)
 }
 
 
+List<patchMeasures> measuresOfPatches(const wallSurface& surface)
+{
+    List<patchMeasures> result(surface.patchNames.size());
+
+    // Sums of area vectors and of centres times areas
+    forAll(surface.faces, facei)
+    {
+        const faceGeometry f(surface.faces[facei].points(surface.points));
+        const scalar area = mag(f.area);
+        patchMeasures& patch = result[surface.patchIDs[facei]];
+        ++patch.nFaces;
+        patch.area += area;
+        patch.centre += area*f.centre;
+        patch.normal += f.area;
+    }
+
+    for (patchMeasures& patch : result)
+    {
+        if (patch.area <= 0)
+        {
+            continue;
+        }
+        patch.centre /= patch.area;
+        const scalar sum = mag(patch.normal);
+        const bool isPlane =
+            sum >= (1 - patchMeasures::planeTolerance)*patch.area;
+        patch.normal = isPlane ? patch.normal/sum : Zero;
+    }
+
+    return result;
+}
+
+
 scalarField smallestAngles(const wallSurface& surface)
 {
     scalarField result(surface.faces.size());

@@ -59,4 +59,34 @@ TEST(surfaceMeasures, countNeedles)
 }
 
 
+TEST(surfaceMeasures, ofPatches)
+{
+    // Two squares in the plane z = 1, and a roof of two that meet at 90 degrees
+    wallSurface surface;
+    surface.points = pointField
+    ({
+        {0, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0, 1, 1}, {2, 0, 1}, {2, 1, 1},
+        {2, 0, 2}, {2, 1, 2}
+    });
+    surface.faces = faceList
+    ({
+        face({0, 1, 2, 3}), face({1, 4, 5, 2}), face({4, 6, 7, 5}),
+        face({0, 1, 2, 3})
+    });
+    surface.patchNames = wordList({"floor", "none", "corner"});
+    surface.patchIDs = labelList({0, 0, 2, 2});
+    const List<patchMeasures> patches(measuresOfPatches(surface));
+
+    ASSERT_EQ(patches.size(), 3);
+    EXPECT_EQ(patches[0].nFaces, 2);
+    EXPECT_NEAR(patches[0].area, 2, 1e-12);
+    EXPECT_NEAR(mag(patches[0].centre - point(1, 0.5, 1)), 0, 1e-12);
+    EXPECT_NEAR(mag(patches[0].normal - vector(0, 0, 1)), 0, 1e-12);
+    EXPECT_EQ(patches[1].nFaces, 0);
+    EXPECT_EQ(patches[1].normal, vector(Zero));
+    EXPECT_NEAR(mag(patches[2].centre - point(1.25, 0.5, 1.25)), 0, 1e-12);
+    EXPECT_EQ(patches[2].normal, vector(Zero));
+}
+
+
 // ************************************************************************* //
