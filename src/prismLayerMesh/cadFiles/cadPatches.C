@@ -17,7 +17,7 @@ static bool isGeneric(const std::string& part)
 {
     const wordList kinds
     ({
-        "", "Shapes", "SOLID", "COMPOUND", "COMPSOLID", "SHELL", "FACE"
+        "", "NONE", "Shapes", "SOLID", "COMPOUND", "COMPSOLID", "SHELL", "FACE"
     });
 
     return kinds.found(word(part, false))

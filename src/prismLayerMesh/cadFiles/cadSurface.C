@@ -11,6 +11,7 @@
 #include "guardedReading.H"
 #include "OSspecific.H"
 #include "runProgram.H"
+#include "stepFaceNames.H"
 #include "stringOps.H"
 
 #include <cstdio>
@@ -143,6 +144,9 @@ struct attempts
     const word name;
     const surfaceCadControls& controls;
     const scalar maxEdge;
+
+    //- Of readStepFaceNames; empty for other files
+    const List<stringList> faceNames;
     const clockTime timer = clockTime();
 
     cadTriangulation best = cadTriangulation();
@@ -180,7 +184,12 @@ void attempts::add(const bool unite, const label algorithm)
     end = runGmsh(folder, script, controls.maxSeconds - timer.elapsedTime());
 
     std::ifstream model(folder/"model"), mesh(folder/"body.msh");
-    const cadModel found(readCadModel(model));
+    cadModel found(readCadModel(model));
+    // Uniting solids divides their faces
+    if (!unite || found.solidLabels.size() < 2)
+    {
+        nameFaces(faceNames, found);
+    }
     hasFaces = found.faces.size();
     errors = logOf(folder, errorsIn);
 
@@ -279,11 +288,12 @@ wallSurface readCadSurface
             const word name("body." + type);
             std::ofstream(folder.path()/name, std::ios::binary)
                 << std::ifstream(file, std::ios::binary).rdbuf();
-            std::ifstream text(file, std::ios::binary);
+            std::ifstream text(file, std::ios::binary), step(file);
 
             attempts tried
             {
-                folder.path(), name, controls, controls.maxEdge/scale
+                folder.path(), name, controls, controls.maxEdge/scale,
+                type == "step" ? readStepFaceNames(step) : List<stringList>()
             };
             triangulate(unite, tried);
             const word unit(cadUnit(text, type));
