@@ -7,6 +7,7 @@
 #include "boxSidePlanes.H"
 #include "cutBlindFaces.H"
 #include "cutReflexFaces.H"
+#include "flipCaps.H"
 #include "prismPolyMesh.H"
 #include "renumberWall.H"
 #include "splitAtSidePatches.H"
@@ -120,6 +121,13 @@ static wallSurface takeWall
                 << "With its border on the side patches the wall has defects"
                 << nl << describe(defects).c_str() << exit(FatalError);
         }
+    }
+
+    const label nFlips = flipCaps(wall);
+    if (nFlips)
+    {
+        Info<< "    edges flipped, of triangles whose normals are rounding "
+            << nFlips << endl;
     }
 
     // Repair may have folded some
