@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "fuzzCase.H"
+#include "addNeedles.H"
 #include "boundBox.H"
 #include "cutReflexFaces.H"
 #include "layerSpacing.H"
@@ -38,6 +39,10 @@ static wallSurface makeSurface(const fuzzCase& one, Random& random)
 {
     using randomSurfaces::kind;
 
+    if (one.isAssembly)
+    {
+        return randomSurfaces::assembly(random);
+    }
     if (!one.hasFarField)
     {
         return randomSurfaces::makeRandomSurface(one.kind, random);
@@ -149,6 +154,11 @@ void Foam::fuzzCase::make
     Random random(mixed(seed, index));
     wall = makeSurface(*this, random);
     cutReflexFaces(wall);
+    if (hasNeedles && wall.border.sides.empty())
+    {
+        Random needles(mixed(seed + 4, index));
+        randomSurfaces::addNeedles(wall, needles);
+    }
 
     const scalar size = cmptMax(boundBox(wall.points, false).span());
     const scalar total = size*randomSurfaces::logUniform(random, 0.003, 0.1);
@@ -224,6 +234,14 @@ Foam::wallSurface Foam::fuzzCase::repaired
     const wallSurface& wall
 ) const
 {
+    if (isAssembly)
+    {
+        wallSurfaceControls controls;
+        controls.repair.repair = surfaceRepairControls::method::stitch;
+
+        return repairSurface(wall, controls).surface;
+    }
+
     Random random(mixed(seed + 2, index));
     wallSurface surface(wall);
     if (enclosedVolume(surface) < 0)

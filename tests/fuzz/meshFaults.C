@@ -161,10 +161,15 @@ long double cellMesh::volume(const label celli) const
 
 scalar cellMesh::solverVolume(const label celli) const
 {
-    const point& origin = points_[mesh_.faces[cells_[celli][0]][0]];
+    const labelList& faces = cells_[celli];
+    point origin(Zero);
+    for (const label facei : faces)
+    {
+        origin += mesh_.faces[facei].centre(points_)/scalar(faces.size());
+    }
     scalar sum = 0;
 
-    for (const label facei : cells_[celli])
+    for (const label facei : faces)
     {
         const face& f = mesh_.faces[facei];
         const scalar cone =

@@ -26,11 +26,17 @@ Usage
       - \par -kind \<name\>
         All cases of that kind of surface; without it of all kinds in turn
 
+      - \par -needles
+        Closed surfaces get thin triangles
+
       - \par -remesh
         Closed surfaces get new triangles first
 
       - \par -repair \<method\>
         Closed surfaces are damaged first, and repaired: stitch or wrap
+
+      - \par -assemblies
+        Solids that touch and overlap, which repair stitch unites
 
       - \par -farField
         Surfaces are smaller, and have random far fields around their layers:
@@ -76,11 +82,16 @@ static void addOptions()
     (
         "kind", "name", "All cases of that kind of surface (default: in turn)"
     );
+    argList::addBoolOption("needles", "Closed surfaces get thin triangles");
     argList::addBoolOption("remesh", "Closed surfaces get new triangles first");
     argList::addOption
     (
         "repair", "method",
         "Closed surfaces are damaged first, and repaired: stitch or wrap"
+    );
+    argList::addBoolOption
+    (
+        "assemblies", "Solids that touch and overlap, united by repair stitch"
     );
     argList::addBoolOption
     (
@@ -143,8 +154,14 @@ static fuzzCase caseOf(const argList& args, const label index)
     fuzzCase one;
     one.seed = args.lookupOrDefault<label>("seed", 1);
     one.index = index;
+    one.hasNeedles = args.found("needles");
     one.isRemeshed = args.found("remesh");
     one.hasFarField = args.found("farField");
+    one.isAssembly = args.found("assemblies");
+    if (one.isAssembly)
+    {
+        one.repair = surfaceRepairControls::method::stitch;
+    }
     if (args.found("repair"))
     {
         one.repair =
