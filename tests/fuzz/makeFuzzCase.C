@@ -139,6 +139,44 @@ static void addValues
     }
 }
 
+
+//- What a few of the cases have. Of other random numbers, so that these leave
+//  the other cases as they are
+static void addVariants
+(
+    const wallSurface& wall,
+    layerControls& layers,
+    localHeights& local,
+    Random& more
+)
+{
+    heightEntries& heights = layers.heights;
+
+    if (randomSurfaces::chance(more, 0.15))
+    {
+        addRegion(wall, layers, local, more);
+    }
+    if (randomSurfaces::chance(more, 0.1))
+    {
+        addValues(wall, layers, local, more);
+    }
+    if (randomSurfaces::chance(more, 0.1) && layers.patches.size())
+    {
+        layers.patches[0].heights.nSurfaceLayers = more.position<label>(1, 20);
+    }
+    if (randomSurfaces::chance(more, 0.05) && layers.regions.empty())
+    {
+        heights.nSurfaceLayers = 0;
+        heights.expansionRatio = max(heights.expansionRatio, scalar(1.1));
+        layers.finalAspect = more.position<scalar>(0.05, 1);
+
+        for (patchLayers& entry : layers.patches)
+        {
+            entry.heights.nSurfaceLayers = 0;
+        }
+    }
+}
+
 } // End namespace Foam
 
 
@@ -181,32 +219,8 @@ void Foam::fuzzCase::make
         layers.multipleNormalsAngle = random.position<scalar>(0, 60);
     }
 
-    // Other numbers, so that these leave those above as they are
     Random more(mixed(seed, index) + 1);
-
-    if (randomSurfaces::chance(more, 0.15))
-    {
-        addRegion(wall, layers, local, more);
-    }
-    if (randomSurfaces::chance(more, 0.1))
-    {
-        addValues(wall, layers, local, more);
-    }
-    if (randomSurfaces::chance(more, 0.1) && layers.patches.size())
-    {
-        layers.patches[0].heights.nSurfaceLayers = more.position<label>(1, 20);
-    }
-    if (randomSurfaces::chance(more, 0.05) && layers.regions.empty())
-    {
-        layers.heights.nSurfaceLayers = 0;
-        layers.heights.expansionRatio = max(ratio, scalar(1.1));
-        layers.finalAspect = more.position<scalar>(0.05, 1);
-
-        for (patchLayers& entry : layers.patches)
-        {
-            entry.heights.nSurfaceLayers = 0;
-        }
-    }
+    addVariants(wall, layers, local, more);
 }
 
 

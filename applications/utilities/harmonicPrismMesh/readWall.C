@@ -77,6 +77,26 @@ static string checkWall
 }
 
 
+//- Changes faces above which no cells could be positive, and reports it
+static void prepareFaces(wallSurface& wall)
+{
+    const label nFlips = flipCaps(wall);
+    if (nFlips)
+    {
+        Info<< "    edges flipped, of triangles whose normals are rounding "
+            << nFlips << endl;
+    }
+
+    // Repair may have folded some
+    const label nCut = cutReflexFaces(wall) + cutBlindFaces(wall);
+    if (nCut)
+    {
+        Info<< "    faces cut into triangles, for a direction in front of all"
+            << " faces at each point " << nCut << endl;
+    }
+}
+
+
 //- The wall of a surface without defects, reported if it ends on side patches
 static wallSurface takeWall
 (
@@ -123,20 +143,7 @@ static wallSurface takeWall
         }
     }
 
-    const label nFlips = flipCaps(wall);
-    if (nFlips)
-    {
-        Info<< "    edges flipped, of triangles whose normals are rounding "
-            << nFlips << endl;
-    }
-
-    // Repair may have folded some
-    const label nCut = cutReflexFaces(wall) + cutBlindFaces(wall);
-    if (nCut)
-    {
-        Info<< "    faces cut into triangles, for a direction in front of all"
-            << " faces at each point " << nCut << endl;
-    }
+    prepareFaces(wall);
 
     return wall;
 }
