@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "embeddingFault.H"
-#include "readWallSurface.H"
+#include "removeUnused.H"
 #include "wallDefects.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //

@@ -4,8 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "tetBoundary.H"
-#include "readWallSurface.H"
 #include "refineSurface.H"
+#include "removeUnused.H"
 #include "sidePatchRemainders.H"
 #include "sideShape.H"
 

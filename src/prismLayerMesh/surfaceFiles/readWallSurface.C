@@ -6,6 +6,7 @@
 #include "readWallSurface.H"
 #include "cadSurface.H"
 #include "cutReflexFaces.H"
+#include "removeUnused.H"
 #include "surfaceFile.H"
 #include "wallPredicates.H"
 #include "wallTopologyDefects.H"
@@ -270,56 +271,6 @@ static bool isOrientable(const wallSurface& wall, const wallSides& sides)
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
-labelList removeUnusedPoints(faceList& faces, pointField& points)
-{
-    bitSet used(points.size());
-    for (const face& f : faces)
-    {
-        used.set(f);
-    }
-
-    const labelList numbers(invert(used));
-    inplaceSubset(used, points);
-
-    for (face& f : faces)
-    {
-        inplaceRenumber(numbers, f);
-    }
-
-    return numbers;
-}
-
-
-void mergePatches(wallSurface& wall)
-{
-    bitSet used(wall.patchNames.size());
-    used.set(wall.patchIDs);
-
-    DynamicList<word> names, types;
-    labelList numbers(used.size(), -1);
-
-    for (const label i : used)
-    {
-        numbers[i] = names.find(wall.patchNames[i]);
-
-        if (numbers[i] < 0)
-        {
-            numbers[i] = names.size();
-            names.append(wall.patchNames[i]);
-
-            if (wall.patchTypes.size())
-            {
-                types.append(wall.patchTypes[i]);
-            }
-        }
-    }
-
-    inplaceRenumber(numbers, wall.patchIDs);
-    wall.patchNames = names;
-    wall.patchTypes = types;
-}
-
 
 wallSurface readWallSurface
 (

@@ -5,7 +5,7 @@
 
 #include "cutSurface.H"
 #include "EdgeMap.H"
-#include "readWallSurface.H"
+#include "removeUnused.H"
 #include "wallPredicates.H"
 
 namespace Foam

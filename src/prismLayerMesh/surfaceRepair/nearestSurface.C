@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "nearestSurface.H"
-#include "readWallSurface.H"
+#include "removeUnused.H"
 
 namespace Foam
 {

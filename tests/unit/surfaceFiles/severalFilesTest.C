@@ -5,6 +5,7 @@
 
 #include "splitAtSidePatches.H"
 #include "openSurfaces.H"
+#include "removeUnused.H"
 #include "surfaceFiles.H"
 #include "wallDefects.H"
 

@@ -5,6 +5,7 @@
 
 #include "openSurfaces.H"
 #include "mathematicalConstants.H"
+#include "removeUnused.H"
 #include "splitAtSidePatches.H"
 
 namespace Foam
