@@ -5,6 +5,7 @@
 
 #include "randomSurface.H"
 #include "mathematicalConstants.H"
+#include "orientWallSurface.H"
 #include "splitAtSidePatches.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //

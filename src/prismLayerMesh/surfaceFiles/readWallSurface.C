@@ -6,10 +6,10 @@
 #include "readWallSurface.H"
 #include "cadSurface.H"
 #include "cutReflexFaces.H"
+#include "orientWallSurface.H"
 #include "removeUnused.H"
 #include "surfaceFile.H"
-#include "wallPredicates.H"
-#include "wallTopologyDefects.H"
+#include "wallSides.H"
 #include "boundBox.H"
 #include "ListOps.H"
 
@@ -87,20 +87,6 @@ static labelList findRepresentatives
     }
 
     return representatives;
-}
-
-
-static bool hasRepeatedPoint(const face& f)
-{
-    for (label i = 0; i < f.size(); ++i)
-    {
-        if (f[i] == f[f.fcIndex(i)])
-        {
-            return true;
-        }
-    }
-
-    return false;
 }
 
 
@@ -182,19 +168,6 @@ static void namePatches(wallSurface& wall, const fileName& file)
 }
 
 
-//- Turn the faces that are not oriented as most of their component: those of
-//  one file need not be oriented as those of another
-static void orientAlike(wallSurface& wall)
-{
-    const wallSides sides(makeWallSides(wall.faces, wall.points.size()));
-
-    for (const label facei : findTurnedFaces(sides, wall.faces.size()))
-    {
-        wall.faces[facei].flip();
-    }
-}
-
-
 static void append(const wallSurface& part, wallSurface& wall)
 {
     const label nPoints = wall.points.size();
@@ -251,25 +224,6 @@ static wallSurface readPart
 }
 
 
-//- A closed oriented manifold, by its labels alone
-static bool isOrientable(const wallSurface& wall, const wallSides& sides)
-{
-    for (const face& f : wall.faces)
-    {
-        if (f.size() < 3 || hasRepeatedPoint(f))
-        {
-            return false;
-        }
-    }
-
-    defectList defects(wall);
-    const bool oriented = findBadEdges(sides, defects);
-    findNonManifoldPoints(wall, sides, defects);
-
-    return oriented && defects.empty();
-}
-
-
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 wallSurface readWallSurface
@@ -314,33 +268,6 @@ wallSurface readWallSurface
     reading.flippedFaces = orientWallSurface(wall, controls.fluidOutside);
 
     return wall;
-}
-
-
-label orientWallSurface(wallSurface& wall, const bool fluidOutside)
-{
-    const wallSides sides(makeWallSides(wall.faces, wall.points.size()));
-
-    if (wall.faces.empty() || !isOrientable(wall, sides))
-    {
-        return 0;
-    }
-
-    labelList componentOfFace;
-    const label n = findComponents(sides, wall.faces.size(), componentOfFace);
-    const bitSet inward(findInwardComponents(wall, componentOfFace, n));
-    label nFlipped = 0;
-
-    forAll(wall.faces, facei)
-    {
-        if (inward.test(componentOfFace[facei]) == fluidOutside)
-        {
-            wall.faces[facei].flip();
-            ++nFlipped;
-        }
-    }
-
-    return nFlipped;
 }
 
 } // End namespace Foam

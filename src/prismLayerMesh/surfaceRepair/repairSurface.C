@@ -8,7 +8,7 @@
 #include "cutReflexFaces.H"
 #include "cutSurface.H"
 #include "exactUnion.H"
-#include "readWallSurface.H"
+#include "orientWallSurface.H"
 #include "sigFpe.H"
 #include "snapToSurface.H"
 #include "splitAtSidePatches.H"

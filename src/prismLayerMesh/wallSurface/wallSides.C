@@ -38,6 +38,20 @@ static void visitSides(const faceList& faces, const Visitor& visit)
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
+bool hasRepeatedPoint(const face& f)
+{
+    for (label i = 0; i < f.size(); ++i)
+    {
+        if (f[i] == f[f.fcIndex(i)])
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+
 wallSides makeWallSides(const faceList& faces, const label nPoints)
 {
     // A counting sort on low leaves runs of a few sides to be sorted by high
