@@ -8,6 +8,7 @@
 #include "cutReflexFaces.H"
 #include "cutSurface.H"
 #include "exactUnion.H"
+#include "orientOpenWall.H"
 #include "orientWallSurface.H"
 #include "sigFpe.H"
 #include "snapToSurface.H"

@@ -6,6 +6,8 @@
 #include "splitAtSidePatches.H"
 #include "boundBox.H"
 #include "checkInFront.H"
+#include "orientOpenWall.H"
+#include "removeUnused.H"
 #include "sideParts.H"
 #include "sideShape.H"
 #include "wallSides.H"
