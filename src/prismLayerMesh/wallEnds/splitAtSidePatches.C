@@ -8,9 +8,9 @@
 #include "checkInFront.H"
 #include "orientOpenWall.H"
 #include "removeUnused.H"
+#include "sideBorders.H"
 #include "sideParts.H"
 #include "sideShape.H"
-#include "wallSides.H"
 
 namespace Foam
 {
@@ -28,7 +28,6 @@ struct wallSplitter
 
     const scalar tolerance =
         sideTolerance*boundBox(surface.points, false).mag();
-    wallSides edges{};
 
     //- Side patch of each face, -1 of the wall
     labelList sideOfFace{};
@@ -38,63 +37,21 @@ struct wallSplitter
     //- How many of them are parts of planes; planes without faces follow
     label nParts = 0;
 
-    //- Side patches of each point of the surface
-    List<DynamicList<label>> pointSides{};
+    sideBorders borders{};
 
     wallSurface wall{};
 
 
-    //- The plane that is nearest to both ends of an edge, -1 if none is near
-    label planeOf(const wallSide& edge) const
-    {
-        label nearest = -1;
-        scalar least = tolerance;
-
-        for (label s = nParts; s < sides.size(); ++s)
-        {
-            const scalar distance = max
-            (
-                mag(sides[s].distance(surface.points[edge.low])),
-                mag(sides[s].distance(surface.points[edge.high]))
-            );
-
-            if (distance <= least)
-            {
-                least = distance;
-                nearest = s;
-            }
-        }
-
-        return nearest;
-    }
-
     bitSet pointsOn(const label s) const
     {
-        bitSet on(pointSides.size());
-        forAll(pointSides, p)
+        bitSet on(borders.pointSides.size());
+        forAll(borders.pointSides, p)
         {
-            on.set(p, pointSides[p].found(s));
+            on.set(p, borders.pointSides[p].found(s));
         }
 
         return on;
     }
-
-    void addPointSide(const label p, const label s)
-    {
-        if (!pointSides[p].found(s))
-        {
-            pointSides[p].append(s);
-        }
-    }
-
-    //- An edge of a face is on a side patch: a border if the face is the wall's
-    void addBorder(const wallSide& edge, const label side);
-
-    //- Set borders of the wall, and the side patches of points
-    void findBorders();
-
-    //- The points of faces on side patches are on these patches
-    void addPointsOfSides();
 
     void checkSides() const;
 
@@ -104,89 +61,6 @@ struct wallSplitter
 
     wallSurface split(wallReading& reading);
 };
-
-
-void wallSplitter::addBorder(const wallSide& edge, const label side)
-{
-    addPointSide(edge.low, side);
-    addPointSide(edge.high, side);
-
-    if (sideOfFace[edge.facei] < 0)
-    {
-        wall.border.edges.append(edge.along());
-        wall.border.edgeSides.append(side);
-    }
-}
-
-
-void wallSplitter::findBorders()
-{
-    DynamicList<point> lost;
-
-    for (label e = 0; e < edges.nEdges(); ++e)
-    {
-        const SubList<wallSide> both(edges.on(e));
-        const wallSide& first = both[0];
-        const label side = sideOfFace[first.facei];
-
-        if (both.size() == 1)
-        {
-            const label plane = planeOf(first);
-
-            if (plane >= 0)
-            {
-                addBorder(first, plane);
-            }
-            else
-            {
-                lost.append
-                (
-                    0.5
-                   *(surface.points[first.low] + surface.points[first.high])
-                );
-            }
-            continue;
-        }
-
-        const wallSide& second = both[1];
-        const label other = sideOfFace[second.facei];
-
-        if (side < 0 && other >= 0)
-        {
-            addBorder(first, other);
-        }
-        else if (side >= 0 && other < 0)
-        {
-            addBorder(second, side);
-        }
-    }
-
-    OStringStream bound;
-    bound << tolerance;
-    refuseAt
-    (
-        lost,
-        "The surface is open and its border is further than " + bound.str()
-      + " m from all side planes"
-    );
-
-    addPointsOfSides();
-}
-
-
-void wallSplitter::addPointsOfSides()
-{
-    forAll(sideOfFace, facei)
-    {
-        for (const label p : surface.faces[facei])
-        {
-            if (sideOfFace[facei] >= 0)
-            {
-                addPointSide(p, sideOfFace[facei]);
-            }
-        }
-    }
-}
 
 
 void wallSplitter::checkSides() const
@@ -206,7 +80,7 @@ void wallSplitter::checkSides() const
 
     for (const edge& e : wall.border.edges)
     {
-        if (pointSides[e.start()].size() > 2)
+        if (borders.pointSides[e.start()].size() > 2)
         {
             FatalErrorInFunction
                 << "More than two side patches meet at the point "
@@ -219,13 +93,13 @@ void wallSplitter::checkSides() const
 
 void wallSplitter::putOnPlanes(wallReading& reading)
 {
-    forAll(pointSides, p)
+    forAll(borders.pointSides, p)
     {
         const point x = surface.points[p];
 
-        if (pointSides[p].size())
+        if (borders.pointSides[p].size())
         {
-            surface.points[p] = onAll(sides, pointSides[p], x);
+            surface.points[p] = onAll(sides, borders.pointSides[p], x);
 
             const scalar distance = mag(surface.points[p] - x);
             reading.pointsPutOnSides += distance > 0;
@@ -295,14 +169,14 @@ wallSurface wallSplitter::split(wallReading& reading)
     );
 
     const sideParts parts(findSideParts(surface, layers, tolerance));
-    edges = makeWallSides(surface.faces, surface.points.size());
-    pointSides.setSize(surface.points.size());
     sideOfFace = parts.sideOfFace;
     sides = parts.sides;
     nParts = sides.size();
     sides.append(controls.sidePlanes);
 
-    findBorders();
+    borders = findSideBorders(surface, parts, controls.sidePlanes, tolerance);
+    wall.border.edges = borders.edges;
+    wall.border.edgeSides = borders.edgeSides;
     checkSides();
     putOnPlanes(reading);
     takeWall();
