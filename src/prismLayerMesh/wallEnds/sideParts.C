@@ -4,12 +4,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sideParts.H"
-#include "bitSet.H"
-#include "disjointSets.H"
 #include "divideSidePart.H"
-#include "readWallSurface.H"
+#include "removeUnused.H"
+#include "sideFaces.H"
 #include "sideShape.H"
-#include "wallSides.H"
 
 namespace Foam
 {
@@ -34,98 +32,11 @@ namespace
 class partFinder
 {
     const wallSurface& surface_;
-
-    //- Sector of each face. A part is in one sector.
-    const labelList& sectors_;
-
-    const wallSides edges_;
     const layerControls& layers_;
     const scalar tolerance_;
-    const vectorField normals_;
-
-    //- Faces of patches that are to have no layers, and of these the ones
-    //  beside the wall
-    bitSet sideFaces_;
-    bitSet atWall_;
+    const sideFaces faces_;
 
     sideParts parts_;
-
-
-    void setSideFaces()
-    {
-        boolList isSide(surface_.patchNames.size(), false);
-        forAll(isSide, patchi)
-        {
-            isSide[patchi] = layers_.isSide(surface_.patchNames[patchi]);
-        }
-
-        sideFaces_.setSize(surface_.faces.size());
-        forAll(surface_.patchIDs, facei)
-        {
-            sideFaces_.set(facei, isSide[surface_.patchIDs[facei]]);
-        }
-
-        atWall_.setSize(surface_.faces.size());
-        forAllPairs([&](const label f, const label g)
-        {
-            atWall_.set(f, atWall_.test(f) || !sideFaces_.test(g));
-            atWall_.set(g, atWall_.test(g) || !sideFaces_.test(f));
-        });
-    }
-
-
-    //- Calls a function with the two faces of each edge that has two
-    template<class Function>
-    void forAllPairs(const Function& call) const
-    {
-        for (label e = 0; e < edges_.nEdges(); ++e)
-        {
-            const SubList<wallSide> both(edges_.on(e));
-
-            if (both.size() == 2)
-            {
-                call(both[0].facei, both[1].facei);
-            }
-        }
-    }
-
-
-    //- The faces of side patches that are in no part yet, in lists of those of
-    //  a patch that are joined by edges, with at least a cosine of the angle
-    //  between them. In the order of the first faces.
-    List<DynamicList<label>> joined(const scalar cosine) const
-    {
-        disjointSets sets(surface_.faces.size());
-        forAllPairs([&](const label f, const label g)
-        {
-            if
-            (
-                sideFaces_.test(f) && sideFaces_.test(g)
-             && sectors_[f] == sectors_[g]
-             && surface_.patchIDs[f] == surface_.patchIDs[g]
-             && (normals_[f] & normals_[g]) > cosine
-            )
-            {
-                sets.join(f, g);
-            }
-        });
-
-        Map<label> listOf;
-        DynamicList<DynamicList<label>> lists;
-        for (const label f : sideFaces_)
-        {
-            if (parts_.sideOfFace[f] < 0)
-            {
-                if (listOf.insert(sets.find(f), lists.size()))
-                {
-                    lists.append(DynamicList<label>());
-                }
-                lists[listOf[sets.find(f)]].append(f);
-            }
-        }
-
-        return List<DynamicList<label>>(std::move(lists));
-    }
 
 
     //- A plane through faces
@@ -168,16 +79,6 @@ class partFinder
     }
 
 
-    bool touchesWall(const labelUList& faces) const
-    {
-        return std::any_of
-        (
-            faces.begin(), faces.end(),
-            [&](const label f) { return atWall_.test(f); }
-        );
-    }
-
-
     sidePatch curvedThrough(const labelUList& faces) const
     {
         sidePatch side(planeThrough(faces));
@@ -215,14 +116,11 @@ public:
     )
     :
         surface_(surface),
-        sectors_(sectors),
-        edges_(makeWallSides(surface.faces, surface.points.size())),
         layers_(layers),
         tolerance_(tolerance),
-        normals_(surface.faceNormals())
+        faces_(surface, sectors, layers)
     {
         parts_.sideOfFace.setSize(surface.faces.size(), -1);
-        setSideFaces();
     }
 
     sideParts find();
@@ -239,7 +137,7 @@ public:
 sideParts partFinder::find()
 {
     // All of a part that is joined at any angle, where it is plane
-    for (const labelList& part : joined(-2))
+    for (const labelList& part : faces_.joined(-2, parts_.sideOfFace))
     {
         if (isPlane(part))
         {
@@ -247,8 +145,14 @@ sideParts partFinder::find()
         }
     }
 
-    const List<DynamicList<label>> smooth(joined(samePlaneCosine));
-    const List<DynamicList<label>> curved(joined(curvedCosine));
+    const List<DynamicList<label>> smooth
+    (
+        faces_.joined(samePlaneCosine, parts_.sideOfFace)
+    );
+    const List<DynamicList<label>> curved
+    (
+        faces_.joined(curvedCosine, parts_.sideOfFace)
+    );
     labelList curvedOf(surface_.faces.size(), -1);
     forAll(curved, i)
     {
@@ -258,7 +162,7 @@ sideParts partFinder::find()
     boolList isCurved(curved.size(), false);
     for (const labelList& part : smooth)
     {
-        if (!isPlane(part) || !touchesWall(part))
+        if (!isPlane(part) || !faces_.touchWall(part))
         {
             isCurved[curvedOf[part[0]]] = !isPlane(curved[curvedOf[part[0]]]);
         }
@@ -294,7 +198,7 @@ Map<label> partFinder::unseen() const
         if
         (
             s >= 0 && parts_.sides[s].isCurved()
-         && (-parts_.sides[s].normal & normals_[facei]) < leastSeen
+         && (-parts_.sides[s].normal & faces_.normal(facei)) < leastSeen
         )
         {
             faces.insert(s, facei);
@@ -307,24 +211,13 @@ Map<label> partFinder::unseen() const
 
 void partFinder::checkJoined() const
 {
-    labelList components;
-    boolList hasWall
-    (
-        findComponents(edges_, surface_.faces.size(), components), false
-    );
-    forAll(components, facei)
-    {
-        if (!sideFaces_.test(facei))
-        {
-            hasWall[components[facei]] = true;
-        }
-    }
+    const bitSet joined(faces_.joinedToWall());
 
-    forAll(components, facei)
+    forAll(parts_.sideOfFace, facei)
     {
         const label s = parts_.sideOfFace[facei];
 
-        if (s >= 0 && !hasWall[components[facei]])
+        if (s >= 0 && !joined.test(facei))
         {
             FatalErrorInFunction
                 << "The wall does not end on the side patch "
