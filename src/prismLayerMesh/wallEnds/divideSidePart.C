@@ -9,6 +9,7 @@
 #include "EdgeMap.H"
 #include "ListOps.H"
 #include "sidePatch.H"
+#include "splitAtEdges.H"
 
 namespace Foam
 {
@@ -201,70 +202,11 @@ struct partDivider
     }
 
 
-    //- A face in triangles that none of the edges crosses; the face if none
-    //  does
-    DynamicList<face> pieces(const face& whole) const
-    {
-        DynamicList<face> left;
-        DynamicList<face> done;
-        left.append(whole);
-
-        while (left.size())
-        {
-            const face f(left.remove());
-            label k = 0;
-            while (k < f.size() && !crossings.found(f.faceEdge(k)))
-            {
-                ++k;
-            }
-
-            if (k == f.size())
-            {
-                done.append(f);
-                continue;
-            }
-
-            const label x = crossings[f.faceEdge(k)];
-            for (label i = 1; i < f.size(); ++i)
-            {
-                const edge e(f.faceEdge((k + i) % f.size()));
-                left.append(face({x, e.start(), e.end()}));
-            }
-        }
-
-        return done;
-    }
-
-
     //- Append to values of faces those of the faces that further ones are of
     static void extend(labelList& values, const labelUList& from)
     {
         const labelList added(values, from);
         values.append(added);
-    }
-
-
-    void cutFaces()
-    {
-        DynamicList<face> added;
-        DynamicList<label> from;
-
-        forAll(surface.faces, facei)
-        {
-            const DynamicList<face> all(pieces(surface.faces[facei]));
-            surface.faces[facei] = all[0];
-
-            for (label i = 1; i < all.size(); ++i)
-            {
-                added.append(all[i]);
-                from.append(facei);
-            }
-        }
-
-        surface.faces.append(added);
-        extend(surface.patchIDs, from);
-        extend(sectored.parts, from);
-        extend(sectored.sectors, from);
     }
 
 
@@ -274,7 +216,9 @@ struct partDivider
         setPlane();
         putOnBorder();
         findCrossings();
-        cutFaces();
+        const labelList from(splitAtEdges(crossings, surface));
+        extend(sectored.parts, from);
+        extend(sectored.sectors, from);
 
         const label sector = max(sectored.sectors) + 1;
         for (const label f : findIndices(sectored.parts, part))
