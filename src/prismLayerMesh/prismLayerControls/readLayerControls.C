@@ -4,133 +4,14 @@
 \*---------------------------------------------------------------------------*/
 
 #include "readLayerControls.H"
-#include "readRegions.H"
+#include "controlEntries.H"
 #include "readLayerHeights.H"
+#include "readLayerParts.H"
 
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * * Static Data * * * * * * * * * * * * * * * //
-
-const wordList sideTypes
-({
-    "patch", "wall", "symmetryPlane", "symmetry", "empty"
-});
-
-
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- Number of layers of a patch or region; 0 if it is the general number
-static label readNumber(const dictionary& dict, const layerControls& general)
-{
-    label n = 0;
-    readBounded(dict, "nSurfaceLayers", 1, heightSeries::maxLayers, n);
-
-    if (n && general.automatic())
-    {
-        entryError(dict, "nSurfaceLayers")
-            << "Value of nSurfaceLayers for " << dict.dictName() << " is " << n
-            << ", but the number of layers is auto, for all of the wall"
-            << exit(FatalIOError);
-    }
-
-    return n;
-}
-
-
-//- An automatic number of layers follows from h1 and alpha
-static void checkAutomatic(const dictionary& dict, const heightEntries& given)
-{
-    if (given.finalLayerThickness > 0 || given.thickness > 0)
-    {
-        entryError(dict, dict.dictName())
-            << "With nSurfaceLayers auto, " << dict.dictName() << " may have"
-            << " firstLayerThickness, or yPlus, and expansionRatio; given: "
-            << givenKeys(given).c_str() << exit(FatalIOError);
-    }
-}
-
-
-//- Entries for a part of the wall, checked together with the general entries
-static heightEntries readPart
-(
-    const dictionary& dict,
-    const layerControls& general
-)
-{
-    heightEntries given(readLayerHeights(dict, general.heights.relativeSizes));
-    given.nSurfaceLayers = readNumber(dict, general);
-
-    if (general.automatic())
-    {
-        checkAutomatic(dict, given);
-    }
-
-    // In other units they are checked at each point later
-    if (given.relativeSizes == general.heights.relativeSizes)
-    {
-        atEntriesOf(dict, [&]()
-        {
-            const heightSeries before
-            (
-                changedHeights(heightSeries(), general.heights, 1)
-            );
-            changedHeights(before, given, 1);
-        });
-    }
-
-    return given;
-}
-
-
-//- What is said of patches: of those with 0 layers nothing but their type
-static patchLayers readPatches
-(
-    const keyType& key,
-    const dictionary& dict,
-    const layerControls& general
-)
-{
-    wordList keys(layerHeightKeys);
-    keys.append("type");
-    checkKeys(dict, keys);
-
-    patchLayers patches;
-    patches.patches = key;
-    readChoice(dict, "type", sideTypes, patches.type);
-
-    label n = -1;
-    patches.isSide =
-        dict.readIfPresent("nSurfaceLayers", n, keyType::LITERAL) && n == 0;
-
-    if (!patches.isSide)
-    {
-        patches.heights = readPart(dict, general);
-    }
-    else if (dict.size() > (patches.type.empty() ? 1 : 2))
-    {
-        entryError(dict, "nSurfaceLayers")
-            << "Patches " << key << " have no layers: they have no heights"
-            << exit(FatalIOError);
-    }
-
-    return patches;
-}
-
-
-static layerRegion readRegion
-(
-    const dictionary& dict,
-    const layerControls& general
-)
-{
-    wordList keys(geometryRegionKeys);
-    keys.append(layerHeightKeys);
-    checkKeys(dict, keys);
-
-    return layerRegion{readGeometryRegion(dict), readPart(dict, general)};
-}
-
 
 static heightField readHeightField(const dictionary& dict)
 {
@@ -296,22 +177,8 @@ layerControls readLayerControls(const dictionary& dict)
         dict, "multipleNormalsAngle", 0, 90, controls.multipleNormalsAngle
     );
 
-    controls.patches = readEntries<patchLayers>
-    (
-        dict, "patches",
-        [&](const keyType& key, const dictionary& entries)
-        {
-            return readPatches(key, entries, controls);
-        }
-    );
-    controls.regions = readEntries<layerRegion>
-    (
-        dict, "regions",
-        [&](const keyType&, const dictionary& entries)
-        {
-            return readRegion(entries, controls);
-        }
-    );
+    controls.patches = readLayerPatches(dict, controls);
+    controls.regions = readLayerRegions(dict, controls);
 
     return controls;
 }
