@@ -237,7 +237,7 @@ struct sheetMaker
             const scalar height = share*r.radius;
             points[i] = root + height*r.offset;
             stands[i] = onSheet(r)
-             && search.putOnSides
+             && search.sides().putOnSides
                 (
                     root, sheetControls::sideShare*height, points[i], sides[i]
                 )

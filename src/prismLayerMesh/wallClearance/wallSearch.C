@@ -82,35 +82,8 @@ wallSearch::wallSearch(const wallSurface& wall)
         10,
         3
     ),
-    sides_(wall.border.sides),
-    parts_(sides_.size())
-{
-    forAll(sides_, s)
-    {
-        const sidePatch& side = sides_[s];
-
-        if (side.isPart())
-        {
-            parts_[s] = side.isCurved()
-              ? side.shape
-              : std::make_shared<const sideShape>(side.points, side.faces);
-        }
-    }
-}
-
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-bool wallSearch::isNear
-(
-    const label side,
-    const point& x,
-    const scalar distance
-) const
-{
-    return mag(sides_[side].distance(x)) < distance
-     && (!parts_[side] || parts_[side]->nearest(x, distance).hit());
-}
+    sides_(wall.border.sides)
+{}
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
@@ -176,12 +149,12 @@ pointIndexHit wallSearch::nearestOpposite
     );
 
     // Labels of the triangles of images follow
-    forAll(sides_, s)
+    for (label s = 0; s < sides_.size(); ++s)
     {
         const scalar least =
             nearest.hit() ? mag(x - nearest.rawPoint()) : distance;
 
-        if (isNear(s, x, least))
+        if (sides_.isNear(s, x, least))
         {
             const sidePlane side(sides_[s].planeAt(x));
             const vector reflected(side.reflected(direction));
@@ -240,42 +213,6 @@ bool wallSearch::overlaps(const boundBox& box) const
             box.contains(nearest.hitPoint())
          || tree_.findBox(treeBoundBox(box)).size()
         );
-}
-
-
-bool wallSearch::putOnSides
-(
-    const point& from,
-    const scalar distance,
-    point& x,
-    labelPair& sides
-) const
-{
-    sides = labelPair(-1, -1);
-    DynamicList<label> near;
-
-    forAll(sides_, s)
-    {
-        const sidePatch& side = sides_[s];
-
-        if (near.size() < 2 && isNear(s, x, distance))
-        {
-            sides[near.size()] = s;
-            near.append(s);
-        }
-        else if
-        (
-            side.distance(x) > 0
-         && (!parts_[s] || parts_[s]->hit(from, x).hit())
-        )
-        {
-            return false;
-        }
-    }
-
-    x = onAll(sides_, near, x);
-
-    return true;
 }
 
 
