@@ -4,9 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "faceSectors.H"
+#include "directionsNearEdges.H"
 #include "directionTriangles.H"
 #include "DynamicField.H"
-#include "facesAround.H"
 #include "mathematicalConstants.H"
 
 namespace Foam
@@ -33,148 +33,38 @@ struct faceDirections
     faceList triangles{};
 
 
-    static vector across(const vector& e, const vector& x)
-    {
-        return normalised(x - (x & e)*e);
-    }
-
-
-    bool isFirst(const label i) const { return around.side && i == 0; }
-
-    bool isLast(const label i) const
-    {
-        return around.side && i == d.size() - 1;
-    }
-
-
-    label next(const label edgei) const
-    {
-        return around.edges.fcIndex(edgei);
-    }
-
-    label prev(const label edgei) const
-    {
-        return around.edges.rcIndex(edgei);
-    }
-
-
-    //- From 0 to 2 pi: about edge i from face i to x
-    scalar angleAbout(const label i, const vector& x) const
-    {
-        const vector& e = around.edges[i];
-        const vector ahead = across(e, around.edges[next(i)]);
-        const scalar angle = ::atan2((e ^ ahead) & x, ahead & x);
-
-        return angle < 0 ? angle + constant::mathematical::twoPi : angle;
-    }
-
-
-    //- In the plane of the side patch, at a distance from its edge of face i or
-    //  further away: from the other one at less than 180 degrees
-    vector nearBorder(const label i, const scalar distance) const
-    {
-        const vectorField& edges = around.edges;
-        const vector& e = isFirst(i) ? edges.first() : edges.last();
-        const vector& other = isFirst(i) ? edges.last() : edges.first();
-
-        vector inPlane(normalised(around.side->normal ^ e));
-        inPlane *= (inPlane & around.normals[i].last()) < 0 ? -1 : 1;
-
-        const scalar pi = constant::mathematical::pi;
-        const scalar toOther = ::atan2(other & inPlane, other & e);
-        const scalar all = toOther < 0 ? toOther + 2*pi : toOther;
-        const scalar angle =
-            max(distance, 0.5*(all - frontControls::largestAngle*pi));
-
-        return ::cos(angle)*e + ::sin(angle)*inPlane;
-    }
-
-
-    //- At a distance from the first or second edge of face i. The direction of
-    //  the face on the other side is near to another edge: about this one it
-    //  is at less than 180 degrees, and the direction of the neighbour is
-    //  between both.
-    vector nearEdge
-    (
-        const label i,
-        const bool isFirstEdge,
-        const scalar distance
-    ) const
-    {
-        const label j = isFirstEdge ? i : next(i);
-        const scalar pi = constant::mathematical::pi;
-        const scalar all = angleAbout(j, around.edges[prev(j)]);
-        const scalar neighbourAngle = angleAbout(j, neighbourDirections[j]);
-
-        const scalar right = shared.test(j) ? pi/2 : GREAT;
-        const scalar low =
-            isFirstEdge
-          ? max(scalar(0), neighbourAngle - right) : neighbourAngle;
-        const scalar high =
-            isFirstEdge ? neighbourAngle : min(all, neighbourAngle + right);
-        const scalar angle = 0.5*(max(low, all - pi) + min(high, pi));
-
-        const vector& e = around.edges[j];
-        const vector ahead = across(e, around.edges[next(j)]);
-
-        return normalised
-        (
-            e + distance*(::cos(angle)*ahead + ::sin(angle)*(e ^ ahead))
-        );
-    }
-
-
-    //- Around a point of a border the edge at which no direction is, that with
-    //  the smallest angle; else none
-    label edgeWithout() const
-    {
-        label without = around.edges.size();
-        scalar smallest = GREAT;
-
-        for (label j = 1; around.side && j < d.size(); ++j)
-        {
-            const scalar angle = angleAbout(j, around.edges[prev(j)]);
-            if (angle < smallest)
-            {
-                smallest = angle;
-                without = j;
-            }
-        }
-
-        return without;
-    }
-
-
     //- Within a right angle of the direction of the neighbour, about edge j
     void appendShared(const label j, DynamicField<vector>& all) const
     {
         if (shared.test(j))
         {
-            all.append(across(around.edges[j], neighbourDirections[j]));
+            const vector& e = around.edges[j];
+            const vector& x = neighbourDirections[j];
+            all.append(normalised(x - (x & e)*e));
         }
     }
 
 
     //- What direction i must be in front of so that the directions of the
-    //  neighbours at its edges
-    //  are on the other sides, and all triangles positive
+    //  neighbours at its edges are on the other sides, and all triangles
+    //  positive
     vectorField limits(const label i) const
     {
         DynamicField<vector> all(around.normals[i]);
 
-        if (!isFirst(i))
+        if (!around.isFirst(i))
         {
             const vector& e = around.edges[i];
             all.append(normalised(neighbourDirections[i] ^ e));
             all.append(normalised(d.rcValue(i) ^ e));
             appendShared(i, all);
         }
-        if (!isLast(i))
+        if (!around.isLast(i))
         {
-            const vector& e = around.edges[next(i)];
-            all.append(normalised(e ^ neighbourDirections[next(i)]));
+            const vector& e = around.edges[around.next(i)];
+            all.append(normalised(e ^ neighbourDirections[around.next(i)]));
             all.append(normalised(e ^ d.fcValue(i)));
-            appendShared(next(i), all);
+            appendShared(around.next(i), all);
         }
 
         for (const face& t : triangles)
@@ -186,7 +76,7 @@ struct faceDirections
             }
         }
 
-        if (isFirst(i) || isLast(i))
+        if (around.isFirst(i) || around.isLast(i))
         {
             for (label k = all.size() - 1; k >= 0; --k)
             {
@@ -218,13 +108,14 @@ struct faceDirections
         forAll(d, i)
         {
             const vector& e = around.edges[i];
-            const vector& f = around.edges[next(i)];
+            const vector& f = around.edges[around.next(i)];
 
             angles[i] =
-                (isFirst(i) ? 0 : angleAt(d[i], d.rcValue(i), e))
+                (around.isFirst(i) ? 0 : angleAt(d[i], d.rcValue(i), e))
               + angleAt(d[i], e, f)
-              + (isLast(i) ? 0 : angleAt(d[i], f, d.fcValue(i)))
-              - (isFirst(i) || isLast(i) ? 1 : 2)*constant::mathematical::pi;
+              + (around.isLast(i) ? 0 : angleAt(d[i], f, d.fcValue(i)))
+              - (around.isFirst(i) || around.isLast(i) ? 1 : 2)
+               *constant::mathematical::pi;
         }
 
         addAngles(d, triangles, angles);
@@ -236,13 +127,7 @@ struct faceDirections
     //- Put all directions near edges
     bool begin(const scalar distance)
     {
-        const label without = edgeWithout();
-
-        forAll(d, i)
-        {
-            d[i] = isFirst(i) || isLast(i)
-              ? nearBorder(i, distance) : nearEdge(i, i < without, distance);
-        }
+        d = directionsNearEdges(around, neighbourDirections, shared, distance);
 
         return cutIntoTriangles(d, triangles) && closes();
     }
@@ -299,6 +184,7 @@ struct faceDirections
 };
 
 } // End anonymous namespace
+
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
