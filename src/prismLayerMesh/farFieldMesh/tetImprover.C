@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "tetImprover.H"
-#include "faceQuality.H"
 #include "farFieldMeshControls.H"
 #include "splitTets.H"
 #include "tetrahedralize.H"
@@ -13,74 +12,6 @@ namespace Foam
 {
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-faceList tetImprover::innerTriangles(const farFieldTets& mesh)
-{
-    faceList triangles(mesh.outerTriangles);
-    triangles.append(mesh.cutTriangles);
-
-    return triangles;
-}
-
-
-scalar tetImprover::faceViolation(const label t, const label i) const
-{
-    const triFace f(tets_[t].face(i));
-    const label neighbour = tets_.neighbour(t, i);
-    const label triangle = neighbour < 0 ? inner_.lookup(f, -1) : -1;
-
-    if (neighbour < 0 && triangle < 0)
-    {
-        return 0;
-    }
-
-    const point owner(tets_[t].tet(points_).centre());
-    const point other
-    (
-        neighbour < 0
-      ? neighbourCells_.centres[triangle]
-      : tets_[neighbour].tet(points_).centre()
-    );
-    const FixedList<point, 3> x({points_[f[0]], points_[f[1]], points_[f[2]]});
-    const faceGeometry g(x);
-    const scalar toOwner = mag((g.centre - owner) & g.area);
-    const scalar toNeighbour = mag((other - g.centre) & g.area);
-    const scalar weight =
-        min(toOwner, toNeighbour)/(toOwner + toNeighbour + VSMALL);
-    const scalar target = farFieldTuned.targetCosine;
-    const scalar maxSkewness = farFieldTuned.targetSkewness;
-    const scalar volume = neighbour < 0 ? neighbourCells_.volumes[triangle] : 0;
-    const scalar ratio = volume > 0 ? tets_[t].tet(points_).mag()/volume : 1;
-
-    return
-        pow3(nonOrthoViolation(g.area, other - owner, target)/target)
-      + pow3(skewnessViolation(g, x, owner, other, maxSkewness))
-      + pow3(max(1 - weight/farFieldTuned.targetWeight, scalar(0)))
-      + pow3(max(1 - ratio/farFieldTuned.targetVolumeRatio, scalar(0)));
-}
-
-
-scalar tetImprover::violation(const labelUList& tets, const scalar bound) const
-{
-    scalar sum = 0;
-
-    for (const label t : tets)
-    {
-        for (label i = 0; i < 4 && sum <= bound; ++i)
-        {
-            const label neighbour = tets_.neighbour(t, i);
-            const bool within = neighbour >= 0 && tets.found(neighbour);
-
-            if (!within || neighbour > t)
-            {
-                sum += faceViolation(t, i);
-            }
-        }
-    }
-
-    return sum;
-}
-
 
 bool tetImprover::replace
 (
@@ -94,7 +25,7 @@ bool tetImprover::replace
         return false;
     }
 
-    const scalar before = (1 - farFieldTuned.leastGain)*violation(old);
+    const scalar before = (1 - farFieldTuned.leastGain)*violation_.ofTets(old);
     const tetCellList kept(tets_.subset(old));
     const labelList now(tets_.replace(old, made));
 
@@ -103,7 +34,7 @@ bool tetImprover::replace
         move(newPoint);
     }
 
-    if (violation(now, before) < before)
+    if (violation_.ofTets(now, before) < before)
     {
         for (const tetCell& tet : made)
         {
@@ -275,18 +206,6 @@ tetCellList tetImprover::partsOf(const cavity& c, const label newPoint) const
 }
 
 
-point tetImprover::meanOf(const labelUList& points) const
-{
-    point sum(Zero);
-    for (const label p : points)
-    {
-        sum += points_[p];
-    }
-
-    return sum/points.size();
-}
-
-
 bool tetImprover::split(const label t, const label i)
 {
     const label newPoint = tets_.addPoint();
@@ -299,11 +218,11 @@ bool tetImprover::split(const label t, const label i)
 
     for (const cavity& c : cavities(t, i))
     {
-        points_[newPoint] = meanOf(c.common);
-        const scalar before = violation(c.tets);
+        points_[newPoint] = average(pointField(points_, c.common));
+        const scalar before = violation_.ofTets(c.tets);
         const tetCellList kept(tets_.subset(c.tets));
         const labelList now(tets_.replace(c.tets, partsOf(c, newPoint)));
-        const scalar gain = before - violation(now);
+        const scalar gain = before - violation_.ofTets(now);
         tets_.replace(now, kept);
 
         if (gain > most)
@@ -313,7 +232,7 @@ bool tetImprover::split(const label t, const label i)
         }
     }
 
-    points_[newPoint] = meanOf(best.common);
+    points_[newPoint] = average(pointField(points_, best.common));
     if (replace(best.tets, partsOf(best, newPoint), newPoint))
     {
         return true;

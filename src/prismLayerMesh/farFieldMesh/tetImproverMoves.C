@@ -25,7 +25,7 @@ bool tetImprover::step(const label p, const scalar distance, scalar& least)
         vector direction(Zero);
         direction[k/2] = k % 2 ? 1 : -1;
         points_[p] = from + distance*direction;
-        const scalar trial = violation(around, least);
+        const scalar trial = violation_.ofTets(around, least);
 
         if (trial < least && allPositive(points_, tets_.subset(around)))
         {
@@ -60,7 +60,7 @@ scalar tetImprover::sizeAt(const label p) const
 bool tetImprover::move(const label p)
 {
     const scalar size = sizeAt(p);
-    scalar least = violation(tets_.pointTets(p));
+    scalar least = violation_.ofTets(tets_.pointTets(p));
     label nMoves = 0;
 
     for (const scalar length : farFieldTuned.moves)
@@ -75,12 +75,6 @@ bool tetImprover::move(const label p)
     }
 
     return nMoves;
-}
-
-
-bool tetImprover::missesTargets(const label t, const label i) const
-{
-    return faceViolation(t, i) > farFieldTuned.toleratedViolation;
 }
 
 
@@ -126,7 +120,7 @@ List<labelPair> tetImprover::facesMissingTargets() const
             (
                 (neighbour < 0 || neighbour > t)
              && (hasChanged(t) || (neighbour >= 0 && hasChanged(neighbour)))
-             && missesTargets(t, i)
+             && violation_.missesTargets(t, i)
             )
             {
                 faces.append(labelPair(t, i));
@@ -177,7 +171,7 @@ bool tetImprover::improve()
         {
             // What was changed before may have removed the tetrahedron
             const label t = f.first();
-            if (!tets_.removed(t) && missesTargets(t, f.second()))
+            if (!tets_.removed(t) && violation_.missesTargets(t, f.second()))
             {
                 better = (this->*change)(t, f.second()) || better;
             }
