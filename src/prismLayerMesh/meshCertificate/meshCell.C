@@ -14,7 +14,8 @@ namespace Foam
 meshCell::meshCell(const polyhedralMesh& mesh, const boolList& onWall)
 :
     mesh_(mesh),
-    onWall_(onWall)
+    onWall_(onWall),
+    corners_(mesh.points())
 {}
 
 

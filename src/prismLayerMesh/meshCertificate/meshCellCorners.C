@@ -5,7 +5,6 @@
 
 #include "meshCell.H"
 #include "cell.H"
-#include "tetSigns.H"
 
 #include <algorithm>
 
@@ -13,96 +12,6 @@ namespace Foam
 {
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void meshCell::collectCorners()
-{
-    corners_.clear();
-    points_.clear();
-
-    for (label i = 0; i < nFaces(); ++i)
-    {
-        const label n = nPoints(i);
-
-        for (label k = 0; k < n; ++k)
-        {
-            corners_.append
-            (
-                faceCorner
-                {
-                    corner(i, k), corner(i, k + 1), corner(i, k + n - 1)
-                }
-            );
-        }
-    }
-
-    std::sort
-    (
-        corners_.begin(), corners_.end(),
-        [](const faceCorner& a, const faceCorner& b) { return a.at < b.at; }
-    );
-
-    for (const faceCorner& c : corners_)
-    {
-        points_.append(&mesh_.points()[c.at]);
-    }
-}
-
-
-bool meshCell::closes(const faceCorner* c, const label n)
-{
-    for (label i = 0; i < n; ++i)
-    {
-        label nBeside = 0;
-
-        for (label j = 0; j < n; ++j)
-        {
-            nBeside += c[j].prev == c[i].next;
-        }
-
-        if (nBeside != 1)
-        {
-            return false;
-        }
-    }
-
-    return n > 1;
-}
-
-
-bool meshCell::isPositiveAt
-(
-    const tetSigns& positive,
-    const faceCorner* c
-) const
-{
-    const pointField& x = mesh_.points();
-    const label third = c[1].prev == c->next ? c[1].next : c[2].next;
-
-    return positive(x[c->at], x[c->prev], x[c->next], x[third]);
-}
-
-
-meshCell::cornerFacts meshCell::facts() const
-{
-    const tetSigns positive(points_.begin(), points_.size());
-    cornerFacts all;
-
-    for (label i = 0, n = 0; i < corners_.size(); i += n, ++all.nPoints)
-    {
-        const faceCorner* c = &corners_[i];
-        for (n = 1; i + n < corners_.size() && c[n].at == c->at; ++n)
-        {}
-
-        all.closed = all.closed && closes(c, n);
-        all.simple = all.simple && n == 3;
-        all.within = all.within || n == 2;
-        all.positive = all.positive && all.closed && n > 2
-         && (n > 3 || isPositiveAt(positive, c));
-    }
-
-    return all;
-}
-
 
 label meshCell::sideOf(const label i, const boundBox& bounds) const
 {
@@ -127,12 +36,7 @@ label meshCell::sideOf(const label i, const boundBox& bounds) const
 
 bool meshCell::asBox(const label celli, bool& positive) const
 {
-    boundBox bounds(boundBox::invertedBox);
-    for (const point* p : points_)
-    {
-        bounds.add(*p);
-    }
-
+    const boundBox bounds(corners_.bounds());
     const vector span(bounds.span());
     scalar area = 0;
     positive = cmptMin(span) > 0;
@@ -179,21 +83,16 @@ bool meshCell::hasPositivePyramids(const label celli) const
 bool meshCell::isPositivePolyhedron(const label celli)
 {
     set(celli);
-    collectCorners();
+    corners_.set(labels_, starts_);
 
-    return !points_.empty() && facts().closed && hasPositivePyramids(celli);
+    return corners_.facts().closed && hasPositivePyramids(celli);
 }
 
 
 meshCellVerdict meshCell::cornersVerdict(const label celli)
 {
-    collectCorners();
-    if (points_.empty())
-    {
-        return {meshCellShape::other, false};
-    }
-
-    const cornerFacts corners(facts());
+    corners_.set(labels_, starts_);
+    const cellCorners::factsOfAll corners(corners_.facts());
     if (!corners.closed)
     {
         return {meshCellShape::other, false};
