@@ -3,18 +3,13 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include <tetgen.h>
-
 #include "tetrahedralize.H"
 #include "quaternion.H"
 #include "error.H"
 #include "isolatedProcess.H"
 #include "orientation.H"
+#include "tetgenRun.H"
 #include "triangleIndex.H"
-
-#include <algorithm>
-#include <string>
-#include <vector>
 
 namespace Foam
 {
@@ -47,9 +42,6 @@ const struct
     //- Tetrahedra that there may be for each point that is added
     label tetsPerPoint = 4;
 
-    //- Longest edge of a tetrahedron over the size at its centre
-    scalar maxLength = 1.6;
-
     //- Facets stay as they are: not split (Y), coplanar ones not merged (M), no
     //  tolerance (T) in place of the exact predicates. Points that are not used
     //  are not left out (J): that would change the labels of the others.
@@ -59,28 +51,6 @@ const struct
     //  degrees, if it can be had, by refinement and then by flips and smoothing
     const char* shapes = "q1.3/12o/120O4/7";
 } tuned;
-
-
-//- How TetGen runs
-struct tetRun
-{
-    std::string switches;
-    std::function<scalar(const point&)> size;
-
-    //- CPU time of the first attempt
-    label seconds;
-};
-
-
-//- The wanted sizes, and the rotation of the coordinates, in TetGen's process
-struct tetSizing
-{
-    std::function<scalar(const point&)> size;
-    tensor rotation;
-};
-
-//- Global because TetGen asks with coordinates alone
-tetSizing sizing;
 
 } // End anonymous namespace
 
@@ -94,149 +64,6 @@ static tensor generalRotation(const label attempt)
     (
         normalised(vector(0.37, 0.61, 0.29)), 1.13 + attempt
     ).R();
-}
-
-
-//- tetgenio frees with delete[] what is given to it
-static REAL* newCoordinates(const pointField& points, const tensor& rotation)
-{
-    REAL* xyz = new REAL[3*points.size() + 1];
-
-    forAll(points, i)
-    {
-        const point x(rotation & points[i]);
-
-        for (direction d = 0; d < 3; ++d)
-        {
-            xyz[3*i + d] = x[d];
-        }
-    }
-
-    return xyz;
-}
-
-
-static void setFacets(tetgenio& io, const faceList& facets)
-{
-    io.numberoffacets = facets.size();
-    io.facetlist = new tetgenio::facet[facets.size()];
-    io.facetmarkerlist = new int[facets.size()];
-
-    forAll(facets, i)
-    {
-        tetgenio::facet& f = io.facetlist[i];
-        tetgenio::init(&f);
-        f.numberofpolygons = 1;
-        f.polygonlist = new tetgenio::polygon[1];
-
-        tetgenio::polygon& polygon = f.polygonlist[0];
-        polygon.numberofvertices = facets[i].size();
-        polygon.vertexlist = new int[facets[i].size()];
-        std::copy(facets[i].begin(), facets[i].end(), polygon.vertexlist);
-        io.facetmarkerlist[i] = 1;
-    }
-}
-
-
-static bool isLarge(REAL* a, REAL* b, REAL* c, REAL* d, REAL*, REAL)
-{
-    const point x[4] =
-    {
-        point(a[0], a[1], a[2]), point(b[0], b[1], b[2]),
-        point(c[0], c[1], c[2]), point(d[0], d[1], d[2])
-    };
-
-    scalar longest = 0;
-    for (label i = 0; i < 4; ++i)
-    {
-        for (label j = i + 1; j < 4; ++j)
-        {
-            longest = max(longest, magSqr(x[i] - x[j]));
-        }
-    }
-
-    const point centre(0.25*(x[0] + x[1] + x[2] + x[3]));
-
-    return
-        longest > sqr(tuned.maxLength*sizing.size(centre & sizing.rotation));
-}
-
-
-static void run
-(
-    const tetDomain& domain,
-    const tetRun& how,
-    const tensor& rotation,
-    std::FILE* result
-)
-{
-    tetgenio in, out;
-
-    in.numberofpoints = domain.points.size();
-    in.pointlist = newCoordinates(domain.points, rotation);
-    in.numberofholes = domain.holes.size();
-    in.holelist = newCoordinates(domain.holes, rotation);
-    setFacets(in, domain.facets);
-
-    if (how.size)
-    {
-        sizing = tetSizing{how.size, rotation};
-        in.tetunsuitable = isLarge;
-    }
-
-    std::string switches(how.switches);
-    ::tetrahedralize(&switches[0], &in, &out);
-
-    std::fwrite(&out.numberofpoints, sizeof(int), 1, result);
-    std::fwrite(&out.numberoftetrahedra, sizeof(int), 1, result);
-    std::fwrite(out.pointlist, sizeof(REAL), 3*out.numberofpoints, result);
-    std::fwrite
-    (
-        out.tetrahedronlist, sizeof(int), 4*size_t(out.numberoftetrahedra),
-        result
-    );
-}
-
-
-static bool read
-(
-    const tetDomain& domain,
-    const tensor& rotation,
-    std::FILE* result,
-    tetMesh& mesh
-)
-{
-    int sizes[2];
-
-    if (std::fread(sizes, sizeof(int), 2, result) != 2)
-    {
-        return false;
-    }
-
-    static_assert(sizeof(point) == 3*sizeof(REAL), "points of three doubles");
-
-    mesh.points.setSize(sizes[0]);
-    mesh.tets.setSize(sizes[1]);
-    std::vector<int> corners(4*size_t(sizes[1]));
-
-    const size_t nPoints =
-        std::fread(mesh.points.data(), sizeof(point), sizes[0], result);
-    const size_t nCorners =
-        std::fread(corners.data(), sizeof(int), corners.size(), result);
-
-    forAll(mesh.tets, t)
-    {
-        std::copy_n(corners.begin() + 4*t, 4, mesh.tets[t].begin());
-    }
-
-    // Those of the domain as they were, those that were added turned back
-    forAll(mesh.points, p)
-    {
-        mesh.points[p] = p < domain.points.size()
-          ? domain.points[p] : mesh.points[p] & rotation;
-    }
-
-    return nPoints == size_t(sizes[0]) && nCorners == corners.size();
 }
 
 
@@ -270,7 +97,13 @@ static bool keepsFacets(const tetDomain& domain, const tetMesh& mesh)
 }
 
 
-static tetMesh attempts(const tetDomain& domain, const tetRun& how)
+//- seconds: CPU time of the first attempt
+static tetMesh attempts
+(
+    const tetDomain& domain,
+    const tetgenOptions& options,
+    const label seconds
+)
 {
     for (label attempt = 0; attempt < tuned.maxAttempts; ++attempt)
     {
@@ -279,12 +112,15 @@ static tetMesh attempts(const tetDomain& domain, const tetRun& how)
 
         const processEnd end = isolatedProcess
         (
-            [&](std::FILE* result) { run(domain, how, rotation, result); },
             [&](std::FILE* result)
             {
-                return read(domain, rotation, result, mesh);
+                runTetgen(domain, options, rotation, result);
             },
-            max(how.seconds >> min(attempt, 2), tuned.shortest)
+            [&](std::FILE* result)
+            {
+                return readTetgen(domain, rotation, result, mesh);
+            },
+            max(seconds >> min(attempt, 2), tuned.shortest)
         );
 
         if
@@ -328,12 +164,8 @@ tetMesh tetrahedralize(const tetDomain& domain)
     return attempts
     (
         domain,
-        tetRun
-        {
-            tuned.keepFacets,
-            nullptr,
-            tuned.seconds + domain.points.size()/tuned.pointsPerSecond
-        }
+        tetgenOptions{tuned.keepFacets, nullptr},
+        tuned.seconds + domain.points.size()/tuned.pointsPerSecond
     );
 }
 
@@ -348,13 +180,13 @@ tetMesh tetrahedralize
     return attempts
     (
         domain,
-        tetRun
+        tetgenOptions
         {
             std::string(tuned.keepFacets) + tuned.shapes + 'S'
           + std::to_string(maxTets/tuned.tetsPerPoint),
-            size,
-            tuned.sizedSeconds + maxTets/tuned.tetsPerSecond
-        }
+            size
+        },
+        tuned.sizedSeconds + maxTets/tuned.tetsPerSecond
     );
 }
 

@@ -1,0 +1,184 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include <tetgen.h>
+
+#include "tetgenRun.H"
+
+#include <algorithm>
+#include <vector>
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Longest edge of a tetrahedron over the size at its centre: tuned
+static constexpr scalar maxLength = 1.6;
+
+
+namespace
+{
+
+//- The wanted sizes, and the rotation of the coordinates, in TetGen's process
+struct tetSizing
+{
+    std::function<scalar(const point&)> size;
+    tensor rotation;
+};
+
+//- Global because TetGen asks with coordinates alone
+tetSizing sizing;
+
+} // End anonymous namespace
+
+
+//- tetgenio frees with delete[] what is given to it
+static REAL* newCoordinates(const pointField& points, const tensor& rotation)
+{
+    REAL* xyz = new REAL[3*points.size() + 1];
+
+    forAll(points, i)
+    {
+        const point x(rotation & points[i]);
+
+        for (direction d = 0; d < 3; ++d)
+        {
+            xyz[3*i + d] = x[d];
+        }
+    }
+
+    return xyz;
+}
+
+
+static void setFacets(tetgenio& io, const faceList& facets)
+{
+    io.numberoffacets = facets.size();
+    io.facetlist = new tetgenio::facet[facets.size()];
+    io.facetmarkerlist = new int[facets.size()];
+
+    forAll(facets, i)
+    {
+        tetgenio::facet& f = io.facetlist[i];
+        tetgenio::init(&f);
+        f.numberofpolygons = 1;
+        f.polygonlist = new tetgenio::polygon[1];
+
+        tetgenio::polygon& polygon = f.polygonlist[0];
+        polygon.numberofvertices = facets[i].size();
+        polygon.vertexlist = new int[facets[i].size()];
+        std::copy(facets[i].begin(), facets[i].end(), polygon.vertexlist);
+        io.facetmarkerlist[i] = 1;
+    }
+}
+
+
+static bool isLarge(REAL* a, REAL* b, REAL* c, REAL* d, REAL*, REAL)
+{
+    const point x[4] =
+    {
+        point(a[0], a[1], a[2]), point(b[0], b[1], b[2]),
+        point(c[0], c[1], c[2]), point(d[0], d[1], d[2])
+    };
+
+    scalar longest = 0;
+    for (label i = 0; i < 4; ++i)
+    {
+        for (label j = i + 1; j < 4; ++j)
+        {
+            longest = max(longest, magSqr(x[i] - x[j]));
+        }
+    }
+
+    const point centre(0.25*(x[0] + x[1] + x[2] + x[3]));
+
+    return
+        longest > sqr(maxLength*sizing.size(centre & sizing.rotation));
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void runTetgen
+(
+    const tetDomain& domain,
+    const tetgenOptions& options,
+    const tensor& rotation,
+    std::FILE* result
+)
+{
+    tetgenio in, out;
+
+    in.numberofpoints = domain.points.size();
+    in.pointlist = newCoordinates(domain.points, rotation);
+    in.numberofholes = domain.holes.size();
+    in.holelist = newCoordinates(domain.holes, rotation);
+    setFacets(in, domain.facets);
+
+    if (options.size)
+    {
+        sizing = tetSizing{options.size, rotation};
+        in.tetunsuitable = isLarge;
+    }
+
+    std::string switches(options.switches);
+    ::tetrahedralize(&switches[0], &in, &out);
+
+    std::fwrite(&out.numberofpoints, sizeof(int), 1, result);
+    std::fwrite(&out.numberoftetrahedra, sizeof(int), 1, result);
+    std::fwrite(out.pointlist, sizeof(REAL), 3*out.numberofpoints, result);
+    std::fwrite
+    (
+        out.tetrahedronlist, sizeof(int), 4*size_t(out.numberoftetrahedra),
+        result
+    );
+}
+
+
+bool readTetgen
+(
+    const tetDomain& domain,
+    const tensor& rotation,
+    std::FILE* result,
+    tetMesh& mesh
+)
+{
+    int sizes[2];
+
+    if (std::fread(sizes, sizeof(int), 2, result) != 2)
+    {
+        return false;
+    }
+
+    static_assert(sizeof(point) == 3*sizeof(REAL), "points of three doubles");
+
+    mesh.points.setSize(sizes[0]);
+    mesh.tets.setSize(sizes[1]);
+    std::vector<int> corners(4*size_t(sizes[1]));
+
+    const size_t nPoints =
+        std::fread(mesh.points.data(), sizeof(point), sizes[0], result);
+    const size_t nCorners =
+        std::fread(corners.data(), sizeof(int), corners.size(), result);
+
+    forAll(mesh.tets, t)
+    {
+        std::copy_n(corners.begin() + 4*t, 4, mesh.tets[t].begin());
+    }
+
+    // Points of the domain as they were, added points turned back
+    forAll(mesh.points, p)
+    {
+        mesh.points[p] = p < domain.points.size()
+          ? domain.points[p] : mesh.points[p] & rotation;
+    }
+
+    return nPoints == size_t(sizes[0]) && nCorners == corners.size();
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
