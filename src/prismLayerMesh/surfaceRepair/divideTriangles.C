@@ -5,13 +5,14 @@
 
 #include "divideTriangles.H"
 #include "cgalMeshes.H"
+#include "HashTable.H"
+#include "triFace.H"
 #include "wallPredicates.H"
 
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 #include <algorithm>
-#include <array>
 #include <map>
 
 namespace Foam
@@ -22,7 +23,6 @@ namespace Foam
 namespace
 {
 
-typedef exactKernel::Point_2 point2;
 typedef exactKernel::Point_3 point3;
 typedef exactKernel::Triangle_3 triangle3;
 
@@ -53,57 +53,6 @@ const Type* alternative(const Variant& common)
 }
 
 
-//- Drops the coordinate in which the normal of a plane is largest
-struct planeProjection
-{
-    exactKernel::Plane_3 plane;
-
-    //- The coordinate that is dropped
-    int dropped;
-
-    explicit planeProjection(const exactKernel::Plane_3& p)
-    :
-        plane(p),
-        dropped(0)
-    {
-        const exactKernel::Vector_3 n = p.orthogonal_vector();
-        for (int k = 1; k < 3; ++k)
-        {
-            if (CGAL::abs(n[k]) > CGAL::abs(n[dropped]))
-            {
-                dropped = k;
-            }
-        }
-    }
-
-    //- Whether the projection turns triangles round
-    bool turns() const
-    {
-        return plane.orthogonal_vector()[dropped] < 0;
-    }
-
-    point2 operator()(const point3& x) const
-    {
-        return point2(x[(dropped + 1) % 3], x[(dropped + 2) % 3]);
-    }
-
-    //- Returns the point of the plane that has this projection
-    point3 inverse(const point2& x) const
-    {
-        const exactKernel::Vector_3 n = plane.orthogonal_vector();
-        const int i = (dropped + 1) % 3;
-        const int j = (dropped + 2) % 3;
-        exactKernel::FT c[3];
-        c[i] = x[0];
-        c[j] = x[1];
-        c[dropped] =
-            -(n[i]*c[i] + n[j]*c[j] + plane.d())/n[dropped];
-
-        return point3(c[0], c[1], c[2]);
-    }
-};
-
-
 class triangleDivider
 {
     const faceList& triangles_;
@@ -117,10 +66,7 @@ class triangleDivider
 
     triangle3 triangle(const label i) const
     {
-        const face& f = triangles_[i];
-        const std::vector<point3>& points = result_.points;
-
-        return triangle3(points[f[0]], points[f[1]], points[f[2]]);
+        return result_.triangleOn(triangles_[i]);
     }
 
     label labelOf(const point3& x);
@@ -157,26 +103,20 @@ public:
 //- Returns pairs of triangles on the same three points
 std::vector<labelPair> onSamePoints(const faceList& triangles)
 {
-    std::map<std::array<label, 3>, std::vector<label>> groups;
+    HashTable<DynamicList<label>, triFace, triFace::Hash<>> groups
+    (
+        2*triangles.size()
+    );
+    std::vector<labelPair> pairs;
+
     forAll(triangles, i)
     {
-        const face& f = triangles[i];
-        std::array<label, 3> key{{f[0], f[1], f[2]}};
-        std::sort(key.begin(), key.end());
-        groups[key].push_back(i);
-    }
-
-    std::vector<labelPair> pairs;
-    for (const auto& group : groups)
-    {
-        const std::vector<label>& same = group.second;
-        for (std::size_t a = 0; a < same.size(); ++a)
+        DynamicList<label>& same = groups(triFace(triangles[i]));
+        for (const label j : same)
         {
-            for (std::size_t b = a + 1; b < same.size(); ++b)
-            {
-                pairs.emplace_back(same[a], same[b]);
-            }
+            pairs.emplace_back(j, i);
         }
+        same.append(i);
     }
 
     return pairs;
@@ -186,14 +126,11 @@ std::vector<labelPair> onSamePoints(const faceList& triangles)
 void triangleDivider::findPartners(const wallSurface& surface)
 {
     std::vector<labelPair> pairs = onSamePoints(triangles_);
-    for
+    const List<labelPair> found
     (
-        const labelPair& pair
-      : findIntersectingFaces(surface, bitSet(triangles_.size()))
-    )
-    {
-        pairs.push_back(pair);
-    }
+        findIntersectingFaces(surface, bitSet(triangles_.size()))
+    );
+    pairs.insert(pairs.end(), found.begin(), found.end());
 
     for (const labelPair& pair : pairs)
     {

@@ -5,12 +5,8 @@
 
 #include "unionBoundary.H"
 #include "bitSet.H"
-#include "divideTriangles.H"
-#include "treeBoundBox.H"
 #include "wallSides.H"
-
-#include <algorithm>
-#include <random>
+#include "windingNumber.H"
 
 namespace Foam
 {
@@ -42,34 +38,15 @@ class unionFacets
 {
     const faceList& triangles_;
     const dividedTriangles divided_;
-    std::vector<treeBoundBox> boxes_;
-    scalar size_;
+    const windingNumber winding_;
 
     std::vector<facet> facets_;
-
-    triangle3 onPoints(const face& f) const
-    {
-        const std::vector<point3>& points = divided_.points;
-
-        return triangle3(points[f[0]], points[f[1]], points[f[2]]);
-    }
 
     void collectFacets();
 
     //- Sets the patch of each facet. The winding number is the same in front of
     //  all facets of a patch, and behind them. Returns the number of patches.
     label findPatches(labelList& patchOf) const;
-
-    //- Returns whether the number could be found along a direction
-    bool windingAlong
-    (
-        const vector3& direction,
-        const facet& f,
-        label& number
-    ) const;
-
-    //- The winding number in front of a facet
-    label windingInFront(const facet& f) const;
 
 public:
 
@@ -86,30 +63,12 @@ public:
 };
 
 
-point rounded(const point3& x)
-{
-    return point
-    (
-        CGAL::to_double(x.x()), CGAL::to_double(x.y()), CGAL::to_double(x.z())
-    );
-}
-
-
 unionFacets::unionFacets(const wallSurface& surface)
 :
     triangles_(surface.faces),
     divided_(divideTriangles(surface)),
-    size_(boundBox(surface.points, false).mag())
-{
-    boxes_.reserve(triangles_.size());
-    for (const face& f : triangles_)
-    {
-        treeBoundBox box(surface.points, f);
-        box.min() -= vector::uniform(1e-9*size_);
-        box.max() += vector::uniform(1e-9*size_);
-        boxes_.push_back(box);
-    }
-}
+    winding_(surface, divided_)
+{}
 
 
 void unionFacets::collectFacets()
@@ -122,14 +81,14 @@ void unionFacets::collectFacets()
 
         if (!others.empty())
         {
-            const triangle3 part = onPoints(f.points);
+            const triangle3 part = divided_.triangleOn(f.points);
             const point3 centre =
                 CGAL::centroid(part[0], part[1], part[2]);
             const vector3 n = CGAL::normal(part[0], part[1], part[2]);
 
             for (const label j : others)
             {
-                const triangle3 other = onPoints(triangles_[j]);
+                const triangle3 other = divided_.triangleOn(triangles_[j]);
                 if (other.has_on(centre))
                 {
                     isFirst = isFirst && f.triangle < j;
@@ -148,7 +107,10 @@ void unionFacets::collectFacets()
         }
         if (isFirst && f.jump)
         {
-            f.sqrArea = CGAL::to_double(onPoints(f.points).squared_area());
+            f.sqrArea = CGAL::to_double
+            (
+                divided_.triangleOn(f.points).squared_area()
+            );
             facets_.push_back(f);
         }
     }
@@ -168,89 +130,6 @@ label unionFacets::findPatches(labelList& patchOf) const
 }
 
 
-bool unionFacets::windingAlong
-(
-    const vector3& direction,
-    const facet& f,
-    label& number
-) const
-{
-    const triangle3 part = onPoints(f.points);
-    const point3 begin = CGAL::centroid(part[0], part[1], part[2]);
-    const point3 end = begin + direction;
-    const std::vector<label>& inPlane = divided_.inPlane[f.triangle];
-    const point from = rounded(begin);
-    const point to = from + 2*size_*normalised(rounded(end) - from);
-    point hit;
-    number = 0;
-
-    forAll(triangles_, i)
-    {
-        if
-        (
-            i == f.triangle || !boxes_[i].intersects(from, to, hit)
-         || std::binary_search(inPlane.begin(), inPlane.end(), i)
-        )
-        {
-            continue;
-        }
-
-        const triangle3 t = onPoints(triangles_[i]);
-        label nSides[3] = {0, 0, 0};
-        for (int k = 0; k < 3; ++k)
-        {
-            ++nSides[1 + CGAL::orientation(begin, end, t[k], t[k + 1])];
-        }
-        if (nSides[0] && nSides[2])
-        {
-            continue;
-        }
-
-        const vector3 n = CGAL::normal(t[0], t[1], t[2]);
-        const int along = CGAL::sign(n*direction);
-        const int side = CGAL::orientation(t[0], t[1], t[2], begin);
-        if (side == 0 || along == side)
-        {
-            continue;
-        }
-        if (nSides[1] || along == 0)
-        {
-            // Through an edge of the triangle, or within its plane
-            return false;
-        }
-        number += along;
-    }
-
-    return true;
-}
-
-
-label unionFacets::windingInFront(const facet& f) const
-{
-    const triangle3 part = onPoints(f.points);
-    const vector3 n = CGAL::normal(part[0], part[1], part[2]);
-    const vector normal =
-        normalised(rounded(CGAL::ORIGIN + n) - point::zero);
-
-    std::mt19937 random(f.triangle);
-    std::uniform_real_distribution<scalar> share(-0.3, 0.3);
-    label number = 0;
-
-    for (;;)
-    {
-        const vector3 direction
-        (
-            normal.x() + share(random), normal.y() + share(random),
-            normal.z() + share(random)
-        );
-        if (n*direction > 0 && windingAlong(direction, f, number))
-        {
-            return number;
-        }
-    }
-}
-
-
 std::vector<facet> unionFacets::boundary()
 {
     collectFacets();
@@ -266,7 +145,7 @@ std::vector<facet> unionFacets::boundary()
     forAll(largest, patchi)
     {
         const facet& f = facets_[largest[patchi]];
-        const label inFront = windingInFront(f);
+        const label inFront = winding_.inFront(f.points, f.triangle);
         isBoundary[patchi] = inFront < 1 && inFront + f.jump >= 1;
     }
 
