@@ -8,11 +8,9 @@
 #include "boundBox.H"
 #include "cadPatches.H"
 #include "EdgeMap.H"
-#include "FixedList.H"
 #include "HashSet.H"
 #include "StringStream.H"
-
-#include <algorithm>
+#include "triFace.H"
 
 namespace Foam
 {
@@ -46,16 +44,14 @@ static labelList findPatches(const cadModel& model, label& nBetween)
 static void countFaults(cadTriangulation& made)
 {
     const wallSurface& wall = made.wall;
-    HashSet<FixedList<label, 3>, FixedList<label, 3>::Hash<>> triangles;
+    HashSet<triFace, triFace::Hash<>> triangles;
     EdgeMap<label> nFaces;
     bitSet hasTriangles(wall.patchNames.size());
     hasTriangles.set(wall.patchIDs);
 
     for (const face& f : wall.faces)
     {
-        FixedList<label, 3> corners({f[0], f[1], f[2]});
-        std::sort(corners.begin(), corners.end());
-        made.nTwins += !triangles.insert(corners);
+        made.nTwins += !triangles.insert(triFace(f));
 
         forAll(f, i)
         {

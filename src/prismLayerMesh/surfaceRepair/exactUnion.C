@@ -7,14 +7,13 @@
 #include "bitSet.H"
 #include "ListOps.H"
 #include "orientation.H"
-#include "readWallSurface.H"
+#include "removeUnused.H"
 #include "stitchSurface.H"
+#include "triangleIndex.H"
 #include "unionBoundary.H"
 #include "wallSides.H"
 
 #include <algorithm>
-#include <array>
-#include <map>
 
 namespace Foam
 {
@@ -29,26 +28,28 @@ namespace
 faceList withoutCollapsed(const faceList& faces)
 {
     bitSet isKept(faces.size());
-    std::map<std::array<label, 3>, label> single;
+    triangleIndex single(2*faces.size());
 
     forAll(faces, i)
     {
         const face& f = faces[i];
-        if (f[0] == f[1] || f[1] == f[2] || f[2] == f[0])
+        if (hasRepeatedPoint(f))
         {
             continue;
         }
 
         isKept.set(i);
-        std::array<label, 3> key{{f[0], f[1], f[2]}};
-        std::sort(key.begin(), key.end());
-        const auto inserted = single.emplace(key, i);
-        const label j = inserted.first->second;
-        if (!inserted.second && face::compare(faces[j], f) < 0)
+        const triFace key(f);
+        const label j = single.lookup(key, -1);
+        if (j < 0)
+        {
+            single.insert(key, i);
+        }
+        else if (face::compare(faces[j], f) < 0)
         {
             isKept.unset(i);
             isKept.unset(j);
-            single.erase(inserted.first);
+            single.erase(key);
         }
     }
 
