@@ -4,10 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "removeSlivers.H"
-#include "edgeList.H"
 #include "fillContacts.H"
 #include "ListOps.H"
-#include "readWallSurface.H"
+#include "removeUnused.H"
 #include "wallPredicates.H"
 #include "wallSides.H"
 
@@ -38,11 +37,6 @@ class sliverRemover
 
     //- Faces that have both points
     std::vector<label> facesOn(label p, label q) const;
-
-    vector normal(const face& f) const
-    {
-        return f.areaNormal(points_);
-    }
 
     //- Smallest height of a triangle [m]
     scalar height(const face& f) const;
@@ -110,20 +104,16 @@ std::vector<label> sliverRemover::facesOn(const label p, const label q) const
 
 scalar sliverRemover::height(const face& f) const
 {
-    scalar longest = 0;
-    for (const edge& e : f.edges())
-    {
-        longest = max(longest, e.mag(points_));
-    }
+    const scalar longest = f.faceEdge(f.longestEdge(points_)).mag(points_);
 
-    return 2*mag(normal(f))/max(longest, VSMALL);
+    return 2*mag(f.areaNormal(points_))/max(longest, VSMALL);
 }
 
 
 bool sliverRemover::mayBecome(const face& before, const face& after) const
 {
-    const vector a = normal(before);
-    const vector b = normal(after);
+    const vector a = before.areaNormal(points_);
+    const vector b = after.areaNormal(points_);
 
     return (a & b) > 0.5*mag(a)*mag(b) && mag(b) > 0;
 }
@@ -191,16 +181,7 @@ bool sliverRemover::collapse(const label from, const label to)
 bool sliverRemover::flip(const label facei)
 {
     const face& f = faces_[facei];
-    const edgeList edges(f.edges());
-    label longest = 0;
-    for (label k = 1; k < 3; ++k)
-    {
-        if (edges[k].mag(points_) > edges[longest].mag(points_))
-        {
-            longest = k;
-        }
-    }
-
+    const label longest = f.longestEdge(points_);
     const label a = f[longest];
     const label b = f.nextLabel(longest);
     const label v = f.prevLabel(longest);
@@ -270,7 +251,7 @@ label sliverRemover::sweep()
     // Triangles that have collapsed have a point twice
     faces_ = subsetList(faces_, [](const face& f)
     {
-        return f[0] != f[1] && f[1] != f[2] && f[2] != f[0];
+        return !hasRepeatedPoint(f);
     });
 
     return nChanges;
@@ -289,14 +270,11 @@ label removeSlivers(const scalar length, wallSurface& surface)
     {
         sliverRemover remover(tried, surface.points, surface.faces);
         label nChanges = 0;
-        for (label i = 0; i < maxSweeps; ++i)
+        label n = 1;
+        for (label i = 0; n && i < maxSweeps; ++i)
         {
-            const label n = remover.sweep();
+            n = remover.sweep();
             nChanges += n;
-            if (!n)
-            {
-                break;
-            }
         }
 
         wallSurface result(surface);
