@@ -12,9 +12,9 @@
 #include "orientWallSurface.H"
 #include "sigFpe.H"
 #include "snapToSurface.H"
+#include "soundSurface.H"
 #include "splitAtSidePatches.H"
 #include "stitchSurface.H"
-#include "wallDefects.H"
 #include "wrapLeaks.H"
 #include "wrapSurface.H"
 
@@ -53,11 +53,10 @@ class surfaceRepairer
         return length > 0 ? length : share*diagonal_;
     }
 
-    bool isBeyond(const sidePatch& plane) const;
-
-    //- Whether the surface has no defects, its border is on side planes, and
-    //  none of it beyond these
-    bool isSound() const;
+    bool isSound() const
+    {
+        return isSoundUpTo(planes_, tolerance_, repaired_.surface);
+    }
 
     void stitch();
 
@@ -95,52 +94,6 @@ public:
 
     repairedSurface repair();
 };
-
-
-bool surfaceRepairer::isBeyond(const sidePatch& plane) const
-{
-    const pointField& points = repaired_.surface.points;
-
-    return std::any_of
-    (
-        points.begin(), points.end(),
-        [&](const point& x) { return plane.distance(x) > tolerance_; }
-    );
-}
-
-
-bool surfaceRepairer::isSound() const
-{
-    const wallSurface& surface = repaired_.surface;
-
-    for (const sidePatch& plane : planes_)
-    {
-        if (isBeyond(plane))
-        {
-            return false;
-        }
-    }
-
-    for (const edge& e : outline(surface.faces))
-    {
-        const point& a = surface.points[e.start()];
-        const point& b = surface.points[e.end()];
-        const bool isOnPlane = std::any_of
-        (
-            planes_.begin(), planes_.end(), [&](const sidePatch& plane)
-            {
-                return plane.hasEdge(a, b, tolerance_);
-            }
-        );
-
-        if (!isOnPlane)
-        {
-            return false;
-        }
-    }
-
-    return findWallDefects(surface, planes_.size()).empty();
-}
 
 
 void surfaceRepairer::stitch()
@@ -259,7 +212,7 @@ repairedSurface surfaceRepairer::repair()
     bool isCut = false;
     for (const sidePatch& plane : planes_)
     {
-        if (isBeyond(plane))
+        if (isBeyond(plane, tolerance_, surface))
         {
             cutSurface(surface, plane, repaired_.steps);
             isCut = true;
