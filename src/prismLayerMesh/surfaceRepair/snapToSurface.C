@@ -5,8 +5,7 @@
 
 #include "snapToSurface.H"
 #include "cutSurface.H"
-#include "unitConversion.H"
-#include "wallVisibility.H"
+#include "wrapShape.H"
 
 namespace Foam
 {
@@ -19,17 +18,6 @@ static constexpr label maxPasses = 50;
 
 //- Rounds in which points that were held back are tried again
 static constexpr label maxTries = 20;
-
-//- Least angle [deg] between the axis of a point's visibility cone and a face:
-//  layers can begin there
-static constexpr scalar smallestAngle = 10;
-
-//- Least height of a triangle over its longest edge
-static constexpr scalar leastHeight = 0.1;
-
-//- The share of angles and heights in the wrap that is enough, where it has
-//  smaller ones
-static constexpr scalar keptShare = 0.5;
 
 
 namespace
@@ -44,9 +32,7 @@ class wrapSnapper
     //- How far each point goes
     List<snapping> snapping_;
 
-    //- The least for each triangle and point
-    scalarField leastHeights_;
-    scalarField leastSines_;
+    const wrapShape shape_;
 
 
     void snap(const label p, const snapping how)
@@ -62,17 +48,6 @@ class wrapSnapper
 
     //- How far a point goes if it is held back one more time
     snapping reduced(const label p) const;
-
-    //- Returns the height of each triangle over its longest edge
-    scalarField heights() const;
-
-    //- Returns for each point the sine of the smallest angle between the axis
-    //  of its visibility cone and a face
-    scalarField sines() const;
-
-    //- Faces that are flatter than they may be, or around points with narrower
-    //  visibility cones
-    labelList facesAtFault() const;
 
     //- Points of faces at fault: those of side patches only where faces
     //  intersect, and of a face only those that go to sharp edges, if it has
@@ -106,16 +81,8 @@ public:
         wrap_(wrap),
         addressing_(makeWallAddressing(wrap)),
         snapping_(wrap.points.size(), snapping::full),
-        leastHeights_(min(keptShare*heights(), leastHeight)),
-        leastSines_(sines())
-    {
-        // Faces around points with very narrow cones stay as they are
-        const scalar least = Foam::sin(degToRad(smallestAngle));
-        for (scalar& sine : leastSines_)
-        {
-            sine = min(max(keptShare*sine, sqr(keptShare)*least), least);
-        }
-    }
+        shape_(wrap, addressing_)
+    {}
 
     snapCounts snap();
 };
@@ -134,62 +101,6 @@ snapping wrapSnapper::reduced(const label p) const
         default:
             return snapping::none;
     }
-}
-
-
-scalarField wrapSnapper::heights() const
-{
-    scalarField heights(wrap_.faces.size());
-
-    forAll(heights, facei)
-    {
-        const face& f = wrap_.faces[facei];
-        const scalar longest =
-            f.faceEdge(f.longestEdge(wrap_.points)).mag(wrap_.points);
-        heights[facei] = 2*f.mag(wrap_.points)/max(sqr(longest), VSMALL);
-    }
-
-    return heights;
-}
-
-
-scalarField wrapSnapper::sines() const
-{
-    const wallVisibility visibility(makeWallVisibility(wrap_, addressing_));
-    scalarField sines(visibility.cones.size());
-
-    forAll(sines, p)
-    {
-        sines[p] = visibility.cones[p].cosine;
-    }
-
-    return sines;
-}
-
-
-labelList wrapSnapper::facesAtFault() const
-{
-    bitSet fault(wrap_.faces.size());
-
-    const scalarField now(heights());
-    forAll(now, facei)
-    {
-        if (now[facei] < leastHeights_[facei])
-        {
-            fault.set(facei);
-        }
-    }
-
-    const scalarField sinesNow(sines());
-    forAll(sinesNow, p)
-    {
-        if (sinesNow[p] < leastSines_[p])
-        {
-            fault.set(addressing_.pointFaces[p]);
-        }
-    }
-
-    return fault.sortedToc();
 }
 
 
@@ -217,7 +128,7 @@ bitSet wrapSnapper::pointsAtFault(const bool edgesFirst) const
     };
 
     add(facesInConflict(wrap_), bitSet());
-    add(facesAtFault(), targets_.onSides());
+    add(shape_.facesAtFault(wrap_), targets_.onSides());
 
     return all;
 }
