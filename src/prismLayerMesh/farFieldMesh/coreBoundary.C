@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "coreBoundary.H"
+#include "coreBox.H"
 #include "makeHexCore.H"
 #include "sidePatchRemainders.H"
 
@@ -14,20 +15,6 @@ namespace Foam
 
 namespace
 {
-
-//- Appends a patch if there is none of that name. Returns its label.
-label patchOf(const word& name, const word& type, meshPatches& patches)
-{
-    const label patchi = patches.names.find(name);
-    if (patchi >= 0)
-    {
-        return patchi;
-    }
-    patches.append(name, type);
-
-    return patches.names.size() - 1;
-}
-
 
 struct coreBoundaryMaker
 {
@@ -42,18 +29,6 @@ struct coreBoundaryMaker
 
     bool isHexCore() const { return controls.type == "hexCore"; }
 
-    //- Whether cells of the core stay on all side patches
-    bool staysOnSides() const;
-
-    //- The box of the far boundary, or of the mesh, or one around the layers
-    boundBox box() const;
-
-    //- That box where it is in front of the planes
-    boundBox boxBehindPlanes() const;
-
-    //- The box of hexahedra, with patches on its sides
-    hexCoreBox hexBox() const;
-
     //- Patches of the core for all side patches
     void addSidePatches();
 
@@ -65,123 +40,11 @@ struct coreBoundaryMaker
 
     tetBoundary make()
     {
-        return sides.size() && staysOnSides() ? makeOnPlanes() : makeAround();
+        const bool onPlanes = sides.size() && staysOnSides(sides, isHexCore());
+
+        return onPlanes ? makeOnPlanes() : makeAround();
     }
 };
-
-
-bool coreBoundaryMaker::staysOnSides() const
-{
-    for (const sidePatch& side : sides)
-    {
-        const bool alongAxis = cmptMax(cmptMag(side.normal)) > 1 - 1e-12;
-
-        if (side.isPart() || (isHexCore() && !alongAxis))
-        {
-            return false;
-        }
-    }
-
-    return true;
-}
-
-
-boundBox coreBoundaryMaker::box() const
-{
-    boundBox box(domain.boundary.surface.points, false);
-    box.add(domain.core.points);
-
-    if (box.empty())
-    {
-        box = boundBox(layers.points, false);
-        box.inflate(0.01);
-    }
-
-    return box;
-}
-
-
-boundBox coreBoundaryMaker::boxBehindPlanes() const
-{
-    boundBox box(this->box());
-
-    for (const sidePatch& side : sides)
-    {
-        for (direction d = 0; d < 3; ++d)
-        {
-            if (side.normal[d] > 0.5)
-            {
-                box.max()[d] = min(box.max()[d], side.origin[d]);
-            }
-            else if (side.normal[d] < -0.5)
-            {
-                box.min()[d] = max(box.min()[d], side.origin[d]);
-            }
-        }
-    }
-
-    return box;
-}
-
-
-hexCoreBox coreBoundaryMaker::hexBox() const
-{
-    const farBoundary& boundary = domain.boundary;
-    const bool onSides = sides.empty() || staysOnSides();
-    hexCoreBox result;
-    result.box = onSides ? boxBehindPlanes() : box();
-
-    if (!onSides || (boundary.boxPatches.empty() && sides.empty()))
-    {
-        return result;
-    }
-
-    labelList planeOn(6, -1);
-    forAll(sides, s)
-    {
-        for (direction d = 0; d < 3; ++d)
-        {
-            if (mag(sides[s].normal[d]) > 0.5)
-            {
-                planeOn[2*d + (sides[s].normal[d] > 0)] = s;
-            }
-        }
-    }
-
-    // Patches of the far boundary with a side that is on no plane
-    forAll(boundary.patchTypes, patchi)
-    {
-        forAll(boundary.boxPatches, i)
-        {
-            if (planeOn[i] < 0 && boundary.boxPatches[i] == patchi)
-            {
-                const word& name = boundary.surface.patchNames[patchi];
-                patchOf(name, boundary.patchTypes[patchi], result.patches);
-            }
-        }
-    }
-    for (const sidePatch& side : sides)
-    {
-        patchOf(side.name, side.type, result.patches);
-    }
-
-    // Beyond the layers there is no patch without a far boundary
-    result.sidePatches.setSize(6, result.patches.names.size());
-    forAll(planeOn, i)
-    {
-        if (planeOn[i] >= 0 || boundary.boxPatches.size())
-        {
-            result.sidePatches[i] = result.patches.names.find
-            (
-                planeOn[i] >= 0
-              ? sides[planeOn[i]].name
-              : boundary.surface.patchNames[boundary.boxPatches[i]]
-            );
-        }
-    }
-
-    return result;
-}
 
 
 void coreBoundaryMaker::addSidePatches()
@@ -220,8 +83,10 @@ void coreBoundaryMaker::setCore(const coreObstacles& obstacles)
 {
     if (isHexCore())
     {
-        domain.core =
-            makeHexCore(hexBox(), obstacles, size, controls.maxCells);
+        domain.core = makeHexCore
+        (
+            makeHexCoreBox(layers, domain), obstacles, size, controls.maxCells
+        );
     }
 }
 
@@ -234,7 +99,7 @@ tetBoundary coreBoundaryMaker::makeOnPlanes()
     {
         farBoundaryControls boxControls;
         boxControls.type = "box";
-        boxControls.box = box();
+        boxControls.box = coreBox(layers, domain);
         coarse = makeFarBoundary(boxControls, nullptr);
     }
     const farFieldBoundary boundary
