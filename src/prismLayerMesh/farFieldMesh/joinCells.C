@@ -13,11 +13,6 @@
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * * Static Data * * * * * * * * * * * * * * * //
-
-const word farFieldName("farField");
-
-
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 namespace

@@ -7,9 +7,9 @@
 #include "backgroundMesh.H"
 #include "coreBoundary.H"
 #include "coreNotes.H"
+#include "farFieldSizes.H"
 #include "fillWithTets.H"
 #include "improveTets.H"
-#include "limitGradient.H"
 #include "outerTriangles.H"
 #include "tetrahedralize.H"
 
@@ -22,6 +22,7 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * * Static Data * * * * * * * * * * * * * * * //
 
+const word farFieldName("farField");
 const word hexCoreName("hexCore");
 
 
@@ -110,85 +111,6 @@ static void improve
             << "The tetrahedra of the far field could not be certified"
             << exit(FatalError);
     }
-}
-
-
-//- Sizes at the points of the layers
-static scalarField layerSizesOf
-(
-    const wallSurface& outer,
-    const wallAddressing& addressing,
-    const scalar growthRate
-)
-{
-    scalarField sizes(meanEdges(outer, addressing));
-    limitGradient(outer, addressing, growthRate - 1, sizes);
-
-    return sizes;
-}
-
-
-//- The sizes that grow from the layers
-static cellSizes sizesFromLayers
-(
-    const wallSurface& outer,
-    const scalarField& sizes,
-    const farFieldDomain& domain,
-    const farFieldControls& controls
-)
-{
-    boundBox box(outer.points, false);
-    box.add(domain.boundary.surface.points);
-    box.add(domain.core.points);
-
-    return makeSizes(outer.points, sizes, box, controls, domain.bounds);
-}
-
-
-//- Sizes at the points of the far boundary that are not on the layers
-static scalarField sizesOf(const tetBoundary& far)
-{
-    const label nCommon = far.columns.size();
-    const scalarField sizes
-    (
-        meanEdges(far.surface, makeWallAddressing(far.surface))
-    );
-
-    return scalarField
-    (
-        SubList<scalar>(sizes, sizes.size() - nCommon, nCommon)
-    );
-}
-
-
-//- Whether the far boundary is as the user has made it. Other far boundaries
-//  follow the sizes that grow from the layers.
-static bool hasOwnSizes(const farFieldControls& controls)
-{
-    return controls.type == "mesh" || controls.boundary.type == "surface";
-}
-
-
-//- The sizes that grow from the layers and from the far boundary
-static std::unique_ptr<const cellSizes> sizesFromBoth
-(
-    const wallSurface& both,
-    scalarField sizes,
-    const tetBoundary& far,
-    const farFieldDomain& domain,
-    const farFieldControls& controls
-)
-{
-    sizes.append(sizesOf(far));
-
-    return std::make_unique<const cellSizes>
-    (
-        makeSizes
-        (
-            both.points, sizes, boundBox(both.points, false), controls,
-            domain.bounds
-        )
-    );
 }
 
 
