@@ -17,8 +17,7 @@ static labelList roomsOf
 (
     const farFieldTets& tets,
     const coreCut& cut,
-    const labelUList& boundaryTets,
-    const labelUList& cutTets,
+    const boundaryTets& boundary,
     const roomParts& room
 )
 {
@@ -35,17 +34,17 @@ static labelList roomsOf
     }
 
     labelList rooms(tets.tets.size(), -1);
-    forAll(cutTets, i)
+    forAll(boundary.onCut, i)
     {
-        rooms[together.find(cutTets[i])] =
+        rooms[together.find(boundary.onCut[i])] =
             room.across(tets.cutFaces[i], tets.cutCells[i]);
     }
 
     // The patches of the core follow other triangles
-    const label first = boundaryTets.size() - cut.nBoundary;
+    const label first = boundary.onPatches.size() - cut.nBoundary;
     for (label i = 0; i < cut.nBoundary; ++i)
     {
-        rooms[together.find(boundaryTets[first + i])] =
+        rooms[together.find(boundary.onPatches[first + i])] =
             room.at(cut.boundaryFaces[i]);
     }
     forAll(rooms, t)
@@ -70,9 +69,7 @@ List<cellZoneParts> coreCellZones
     const farFieldTets& tets,
     const polyMeshParts& core,
     const coreCut& cut,
-    const labelUList& outerTets,
-    const labelUList& boundaryTets,
-    const labelUList& cutTets
+    const boundaryTets& boundary
 )
 {
     List<cellZoneParts> zones(core.cellZones.size());
@@ -84,7 +81,7 @@ List<cellZoneParts> coreCellZones
     const label nTets = tets.tets.size();
     const labelList newCells(invert(core.nCells, cut.cells));
     const roomParts room(core, cut);
-    const labelList rooms(roomsOf(tets, cut, boundaryTets, cutTets, room));
+    const labelList rooms(roomsOf(tets, cut, boundary, room));
 
     forAll(zones, i)
     {
@@ -108,9 +105,9 @@ List<cellZoneParts> coreCellZones
         zones[i] = cellZoneParts(zone.name, cells);
 
         labelHashSet front;
-        forAll(outerTets, k)
+        forAll(boundary.onLayers, k)
         {
-            if (parts.found(rooms[outerTets[k]]))
+            if (parts.found(rooms[boundary.onLayers[k]]))
             {
                 front.insert(tets.outerFaces[k]);
             }

@@ -5,8 +5,8 @@
 
 #include "makeFarFieldMesh.H"
 #include "coreCellZones.H"
-#include "Map.H"
-#include "triangleIndex.H"
+#include "coreFaceZones.H"
+#include "ListOps.H"
 
 #include <algorithm>
 
@@ -28,10 +28,7 @@ class cellJoiner
     //  cell goes
     const labelList cells_;
 
-    //- Tetrahedra on the triangles of the layers, of patches, and of the cut
-    labelList outerTets_;
-    labelList boundaryTets_;
-    labelList cutTets_;
+    const boundaryTets boundary_;
 
     //- Labels here of the core's points and faces, and of faces that are
     //  several triangles
@@ -48,8 +45,6 @@ class cellJoiner
 
     label nCoreInternal() const { return core_.topology.neighbour.size(); }
 
-    void findTets();
-
     void addPoints();
 
     //- Takes a face out of the core
@@ -63,10 +58,6 @@ class cellJoiner
     void addOuterFaces();
 
     void addPatches();
-
-    void addCellZones();
-
-    void addFaceZones();
 
 public:
 
@@ -92,6 +83,7 @@ cellJoiner::cellJoiner
     core_(core),
     cut_(cut),
     cells_(invert(core.nCells, cut.cells)),
+    boundary_(findBoundaryTets(tets)),
     points_(core.points.size(), -1),
     faces_(core.topology.faces.size(), -1)
 {
@@ -103,33 +95,6 @@ cellJoiner::cellJoiner
         mesh_.patches.entries[firstCorePatch_ + patchi] =
             core.patches.entries[patchi];
     }
-}
-
-
-void cellJoiner::findTets()
-{
-    faceList triangles(tets_.outerTriangles);
-    triangles.append(tets_.boundaryTriangles);
-    triangles.append(tets_.cutTriangles);
-    const triangleIndex index(makeTriangleIndex(triangles));
-    labelList found(triangles.size(), -1);
-
-    forAll(tets_.tets, t)
-    {
-        for (label i = 0; i < 4; ++i)
-        {
-            if (tets_.neighbours[t][i] < 0)
-            {
-                found[index[tets_.tets[t].face(i)]] = t;
-            }
-        }
-    }
-
-    const label n = tets_.outerTriangles.size();
-    const label m = tets_.boundaryTriangles.size();
-    outerTets_ = SubList<label>(found, n);
-    boundaryTets_ = SubList<label>(found, m, n);
-    cutTets_ = SubList<label>(found, tets_.cutTriangles.size(), n + m);
 }
 
 
@@ -170,10 +135,7 @@ void cellJoiner::addPoints()
 face cellJoiner::takeFace(const label facei)
 {
     face f(std::move(core_.topology.faces[facei]));
-    for (label& p : f)
-    {
-        p = points_[p];
-    }
+    inplaceRenumber(points_, f);
 
     return f;
 }
@@ -182,10 +144,10 @@ face cellJoiner::takeFace(const label facei)
 void cellJoiner::addTetFaces()
 {
     // Triangles of the cut on each tetrahedron: few have any
-    Map<DynamicList<label>> cutOf(2*cutTets_.size());
-    forAll(cutTets_, i)
+    Map<DynamicList<label>> cutOf(2*boundary_.onCut.size());
+    forAll(boundary_.onCut, i)
     {
-        cutOf(cutTets_[i]).append(i);
+        cutOf(boundary_.onCut[i]).append(i);
     }
 
     // Neighbours, with the face of the tetrahedron, or less than 0 the
@@ -259,7 +221,7 @@ void cellJoiner::addOuterFaces()
     forAll(tets_.outerTriangles, i)
     {
         face f(tets_.outerTriangles[i].reverseFace());
-        mesh_.topology.append(std::move(f), outerTets_[i]);
+        mesh_.topology.append(std::move(f), boundary_.onLayers[i]);
     }
     mesh_.frontFaces = tets_.outerFaces;
 }
@@ -279,7 +241,7 @@ void cellJoiner::addPatches()
         for (const label i : triangles[patchi])
         {
             face f(tets_.boundaryTriangles[i].reverseFace());
-            mesh_.topology.append(std::move(f), boundaryTets_[i]);
+            mesh_.topology.append(std::move(f), boundary_.onPatches[i]);
         }
 
         const label corePatch = patchi - firstCorePatch_;
@@ -302,61 +264,18 @@ void cellJoiner::addPatches()
 }
 
 
-void cellJoiner::addCellZones()
-{
-    mesh_.cellZones.append(cellZoneParts(farFieldName, identity(nTets())));
-    mesh_.cellZones.append
-    (
-        coreCellZones
-        (
-            tets_, core_, cut_, outerTets_, boundaryTets_, cutTets_
-        )
-    );
-}
-
-
-void cellJoiner::addFaceZones()
-{
-    for (const faceZoneParts& zone : core_.faceZones)
-    {
-        DynamicList<label> faces;
-        DynamicList<bool> flips;
-        forAll(zone.faces, i)
-        {
-            const label facei = zone.faces[i];
-            if (faces_[facei] >= 0)
-            {
-                faces.append(faces_[facei]);
-                flips.append(zone.flips[i]);
-            }
-
-            // Triangles of the cut point from tetrahedra to the cell that stays
-            const bool turned = cells_[core_.topology.owner[facei]] >= 0;
-            const labelList triangles
-            (
-                cutFaces_.found(facei)
-              ? labelList(cutFaces_[facei]) : labelList()
-            );
-            faces.append(triangles);
-            flips.append(boolList(triangles.size(), zone.flips[i] != turned));
-        }
-        mesh_.faceZones.append({zone.name, faces, flips});
-    }
-}
-
-
 farFieldMesh cellJoiner::join()
 {
     const label nFaces = 2*nTets() + core_.topology.faces.size();
-    findTets();
     addPoints();
     mesh_.topology.reserve(nFaces, nFaces);
     addTetFaces();
     addCoreFaces();
     addOuterFaces();
     addPatches();
-    addCellZones();
-    addFaceZones();
+    mesh_.cellZones.append(cellZoneParts(farFieldName, identity(nTets())));
+    mesh_.cellZones.append(coreCellZones(tets_, core_, cut_, boundary_));
+    mesh_.faceZones.append(coreFaceZones(core_, cells_, faces_, cutFaces_));
 
     return std::move(mesh_);
 }
