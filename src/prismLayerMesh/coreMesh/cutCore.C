@@ -4,12 +4,11 @@
 \*---------------------------------------------------------------------------*/
 
 #include "cutCore.H"
-#include "edgeHashes.H"
+#include "coupledPatches.H"
 #include "HashSet.H"
+#include "planeOutlines.H"
 #include "splitPolygon.H"
 #include "stayingCells.H"
-
-#include <algorithm>
 
 namespace Foam
 {
@@ -34,13 +33,7 @@ struct coreCutter
     //- The core's face of each triangle
     DynamicList<label> faces{};
 
-    //- Faces in each plane whose cells are gone
-    List<DynamicList<face>> onPlanes =
-        List<DynamicList<face>>(planes.size());
-
-    //- Edges of faces on planes whose cells stay, and of patches on the wall
-    edgeHashSet stayingEdges{};
-    edgeHashSet wallEdges{};
+    planeOutlines outlines = planeOutlines(planes.size());
 
     label nInternal() const { return core.topology.neighbour.size(); }
 
@@ -53,20 +46,12 @@ struct coreCutter
 
     pointField seedsOf(const labelUList& cells) const;
 
-    label nStaying(label patchi) const;
-
-    //- Refuses a patch that is coupled to another and would lose faces
-    void refuseCoupled(label patchi) const;
-
     void addPolygon(label facei, bool turned, label patchi);
 
     //- A face whose cell is gone
     void addBoundary(label facei, label patchi);
 
     void addPatches();
-
-    //- Sets borders and limits of each plane, on points of the core
-    void addLimits(coreCut& cut) const;
 
     void addCut(coreCut& cut);
 
@@ -115,56 +100,6 @@ pointField coreCutter::seedsOf(const labelUList& cells) const
 }
 
 
-label coreCutter::nStaying(const label patchi) const
-{
-    const polyMeshTopology& t = core.topology;
-    const SubList<label> owners
-    (
-        t.owner, t.patchSizes[patchi], t.patchStarts[patchi]
-    );
-
-    return std::count_if
-    (
-        owners.begin(), owners.end(),
-        [&](const label celli) { return stays[celli]; }
-    );
-}
-
-
-void coreCutter::refuseCoupled(const label patchi) const
-{
-    const polyMeshTopology& t = core.topology;
-    const label start = t.patchStarts[patchi];
-    const dictionary& entry = core.patches.entries[patchi];
-    const word neighbour(entry.lookupOrDefault<word>("neighbourPatch", ""));
-    const label other = core.patches.names.find(neighbour);
-
-    // Both of a pair may be behind the obstacles
-    const bool isGone = !nStaying(patchi) && (other < 0 || !nStaying(other));
-
-    for (label facei = start; facei < start + t.patchSizes[patchi]; ++facei)
-    {
-        if
-        (
-            stays[t.owner[facei]]
-         || (isGone && !stays.inFluid(facei))
-        )
-        {
-            continue;
-        }
-
-        const point centre(faceOf(facei).centre(core.points));
-        FatalErrorInFunction
-            << "The layers need room at the patch "
-            << core.patches.names[patchi] << " of type "
-            << entry.get<word>("type") << ", at " << centre << ", "
-            << obstacles.surface.footOf(centre).distance << " from them" << nl
-            << "Make the cells between the patch and the layers smaller, or"
-            << " farField.gap, or move the patch away" << exit(FatalError);
-    }
-}
-
-
 void coreCutter::addPolygon
 (
     const label facei,
@@ -194,7 +129,7 @@ void coreCutter::addBoundary(const label facei, const label patchi)
         return;
     }
 
-    onPlanes[plane].append(faceOf(facei));
+    outlines.addGone(plane, faceOf(facei));
 }
 
 
@@ -212,11 +147,11 @@ void coreCutter::addPatches()
         const label end = isWall ? start : start + t.patchSizes[patchi];
         if (!isWall && !stays.isPlain(patchi))
         {
-            refuseCoupled(patchi);
+            refuseCoupled(core, stays, obstacles, patchi);
         }
         for (label i = end; i < start + t.patchSizes[patchi]; ++i)
         {
-            wallEdges.insert(faceOf(i).edges());
+            outlines.addWall(faceOf(i));
         }
         for (label facei = start; facei < end; ++facei)
         {
@@ -226,42 +161,20 @@ void coreCutter::addPatches()
             }
             else if (planes.size() && stays.planeOf(facei) >= 0)
             {
-                stayingEdges.insert(faceOf(facei).edges());
+                outlines.addStaying(faceOf(facei));
             }
         }
     }
 
-    forAll(onPlanes, s)
+    forAll(planes, s)
     {
-        if (onPlanes[s].empty())
+        if (outlines.isEmpty(s))
         {
             FatalErrorInFunction
                 << "The mesh around the layers has no faces at the layers on"
                 << " the plane of " << planes[s].name << ", through "
                 << planes[s].origin << nl
                 << "It must end in that plane" << exit(FatalError);
-        }
-    }
-}
-
-
-void coreCutter::addLimits(coreCut& cut) const
-{
-    cut.borders.setSize(onPlanes.size());
-    cut.limits.setSize(onPlanes.size());
-
-    forAll(onPlanes, s)
-    {
-        for (const edge& e : outline(onPlanes[s]))
-        {
-            if (stayingEdges.found(e))
-            {
-                cut.borders[s].append(e);
-            }
-            else if (!wallEdges.found(e))
-            {
-                cut.limits[s].append(e);
-            }
         }
     }
 }
@@ -322,7 +235,7 @@ void coreCutter::moveTriangles(coreCut& cut)
         }
     }
 
-    addLimits(cut);
+    outlines.set(cut.borders, cut.limits);
     for (List<edgeList>* edges : {&cut.borders, &cut.limits})
     {
         for (edgeList& ofPlane : *edges)
