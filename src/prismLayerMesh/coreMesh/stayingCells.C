@@ -5,8 +5,6 @@
 
 #include "stayingCells.H"
 #include "bitSet.H"
-#include "edgeHashes.H"
-#include "HashSet.H"
 
 namespace Foam
 {
@@ -24,17 +22,6 @@ const struct
 
     //- The gap is in widths of cells, or in such shares of edges
     scalar longEdge = 0.5;
-
-    //- Faces of a patch on the wall are nearer to the obstacles than so many
-    //  widths of their cells
-    scalar onWall = 2;
-
-    //- Cosine of the angle between the normal of one of them and the way to the
-    //  obstacles, at least: all faces on a side of the domain look away
-    scalar towardsWall = 0.1;
-
-    //- Where the owner of a face begins: share of the way to its centre
-    scalar within = 0.1;
 
 } tuned;
 
@@ -147,74 +134,6 @@ void stayingCells::removeBehind()
 }
 
 
-bool stayingCells::looksAtObstacles(const label facei) const
-{
-    const face& f = core_.topology.faces[facei];
-    const vector fromFoot
-    (
-        obstacles_.surface.footOf(f.centre(core_.points)).direction
-    );
-
-    return (-fromFoot & f.unitNormal(core_.points)) > tuned.towardsWall;
-}
-
-
-bool stayingCells::liesOnWall(const label patchi) const
-{
-    const polyMeshTopology& t = core_.topology;
-    const label start = t.patchStarts[patchi];
-    const label size = t.patchSizes[patchi];
-    bool near = size > 0 && isPlain(patchi);
-    label nBehind = 0;
-    bool looksAtWall = false;
-
-    for (label facei = start; near && facei < start + size; ++facei)
-    {
-        const point centre(t.faces[facei].centre(core_.points));
-        if (planeOf(facei) >= 0)
-        {
-            near = false;
-        }
-        else if (!inFluid(facei))
-        {
-            ++nBehind;
-        }
-        else
-        {
-            near = obstacles_.surface.nearer
-            (
-                centre, tuned.onWall*width(t.owner[facei])
-            );
-            looksAtWall = looksAtWall || looksAtObstacles(facei);
-        }
-    }
-
-    return near && (looksAtWall || 2*nBehind > size);
-}
-
-
-void stayingCells::removeOnWall()
-{
-    DynamicList<word> names;
-
-    forAll(core_.patches.names, patchi)
-    {
-        if (liesOnWall(patchi))
-        {
-            const label start = core_.topology.patchStarts[patchi];
-            const label size = core_.topology.patchSizes[patchi];
-            names.append(core_.patches.names[patchi]);
-            for (label i = start; i < start + size; ++i)
-            {
-                leave(core_.topology.owner[i]);
-            }
-        }
-    }
-
-    wallPatches_.transfer(names);
-}
-
-
 void stayingCells::removeWide()
 {
     removeBeside([&](const label a, const label b)
@@ -226,51 +145,26 @@ void stayingCells::removeWide()
 
 bool stayingCells::removeTouching(const label plane)
 {
-    const polyMeshTopology& t = core_.topology;
-    bitSet isIn(core_.points.size());
-    forAll(core_.points, p)
-    {
-        isIn.set(p, isInPlane(plane, p));
-    }
-
-    labelHashSet points;
-    edgeHashSet edges;
-    for (label facei = nInternal_; facei < t.faces.size(); ++facei)
-    {
-        if ((*this)[t.owner[facei]] && planeOf(facei) == plane)
-        {
-            points.insert(t.faces[facei]);
-            edges.insert(t.faces[facei].edges());
-        }
-    }
-
-    // The plane is triangulated beside these faces alone
-    const auto isBeside = [&](const edge& e)
-    {
-        return points.found(e.start())
-         && (!isIn.test(e.end()) || edges.found(e));
-    };
+    const labelList faces
+    (
+        planes_.facesTouching
+        (
+            plane, [&](const label celli) { return (*this)[celli]; }
+        )
+    );
 
     bool more = false;
-    forAll(t.faces, facei)
+    const auto remove = [&](const label celli)
     {
-        const face& f = t.faces[facei];
-        bool touches = false;
-        forAll(f, k)
+        more = more || (*this)[celli];
+        leave(celli);
+    };
+    for (const label facei : faces)
+    {
+        remove(core_.topology.owner[facei]);
+        if (facei < nInternal_)
         {
-            touches = touches
-             || (isIn.test(f[k]) && !isBeside(edge(f[k], f.nextLabel(k))));
-        }
-
-        if (touches)
-        {
-            more = more || (*this)[t.owner[facei]];
-            leave(t.owner[facei]);
-            if (facei < nInternal_)
-            {
-                more = more || (*this)[t.neighbour[facei]];
-                leave(t.neighbour[facei]);
-            }
+            remove(core_.topology.neighbour[facei]);
         }
     }
 
@@ -291,8 +185,7 @@ stayingCells::stayingCells
     core_(core),
     obstacles_(obstacles),
     gap_(gap),
-    planes_(planes),
-    tolerance_(1e-9*boundBox(core.points, false).mag()),
+    planes_(core, planes),
     nInternal_(core.topology.neighbour.size()),
     boxes_(core.nCells, boundBox(boundBox::invertedBox)),
     states_(core.nCells, states::stays)
@@ -334,45 +227,6 @@ disjointSets stayingCells::parts() const
     }
 
     return together;
-}
-
-
-label stayingCells::planeOf(const label facei) const
-{
-    forAll(planes_, s)
-    {
-        bool isIn = true;
-        for (const label p : core_.topology.faces[facei])
-        {
-            isIn = isIn && isInPlane(s, p);
-        }
-        if (isIn)
-        {
-            return s;
-        }
-    }
-
-    return -1;
-}
-
-
-bool stayingCells::isPlain(const label patchi) const
-{
-    const wordList plain({"patch", "wall", "symmetry", "symmetryPlane"});
-
-    return plain.found(core_.patches.entries[patchi].get<word>("type"));
-}
-
-
-bool stayingCells::inFluid(const label facei) const
-{
-    const label own = core_.topology.owner[facei];
-    const point centre(core_.topology.faces[facei].centre(core_.points));
-
-    return obstacles_.fluid.inFront
-    (
-        centre + tuned.within*(boxes_[own].midpoint() - centre)
-    );
 }
 
 } // End namespace Foam
