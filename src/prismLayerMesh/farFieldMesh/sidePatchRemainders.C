@@ -7,10 +7,8 @@
 #include "coarsenCuts.H"
 #include "convexPolyhedron.H"
 #include "edgeHashes.H"
-#include "layerBorder.H"
-#include "planePoints.H"
-#include "planeTriangulation.H"
-#include "readWallSurface.H"
+#include "removeUnused.H"
+#include "sideRegions.H"
 
 namespace Foam
 {
@@ -22,23 +20,12 @@ namespace
 
 class farFieldBoundaryMaker
 {
-    const prismLayers& layers_;
     const farBoundary& far_;
-    const std::function<scalar(const point&)>& size_;
-    const List<sidePatch>& sides_;
     const boundBox box_;
-    const scalar tolerance_;
-    const layerBorder border_;
-
-    farFieldBoundary made_;
-
-    //- Region of each side patch
-    List<planeRegion> regions_;
+    sideRegions on_;
 
     //- Points of parts
     equalPoints labels_;
-
-    pointField& points() { return made_.surface.points; }
 
     static boundBox boxOf(const prismLayers& layers, const farBoundary& far)
     {
@@ -51,14 +38,8 @@ class farFieldBoundaryMaker
         return box;
     }
 
-    void addTriangle(const face& f, const label patchi)
-    {
-        made_.surface.faces.append(f);
-        made_.surface.patchIDs.append(patchi);
-    }
-
-    //- The outer edges of the layers on side patches
-    void addLayers();
+    //- Refuses layers outside of the far boundary
+    void checkInBox() const;
 
     void addEdge(const label s, const edge& e);
 
@@ -67,8 +48,6 @@ class farFieldBoundaryMaker
 
     //- The far boundary, cut by the planes
     convexPolyhedron cutBoundary();
-
-    void triangulate();
 
     //- The sides of the box that the far field reaches
     void addBoxSides(const convexPolyhedron& cut, label first);
@@ -82,70 +61,48 @@ public:
         const std::function<scalar(const point&)>& size
     )
     :
-        layers_(layers),
         far_(far),
-        size_(size),
-        sides_(layers.border.sides),
         box_(boxOf(layers, far)),
-        tolerance_(1e-9*box_.mag()),
-        border_(layers, tolerance_),
-        regions_(sides_.size())
-    {
-        made_.surface.patchNames = far.surface.patchNames;
-        made_.surface.patchTypes = far.patchTypes;
-        made_.firstSide = made_.surface.patchNames.size();
-        for (const sidePatch& side : sides_)
-        {
-            made_.surface.patchNames.append(side.name);
-            made_.surface.patchTypes.append(side.type);
-        }
-    }
+        on_
+        (
+            layers, size, 1e-9*box_.mag(), far.surface.patchNames,
+            far.patchTypes
+        )
+    {}
 
     farFieldBoundary make();
-
-    farFieldBoundary makeUpTo(const coreCut& cut);
 };
 
-void farFieldBoundaryMaker::addLayers()
-{
-    made_.columns = border_.columns();
-    points() = border_.outerPoints();
 
-    for (const point& top : points())
+void farFieldBoundaryMaker::checkInBox() const
+{
+    for (const point& top : on_.border.outerPoints())
     {
         // The nearest point in the box is the point itself
         const point inBox(min(max(top, box_.min()), box_.max()));
 
-        if (far_.surface.faces.size() && mag(top - inBox) > tolerance_)
+        if (far_.surface.faces.size() && mag(top - inBox) > on_.tolerance)
         {
             FatalErrorInFunction
                 << "The far boundary is not around the wall: the layers at "
                 << top << " are outside of it" << exit(FatalError);
         }
     }
-
-    forAll(border_.outerEdges(), i)
-    {
-        regions_[layers_.border.edgeSides[i]].boundary.append
-        (
-            border_.outerEdges()[i]
-        );
-    }
 }
 
 
 void farFieldBoundaryMaker::addEdge(const label s, const edge& e)
 {
-    const point& a = points()[e.start()];
-    const point& b = points()[e.end()];
-    regions_[s].boundary.append(e);
+    const point& a = on_.points()[e.start()];
+    const point& b = on_.points()[e.end()];
+    on_.regions[s].boundary.append(e);
 
     // A plane ends there too, seen from the other side
-    forAll(sides_, t)
+    forAll(on_.sides, t)
     {
-        if (!sides_[t].isPart() && sides_[t].hasEdge(a, b, tolerance_))
+        if (!on_.sides[t].isPart() && on_.sides[t].hasEdge(a, b, on_.tolerance))
         {
-            regions_[t].boundary.append(edge(e.end(), e.start()));
+            on_.regions[t].boundary.append(edge(e.end(), e.start()));
         }
     }
 }
@@ -153,25 +110,24 @@ void farFieldBoundaryMaker::addEdge(const label s, const edge& e)
 
 void farFieldBoundaryMaker::addParts()
 {
-    forAll(sides_, s)
+    forAll(on_.sides, s)
     {
-        for (const edge& e : outline(sides_[s].faces))
+        for (const edge& e : outline(on_.sides[s].faces))
         {
-            const point& a = sides_[s].points[e.start()];
-            const point& b = sides_[s].points[e.end()];
+            const point& a = on_.sides[s].points[e.start()];
+            const point& b = on_.sides[s].points[e.end()];
             labelPair ends;
 
             const auto labelOf = [&](const label top, const point& x)
             {
-                return top < 0 ? labels_.labelIn(points(), x) : top;
+                return top < 0 ? labels_.labelIn(on_.points(), x) : top;
             };
 
-            if (!border_.covers(a, b, ends))
+            if (!on_.border.covers(a, b, ends))
             {
-                addEdge
-                (
-                    s, edge(labelOf(ends.first(), a), labelOf(ends.second(), b))
-                );
+                const label end = labelOf(ends.second(), b);
+                const label start = labelOf(ends.first(), a);
+                addEdge(s, edge(start, end));
             }
         }
     }
@@ -180,9 +136,9 @@ void farFieldBoundaryMaker::addParts()
 
 convexPolyhedron farFieldBoundaryMaker::cutBoundary()
 {
-    const convexPolyhedron cut(cutBox(box_, sides_));
-    const label first = points().size();
-    points().append(cut.points);
+    const convexPolyhedron cut(cutBox(box_, on_.sides));
+    const label first = on_.points().size();
+    on_.points().append(cut.points);
 
     forAll(cut.faces, facei)
     {
@@ -191,37 +147,11 @@ convexPolyhedron farFieldBoundaryMaker::cutBoundary()
 
         for (label k = 0; s >= 0 && k < f.size(); ++k)
         {
-            regions_[s].limits.append(f.faceEdge(k));
+            on_.regions[s].limits.append(f.faceEdge(k));
         }
     }
 
     return cut;
-}
-
-
-void farFieldBoundaryMaker::triangulate()
-{
-    forAll(sides_, s)
-    {
-        planeRegion& region = regions_[s];
-        region.limits = dividedEdges
-        (
-            points(), region.limits, border_.outerPointsOn(s), tolerance_
-        );
-        region.normal = -sides_[s].normal;
-        region.isCurved = sides_[s].isCurved();
-        const pointField inside
-        (
-            planePoints(points(), region, sides_[s], size_)
-        );
-        region.points = identity(inside.size(), points().size());
-        points().append(inside);
-
-        for (const face& f : triangulatePlane(points(), region))
-        {
-            addTriangle(f, made_.firstSide + s);
-        }
-    }
 }
 
 
@@ -232,7 +162,7 @@ void farFieldBoundaryMaker::addBoxSides
 )
 {
     edgeHashSet reached;
-    for (const face& f : made_.surface.faces)
+    for (const face& f : on_.made.surface.faces)
     {
         reached.insert(f.edges());
     }
@@ -264,14 +194,14 @@ void farFieldBoundaryMaker::addBoxSides
             {
                 FatalErrorInFunction
                     << "The fluid is open beyond the side planes at "
-                    << f.centre(points()) << nl
+                    << f.centre(on_.points()) << nl
                     << "Give the far field a boundary of type box"
                     << exit(FatalError);
             }
 
             for (label k = 1; k + 1 < f.size(); ++k)
             {
-                addTriangle
+                on_.addTriangle
                 (
                     face({f[0], f[k], f[k + 1]}),
                     far_.boxPatches[cut.boxSides[facei]]
@@ -286,11 +216,11 @@ void farFieldBoundaryMaker::addBoxSides
 
 farFieldBoundary farFieldBoundaryMaker::make()
 {
-    addLayers();
+    checkInBox();
     addParts();
-    coarsenCuts(points(), sides_, size_, regions_);
+    coarsenCuts(on_.points(), on_.sides, on_.size, on_.regions);
 
-    if (hasPlanes(sides_))
+    if (hasPlanes(on_.sides))
     {
         if (far_.surface.faces.size() && far_.boxPatches.empty())
         {
@@ -299,19 +229,19 @@ farFieldBoundary farFieldBoundaryMaker::make()
                 << exit(FatalError);
         }
 
-        const label first = points().size();
+        const label first = on_.points().size();
         const convexPolyhedron cut(cutBoundary());
-        triangulate();
+        on_.triangulate();
         addBoxSides(cut, first);
     }
     else
     {
-        triangulate();
-        const label first = points().size();
-        points().append(far_.surface.points);
+        on_.triangulate();
+        const label first = on_.points().size();
+        on_.points().append(far_.surface.points);
         forAll(far_.surface.faces, facei)
         {
-            addTriangle
+            on_.addTriangle
             (
                 face(labelList(far_.surface.faces[facei] + first)),
                 far_.surface.patchIDs[facei]
@@ -319,31 +249,7 @@ farFieldBoundary farFieldBoundaryMaker::make()
         }
     }
 
-    return made_;
-}
-
-
-farFieldBoundary farFieldBoundaryMaker::makeUpTo(const coreCut& cut)
-{
-    addLayers();
-    const label first = points().size();
-    points().append(cut.surface.points);
-    forAll(sides_, s)
-    {
-        // Faces that are gone are to the left seen from outside
-        for (const edge& e : cut.borders[s])
-        {
-            const edge reversed(e.end() + first, e.start() + first);
-            regions_[s].boundary.append(reversed);
-        }
-        for (const edge& e : cut.limits[s])
-        {
-            regions_[s].limits.append(edge(e[0] + first, e[1] + first));
-        }
-    }
-    triangulate();
-
-    return made_;
+    return on_.made;
 }
 
 } // End anonymous namespace
@@ -365,20 +271,6 @@ farFieldBoundary makeFarFieldBoundary
     removeUnusedPoints(result.surface.faces, result.surface.points);
 
     return result;
-}
-
-
-farFieldBoundary makePlaneRemainders
-(
-    const prismLayers& layers,
-    const coreCut& cut,
-    const std::function<scalar(const point&)>& size
-)
-{
-    const farBoundary none;
-    farFieldBoundaryMaker maker(layers, none, size);
-
-    return maker.makeUpTo(cut);
 }
 
 } // End namespace Foam
