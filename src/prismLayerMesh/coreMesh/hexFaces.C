@@ -4,10 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "hexFaces.H"
+#include "hexPoints.H"
 
 #include <algorithm>
-#include <cstdint>
-#include <unordered_map>
 
 namespace Foam
 {
@@ -21,13 +20,12 @@ namespace
 class hexFaceMaker
 {
     const hexOctree& tree_;
-    const label depth_;
 
     //- Cells of leaves, -1 of others; leaves of cells
     labelList cells_;
     DynamicList<label> leaves_;
 
-    std::unordered_map<std::uint64_t, label> labels_;
+    hexPoints points_;
 
     polyMeshParts mesh_;
 
@@ -48,28 +46,8 @@ class hexFaceMaker
         label side;
     };
 
-    static std::uint64_t key(const labelVector& at)
-    {
-        return std::uint64_t(at.x()) << 42 | std::uint64_t(at.y()) << 21
-          | std::uint64_t(at.z());
-    }
-
     //- Numbers cells along the curve of the octree
     void number(label node);
-
-    //- Adds the corners of all leaves as points, also of leaves that are no
-    //  cells: a face of a cell is the side of the leaf beyond the face if that
-    //  leaf is smaller
-    void addPoints();
-
-    label find(const labelVector& at) const
-    {
-        const auto found = labels_.find(key(at));
-        return found == labels_.end() ? -1 : found->second;
-    }
-
-    //- The side of a leaf, seen from outside, with the points on its edges
-    face sideOf(label leaf, label side) const;
 
     //- The leaves beyond a side of a leaf; none at the side of the box
     void addNeighbours
@@ -105,77 +83,6 @@ void hexFaceMaker::number(const label node)
             number(tree_.children(node) + octant);
         }
     }
-}
-
-
-void hexFaceMaker::addPoints()
-{
-    DynamicList<point> points(leaves_.size() + leaves_.size()/8);
-    labels_.reserve(points.capacity());
-
-    for (label leaf = 0; leaf < tree_.size(); ++leaf)
-    {
-        if (!tree_.isLeaf(leaf))
-        {
-            continue;
-        }
-        const label width = 1 << (depth_ - tree_.level(leaf));
-
-        for (label octant = 0; octant < 8; ++octant)
-        {
-            labelVector at(width*tree_.at(leaf));
-            for (direction d = 0; d < 3; ++d)
-            {
-                at[d] += width*(octant >> d & 1);
-            }
-            if (labels_.emplace(key(at), points.size()).second)
-            {
-                points.append(tree_.pointAt(at));
-            }
-        }
-    }
-
-    mesh_.points.transfer(points);
-}
-
-
-face hexFaceMaker::sideOf(const label leaf, const label side) const
-{
-    const label width = 1 << (depth_ - tree_.level(leaf));
-    const direction d = side/2;
-    const direction e = (d + 1) % 3;
-    const direction f = (d + 2) % 3;
-    labelVector corners[4];
-
-    for (label k = 0; k < 4; ++k)
-    {
-        // Counter-clockwise seen from the high side
-        corners[k] = width*tree_.at(leaf);
-        corners[k][d] += width*(side % 2);
-        corners[k][e] += width*(k == 1 || k == 2);
-        corners[k][f] += width*(k >= 2);
-    }
-    if (side % 2 == 0)
-    {
-        std::swap(corners[1], corners[3]);
-    }
-
-    DynamicList<label, 8> polygon;
-    for (label k = 0; k < 4; ++k)
-    {
-        const labelVector& a = corners[k];
-        const labelVector sum(a + corners[(k + 1) % 4]);
-        polygon.append(find(a));
-
-        const label middle = width > 1
-          ? find(labelVector(sum.x()/2, sum.y()/2, sum.z()/2)) : -1;
-        if (middle >= 0)
-        {
-            polygon.append(middle);
-        }
-    }
-
-    return face(polygon);
 }
 
 
@@ -258,7 +165,7 @@ void hexFaceMaker::addCell(const label celli, const labelList& sidePatches)
 
     for (const cellFace& f : higher)
     {
-        face polygon(sideOf(f.leaf, f.side));
+        face polygon(points_.sideOf(f.leaf, f.side));
         if (f.leaf != leaf)
         {
             polygon.flip();
@@ -275,7 +182,7 @@ void hexFaceMaker::addPatches()
         mesh_.topology.startPatch();
         for (const boundaryFace& f : patch)
         {
-            face polygon(sideOf(f.leaf, f.side));
+            face polygon(points_.sideOf(f.leaf, f.side));
             if (f.leaf != leaves_[f.owner])
             {
                 polygon.flip();
@@ -289,8 +196,8 @@ void hexFaceMaker::addPatches()
 hexFaceMaker::hexFaceMaker(const hexOctree& tree, const hexCoreBox& box)
 :
     tree_(tree),
-    depth_(tree.depth()),
     cells_(tree.size(), -1),
+    points_(tree),
     boundary_(box.patches.names.size() + 1)
 {
     const labelVector& n = tree.nRoots();
@@ -299,7 +206,7 @@ hexFaceMaker::hexFaceMaker(const hexOctree& tree, const hexCoreBox& box)
         number(root);
     }
 
-    addPoints();
+    mesh_.points = points_.release();
     const labelList sidePatches
     (
         box.sidePatches.size()
