@@ -101,14 +101,11 @@ struct sideFacets
 
             for (const edge& e : outline(side.faces))
             {
-                regions[s].boundary.append
-                (
-                    edge
-                    (
-                        labels.labelIn(domain.points, side.points[e.start()]),
-                        labels.labelIn(domain.points, side.points[e.end()])
-                    )
-                );
+                const point& a = side.points[e.start()];
+                const point& b = side.points[e.end()];
+                const label end = labels.labelIn(domain.points, b);
+                const label start = labels.labelIn(domain.points, a);
+                regions[s].boundary.append(edge(start, end));
             }
         }
     }

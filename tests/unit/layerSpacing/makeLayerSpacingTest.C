@@ -14,6 +14,16 @@ using namespace Foam;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
+static patchLayers entryFor(const char* name, const heightEntries& heights)
+{
+    patchLayers entry;
+    entry.patches = keyType(name);
+    entry.heights = heights;
+
+    return entry;
+}
+
+
 //- A cube of quads with patches low (z < 0.5), high and top (z = 1)
 static wallSurface parts(const label n)
 {
@@ -131,10 +141,7 @@ TEST(makeLayerSpacing, metresAndRelativeSizesMix)
     heightEntries relative;
     relative.relativeSizes = true;
     relative.finalLayerThickness = 0.5;
-    controls.patches = List<patchLayers>
-    (
-        1, patchLayers{keyType("top"), relative}
-    );
+    controls.patches = List<patchLayers>(1, entryFor("top", relative));
 
     const layerSpacing spacing(spacingOf(wall, controls));
 
@@ -158,7 +165,7 @@ TEST(makeLayerSpacing, regionsChangeWhatPatchesHave)
     heightEntries first, ratio;
     first.firstLayerThickness = 1e-4;
     ratio.expansionRatio = 1.5;
-    controls.patches = List<patchLayers>(1, patchLayers{keyType("top"), first});
+    controls.patches = List<patchLayers>(1, entryFor("top", first));
     controls.regions.setSize(1);
     controls.regions[0].name = "half";
     controls.regions[0].heights = ratio;
@@ -250,8 +257,7 @@ TEST(makeLayerSpacing, fewerLayersKeepFirstHeightAndThickness)
     three.nSurfaceLayers = 3;
     controls.patches = List<patchLayers>
     ({
-        patchLayers{keyType("top"), ten},
-        patchLayers{keyType("low"), three}
+        entryFor("top", ten), entryFor("low", three)
     });
 
     const layerSpacing spacing(spacingOf(wall, controls));
