@@ -142,8 +142,7 @@ List<patchLayers> readLayerPatches
 {
     return readEntries<patchLayers>
     (
-        dict, "patches",
-        [&](const keyType& key, const dictionary& entries)
+        dict, "patches", [&](const keyType& key, const dictionary& entries)
         {
             return readPatches(key, entries, general);
         }
@@ -159,8 +158,7 @@ List<layerRegion> readLayerRegions
 {
     return readEntries<layerRegion>
     (
-        dict, "regions",
-        [&](const keyType&, const dictionary& entries)
+        dict, "regions", [&](const keyType&, const dictionary& entries)
         {
             return readRegion(entries, general);
         }

@@ -38,6 +38,21 @@ static labelList facesOfTriangles(const wallSurface& surface)
 }
 
 
+//- A surface with some of its faces, without their patches
+static wallSurface withFaces
+(
+    const wallSurface& surface,
+    const labelUList& kept
+)
+{
+    wallSurface part(surface);
+    part.faces = UIndirectList<face>(surface.faces, kept)();
+    removeUnusedPoints(part.faces, part.points);
+
+    return part;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 nearestSurface::nearestSurface(const wallSurface& surface)
@@ -115,11 +130,7 @@ void nearestSurface::setPatches
 
     if (chamfers.size() && kept.size())
     {
-        // The surface without those patches
-        wallSurface remaining(surface_);
-        remaining.faces = UIndirectList<face>(surface_.faces, kept)();
-        removeUnusedPoints(remaining.faces, remaining.points);
-        nearestSurface(remaining).find
+        nearestSurface(withFaces(surface_, kept)).find
         (
             pointField(centres, chamfers), nearest, faces
         );

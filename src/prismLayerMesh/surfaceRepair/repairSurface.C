@@ -28,6 +28,15 @@ namespace Foam
 static constexpr scalar featureAngle = 30;
 
 
+static void refuseBodies(const string& why)
+{
+    FatalErrorInFunction
+        << "The bodies of the surface cannot be united: " << why.c_str() << nl
+        << "Unite them in CAD, or go around them with surface.repair wrap"
+        << exit(FatalError);
+}
+
+
 namespace
 {
 
@@ -64,6 +73,9 @@ class surfaceRepairer
     bitSet facesOnSides() const;
 
     void wrap(const nearestSurface& nearest);
+
+    //- Sets the distances between both surfaces, in front of the side planes
+    void setDistances(const nearestSurface& nearest);
 
 public:
 
@@ -137,11 +149,7 @@ void surfaceRepairer::stitch()
     }
     if (!failure.empty())
     {
-        FatalErrorInFunction
-            << "The bodies of the surface cannot be united: "
-            << failure.c_str() << nl
-            << "Unite them in CAD, or go around them with surface.repair wrap"
-            << exit(FatalError);
+        refuseBodies(failure);
     }
 }
 
@@ -188,6 +196,20 @@ void surfaceRepairer::wrap(const nearestSurface& nearest)
 }
 
 
+void surfaceRepairer::setDistances(const nearestSurface& nearest)
+{
+    wallSurface inFront(original_);
+    for (const sidePatch& plane : planes_)
+    {
+        cutOff(inFront, plane, distancesTo(plane, inFront));
+    }
+
+    const nearestSurface toRepaired(repaired_.surface);
+    repaired_.distance = distanceTo(nearest, repaired_.surface);
+    repaired_.distanceOfGiven = distanceTo(toRepaired, inFront);
+}
+
+
 repairedSurface surfaceRepairer::repair()
 {
     if (controls_.repair == surfaceRepairControls::method::none || isSound())
@@ -231,13 +253,7 @@ repairedSurface surfaceRepairer::repair()
     cutReflexFaces(surface);
     orientWallSurface(surface, fluidOutside_);
 
-    wallSurface inFront(original_);
-    for (const sidePatch& plane : planes_)
-    {
-        cutOff(inFront, plane, distancesTo(plane, inFront));
-    }
-    repaired_.distance = distanceTo(nearest, surface);
-    repaired_.distanceOfGiven = distanceTo(nearestSurface(surface), inFront);
+    setDistances(nearest);
 
     return repaired_;
 }

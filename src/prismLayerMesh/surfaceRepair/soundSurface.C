@@ -11,6 +11,26 @@
 namespace Foam
 {
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+static bool isOnAny
+(
+    const UList<sidePatch>& planes,
+    const scalar tolerance,
+    const pointField& x,
+    const edge& e
+)
+{
+    return std::any_of
+    (
+        planes.begin(), planes.end(), [&](const sidePatch& plane)
+        {
+            return plane.hasEdge(x[e.start()], x[e.end()], tolerance);
+        }
+    );
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 bool isBeyond
@@ -45,17 +65,7 @@ bool isSoundUpTo
 
     for (const edge& e : outline(surface.faces))
     {
-        const point& a = surface.points[e.start()];
-        const point& b = surface.points[e.end()];
-        const bool isOnPlane = std::any_of
-        (
-            planes.begin(), planes.end(), [&](const sidePatch& plane)
-            {
-                return plane.hasEdge(a, b, tolerance);
-            }
-        );
-
-        if (!isOnPlane)
+        if (!isOnAny(planes, tolerance, surface.points, e))
         {
             return false;
         }

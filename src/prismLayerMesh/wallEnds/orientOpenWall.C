@@ -30,6 +30,34 @@ static point centreOfLargest
 }
 
 
+//- Number of the other components that a point of a component is within
+static label nAround
+(
+    const List<List<triPoints>>& capped,
+    const UList<boundBox>& boxes,
+    const label i,
+    const point& x
+)
+{
+    label n = 0;
+    forAll(capped, j)
+    {
+        n += i != j && boxes[j].contains(x) && isWithin(capped[j], x);
+    }
+
+    return n;
+}
+
+
+static void flip(const labelUList& faces, wallSurface& surface)
+{
+    for (const label facei : faces)
+    {
+        surface.faces[facei].flip();
+    }
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 label orientOpenWall
@@ -67,23 +95,14 @@ label orientOpenWall
     forAll(components, i)
     {
         const point x(centreOfLargest(surface, components[i].faces));
-        label nAround = 0;
-        forAll(components, j)
-        {
-            nAround +=
-                i != j && boxes[j].contains(x) && isWithin(capped[j], x);
-        }
-
-        const bool isBody = components[i].borders.empty() && nAround == 0;
-        const bool outward = isBody || fluidOutside == (nAround % 2 == 0);
+        const label n = nAround(capped, boxes, i, x);
+        const bool isBody = components[i].borders.empty() && n == 0;
+        const bool outward = isBody || fluidOutside == (n % 2 == 0);
 
         if (outward != (volumeOf(capped[i]) >= 0))
         {
             nFlipped += components[i].faces.size();
-            for (const label facei : components[i].faces)
-            {
-                surface.faces[facei].flip();
-            }
+            flip(components[i].faces, surface);
         }
     }
 

@@ -45,6 +45,9 @@ struct borderFinder
     //  has one face and is near no plane.
     bool addBorders(const UList<wallSide>& onEdge);
 
+    //- Refuses borders at some places: no plane is near to them
+    void refuseFar(const UList<point>& places) const;
+
     //- The points of faces on side patches are on these patches
     void addPointsOfSides();
 
@@ -120,18 +123,29 @@ bool borderFinder::addBorders(const UList<wallSide>& onEdge)
 }
 
 
+void borderFinder::refuseFar(const UList<point>& places) const
+{
+    OStringStream bound;
+    bound << tolerance;
+    refuseAt
+    (
+        places,
+        "The surface is open and its border is further than " + bound.str()
+      + " m from all side planes"
+    );
+}
+
+
 void borderFinder::addPointsOfSides()
 {
     forAll(parts.sideOfFace, facei)
     {
+        const face& f = surface.faces[facei];
         const label side = parts.sideOfFace[facei];
 
-        for (const label p : surface.faces[facei])
+        for (label k = 0; side >= 0 && k < f.size(); ++k)
         {
-            if (side >= 0)
-            {
-                addPointSide(p, side);
-            }
+            addPointSide(f[k], side);
         }
     }
 }
@@ -155,15 +169,7 @@ sideBorders borderFinder::find()
         }
     }
 
-    OStringStream bound;
-    bound << tolerance;
-    refuseAt
-    (
-        lost,
-        "The surface is open and its border is further than " + bound.str()
-      + " m from all side planes"
-    );
-
+    refuseFar(lost);
     addPointsOfSides();
 
     return borders;

@@ -118,10 +118,9 @@ public:
         surface_(surface),
         layers_(layers),
         tolerance_(tolerance),
-        faces_(surface, sectors, layers)
-    {
-        parts_.sideOfFace.setSize(surface.faces.size(), -1);
-    }
+        faces_(surface, sectors, layers),
+        parts_{List<sidePatch>(), labelList(surface.faces.size(), -1)}
+    {}
 
     sideParts find();
 
@@ -230,6 +229,17 @@ void partFinder::checkJoined() const
 } // End anonymous namespace
 
 
+static void refuseCurved(const wallSurface& surface, const label facei)
+{
+    FatalErrorInFunction
+        << "The side patch " << surface.patchNames[surface.patchIDs[facei]]
+        << " is curved so far that at "
+        << surface.faces[facei].centre(surface.points)
+        << " it is not seen along its mean normal" << nl
+        << "Divide it into several patches" << exit(FatalError);
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 sideParts findSideParts
@@ -256,14 +266,7 @@ sideParts findSideParts
 
         if (round == maxDivisions)
         {
-            const label facei = *unseen.cbegin();
-            FatalErrorInFunction
-                << "The side patch "
-                << surface.patchNames[surface.patchIDs[facei]]
-                << " is curved so far that at "
-                << surface.faces[facei].centre(surface.points)
-                << " it is not seen along its mean normal" << nl
-                << "Divide it into several patches" << exit(FatalError);
+            refuseCurved(surface, *unseen.cbegin());
         }
 
         sectoredSurface sectored{surface, found.sideOfFace, sectors};

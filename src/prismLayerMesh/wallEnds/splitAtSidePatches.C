@@ -17,6 +17,19 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
+//- A curved side patch has the shape of its faces
+static void setShape(sidePatch& side)
+{
+    if (side.isCurved())
+    {
+        side.shape = std::make_shared<const sideShape>
+        (
+            side.points, side.faces
+        );
+    }
+}
+
+
 namespace
 {
 
@@ -136,13 +149,7 @@ void wallSplitter::takeWall()
         sides[s].points = surface.points;
         removeUnusedPoints(sides[s].faces, sides[s].points);
 
-        if (sides[s].isCurved())
-        {
-            sides[s].shape = std::make_shared<const sideShape>
-            (
-                sides[s].points, sides[s].faces
-            );
-        }
+        setShape(sides[s]);
     }
 
     wall.faces.transfer(faces);
@@ -205,6 +212,25 @@ static wordList patchTypes(const wordList& names, const layerControls& layers)
 }
 
 
+static bool matchesAny(const patchLayers& entry, const wordList& names)
+{
+    return std::any_of
+    (
+        names.begin(), names.end(),
+        [&](const word& name) { return entry.patches.match(name); }
+    );
+}
+
+
+static void refuse(const patchLayers& entry, const wordList& names)
+{
+    FatalErrorInFunction
+        << "The entry " << entry.patches << " of layers.patches"
+        << " matches no patch of the surface" << nl
+        << "Its patches: " << flatOutput(names) << exit(FatalError);
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 wallSurface splitAtSidePatches
@@ -221,19 +247,9 @@ wallSurface splitAtSidePatches
     {
         hasSides = hasSides || entry.isSide;
 
-        const bool matches = std::any_of
-        (
-            surface.patchNames.begin(), surface.patchNames.end(),
-            [&](const word& name) { return entry.patches.match(name); }
-        );
-
-        if (entry.isSide && !matches)
+        if (entry.isSide && !matchesAny(entry, surface.patchNames))
         {
-            FatalErrorInFunction
-                << "The entry " << entry.patches << " of layers.patches"
-                << " matches no patch of the surface" << nl
-                << "Its patches: " << flatOutput(surface.patchNames)
-                << exit(FatalError);
+            refuse(entry, surface.patchNames);
         }
     }
 
