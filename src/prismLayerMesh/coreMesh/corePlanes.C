@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "corePlanes.H"
-#include "bitSet.H"
 #include "boundBox.H"
 #include "edgeHashes.H"
 #include "HashSet.H"
@@ -47,6 +46,18 @@ label corePlanes::planeOf(const label facei) const
 }
 
 
+bitSet corePlanes::pointsIn(const label plane) const
+{
+    bitSet points(core_.points.size());
+    forAll(core_.points, p)
+    {
+        points.set(p, isIn(plane, p));
+    }
+
+    return points;
+}
+
+
 labelList corePlanes::facesTouching
 (
     const label plane,
@@ -54,12 +65,7 @@ labelList corePlanes::facesTouching
 ) const
 {
     const polyMeshTopology& t = core_.topology;
-    bitSet isInPlane(core_.points.size());
-    forAll(core_.points, p)
-    {
-        isInPlane.set(p, isIn(plane, p));
-    }
-
+    const bitSet isInPlane(pointsIn(plane));
     labelHashSet points;
     edgeHashSet edges;
     for (label i = t.neighbour.size(); i < t.faces.size(); ++i)

@@ -10,6 +10,20 @@
 namespace Foam
 {
 
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Map<DynamicList<label>> boundaryTets::cutTriangles() const
+{
+    Map<DynamicList<label>> ofTets(2*onCut.size());
+    forAll(onCut, i)
+    {
+        ofTets(onCut[i]).append(i);
+    }
+
+    return ofTets;
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 boundaryTets findBoundaryTets(const farFieldTets& tets)

@@ -34,6 +34,9 @@ struct coreBoundaryMaker
 
     void setCore(const coreObstacles& obstacles);
 
+    //- The far boundary; the box of the core if there is no box yet
+    farBoundary outerBox() const;
+
     tetBoundary makeOnPlanes();
 
     tetBoundary makeAround();
@@ -91,22 +94,29 @@ void coreBoundaryMaker::setCore(const coreObstacles& obstacles)
 }
 
 
+farBoundary coreBoundaryMaker::outerBox() const
+{
+    if (domain.boundary.boxPatches.size() || !domain.core.nCells)
+    {
+        return domain.boundary;
+    }
+
+    farBoundaryControls boxControls;
+    boxControls.type = "box";
+    boxControls.box = coreBox(layers, domain);
+
+    return makeFarBoundary(boxControls, nullptr);
+}
+
+
 tetBoundary coreBoundaryMaker::makeOnPlanes()
 {
     // Closed by coarse triangles of planes and box
-    farBoundary coarse(domain.boundary);
-    if (coarse.boxPatches.empty() && domain.core.nCells)
-    {
-        farBoundaryControls boxControls;
-        boxControls.type = "box";
-        boxControls.box = coreBox(layers, domain);
-        coarse = makeFarBoundary(boxControls, nullptr);
-    }
     const farFieldBoundary boundary
     (
         makeFarFieldBoundary
         (
-            layers, coarse, [](const point&) { return GREAT; }
+            layers, outerBox(), [](const point&) { return GREAT; }
         )
     );
     tetBoundary closing;

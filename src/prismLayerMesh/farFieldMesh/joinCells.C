@@ -143,12 +143,7 @@ face cellJoiner::takeFace(const label facei)
 
 void cellJoiner::addTetFaces()
 {
-    // Triangles of the cut on each tetrahedron: few have any
-    Map<DynamicList<label>> cutOf(2*boundary_.onCut.size());
-    forAll(boundary_.onCut, i)
-    {
-        cutOf(boundary_.onCut[i]).append(i);
-    }
+    const Map<DynamicList<label>> cutOf(boundary_.cutTriangles());
 
     // Neighbours, with the face of the tetrahedron, or less than 0 the
     // triangle of the cut

@@ -10,10 +10,21 @@
 #include "removeUnused.H"
 #include "sideRegions.H"
 
+#include <algorithm>
+
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+static bool hasAny(const edgeHashSet& all, const edgeList& edges)
+{
+    return std::any_of
+    (
+        edges.begin(), edges.end(), [&](const edge& e) { return all.found(e); }
+    );
+}
+
 
 namespace
 {
@@ -180,11 +191,7 @@ void farFieldBoundaryMaker::addBoxSides
             if
             (
                 added[facei] || cut.planes[facei] >= 0
-             || !std::any_of
-                (
-                    edges.begin(), edges.end(),
-                    [&](const edge& e) { return reached.found(e); }
-                )
+             || !hasAny(reached, edges)
             )
             {
                 continue;
@@ -249,6 +256,8 @@ farFieldBoundary farFieldBoundaryMaker::make()
         }
     }
 
+    removeUnusedPoints(on_.made.surface.faces, on_.made.surface.points);
+
     return on_.made;
 }
 
@@ -264,13 +273,7 @@ farFieldBoundary makeFarFieldBoundary
     const std::function<scalar(const point&)>& size
 )
 {
-    farFieldBoundary result
-    (
-        farFieldBoundaryMaker(layers, boundary, size).make()
-    );
-    removeUnusedPoints(result.surface.faces, result.surface.points);
-
-    return result;
+    return farFieldBoundaryMaker(layers, boundary, size).make();
 }
 
 } // End namespace Foam

@@ -206,6 +206,18 @@ tetCellList tetImprover::partsOf(const cavity& c, const label newPoint) const
 }
 
 
+scalar tetImprover::gainIn(const cavity& c, const label newPoint)
+{
+    const scalar before = violation_.ofTets(c.tets);
+    const tetCellList kept(tets_.subset(c.tets));
+    const labelList now(tets_.replace(c.tets, partsOf(c, newPoint)));
+    const scalar gain = before - violation_.ofTets(now);
+    tets_.replace(now, kept);
+
+    return gain;
+}
+
+
 bool tetImprover::split(const label t, const label i)
 {
     const label newPoint = tets_.addPoint();
@@ -219,11 +231,7 @@ bool tetImprover::split(const label t, const label i)
     for (const cavity& c : cavities(t, i))
     {
         points_[newPoint] = average(pointField(points_, c.common));
-        const scalar before = violation_.ofTets(c.tets);
-        const tetCellList kept(tets_.subset(c.tets));
-        const labelList now(tets_.replace(c.tets, partsOf(c, newPoint)));
-        const scalar gain = before - violation_.ofTets(now);
-        tets_.replace(now, kept);
+        const scalar gain = gainIn(c, newPoint);
 
         if (gain > most)
         {

@@ -107,6 +107,20 @@ patchReport wallSample::report(const word& name, const labelUList& faces) const
 
 } // End anonymous namespace
 
+//- The mean of the points on the wall below a front face
+static point middleOnWall(const prismLayers& layers, const label facei)
+{
+    const face& columns = layers.faces[facei];
+    point mean(Zero);
+    for (const label c : columns)
+    {
+        mean += layers(c, 0)/columns.size();
+    }
+
+    return mean;
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 scalar peakMemory()
@@ -213,13 +227,7 @@ layerReport makeLayerReport
 
     for (const label facei : certificate.outlyingCentres)
     {
-        const face& columns = layers.faces[facei];
-        point mean(Zero);
-        for (const label c : columns)
-        {
-            mean += layers(c, 0)/columns.size();
-        }
-        report.outlyingCentres.append(mean);
+        report.outlyingCentres.append(middleOnWall(layers, facei));
     }
 
     return report;

@@ -34,6 +34,22 @@ static List<percentiles> spreadsByKind
 }
 
 
+//- Number of points at which the field is above a value
+static label nAbove
+(
+    const scalar value,
+    const scalarField& field,
+    const labelUList& points
+)
+{
+    return std::count_if
+    (
+        points.begin(), points.end(),
+        [&](const label p) { return field[p] > value; }
+    );
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 bool hasLevelSetReport(const prismLayerMesh& mesh)
@@ -81,17 +97,12 @@ levelSetReport makeLevelSetReport(const prismLayerMesh& mesh)
     levelSetReport report;
     report.firstEnergy = energies.first();
     report.lastEnergy = energies.last();
-    const auto above = [&](const labelUList& points)
-    {
-        return std::count_if
-        (
-            points.begin(),
-            points.end(),
-            [&](const label p) { return mesh.guide.field[p] > energies.last(); }
-        );
-    };
-    report.nExtrema = above(critical.minima) + above(critical.maxima);
-    report.nSaddles = above(critical.saddles);
+    const scalarField& field = mesh.guide.field;
+    const scalar last = energies.last();
+    report.nExtrema =
+        nAbove(last, field, critical.minima)
+      + nAbove(last, field, critical.maxima);
+    report.nSaddles = nAbove(last, field, critical.saddles);
     report.lastTopology = levelSetTopology
     (
         mesh.guide.fields.background, mesh.guide.field, energies.last()
