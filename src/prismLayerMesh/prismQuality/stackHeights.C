@@ -11,37 +11,29 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Returns three times the volume of the pyramid on a quadrilateral. Computes
-//  it with vectors from the middle, in half the time of pyramid3().
-static scalar quadPyramid3
+//- A quadrilateral. Its centre is in the plane through the mean of its points,
+//  normal to its area vector: for the volume of a pyramid the mean is as good.
+static faceGeometry meanQuad
 (
     const point& p0,
     const point& p1,
     const point& p2,
-    const point& p3,
-    const point& apex
+    const point& p3
 )
 {
-    const point middle(0.25*(p0 + p1 + p2 + p3));
-    const vector r0(p0 - middle);
-    const vector r1(p1 - middle);
-    const vector r2(p2 - middle);
-    const vector r3(p3 - middle);
+    faceGeometry f;
+    f.centre = 0.25*(p0 + p1 + p2 + p3);
+    f.area = 0.5*((p2 - p0)^(p3 - p1));
 
-    const scalar a0 = mag(r0 ^ r1);
-    const scalar a1 = mag(r1 ^ r2);
-    const scalar a2 = mag(r2 ^ r3);
-    const scalar a3 = mag(r3 ^ r0);
+    return f;
+}
 
-    // Each triangle's centre is a third of the sum of its two vectors
-    const vector sumAr
-    (
-        (a3 + a0)*r0 + (a0 + a1)*r1 + (a1 + a2)*r2 + (a2 + a3)*r3
-    );
-    const vector centre(sumAr/max(3*(a0 + a1 + a2 + a3), VSMALL));
-    const vector area(0.5*((p2 - p0)^(p3 - p1)));
 
-    return area & (middle - apex + centre);
+static faceGeometry levelFace(const UList<point>& points)
+{
+    return points.size() == 4
+      ? meanQuad(points[0], points[1], points[2], points[3])
+      : faceGeometry(points);
 }
 
 
@@ -64,11 +56,8 @@ static scalar volume3
     {
         const label next = k + 1 < n ? k + 1 : 0;
 
-        sum += quadPyramid3
-        (
-            lower[k], lower[next], upper[next], upper[k],
-            apex
-        );
+        sum += meanQuad(lower[k], lower[next], upper[next], upper[k])
+            .pyramid3(apex);
     }
 
     return sum;
@@ -111,13 +100,13 @@ void stackHeights::compute(const label facei)
 void stackHeights::compute(const label facei, const label nLayers)
 {
     collect(facei, 0, lower_);
-    faceGeometry lowerFace(lower_);
+    faceGeometry lowerFace(levelFace(lower_));
     wallArea_ = mag(lowerFace.area);
 
     for (label i = 1; i <= nLayers; ++i)
     {
         collect(facei, i, upper_);
-        const faceGeometry upperFace(upper_);
+        const faceGeometry upperFace(levelFace(upper_));
 
         heights_[i - 1] = layerHeight
         (
