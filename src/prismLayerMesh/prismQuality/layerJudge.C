@@ -31,14 +31,10 @@ static labelList selected(const labelUList& items, const Test& test)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-bool layerJudge::isCentreOutside(const label facei) const
+scalar layerJudge::surelyInside(const label facei) const
 {
-    const bool isPrism = layers_.faces[facei].size() == 3;
-    const scalar surelyInside =
-        isPrism ? controls_.centreJacobian*attainable_[facei] : GREAT;
-
-    return worstJacobian(layers_, facei, surelyInside) < surelyInside
-        && !hasPositivePyramids(layers_, facei);
+    return layers_.faces[facei].size() == 3
+      ? controls_.centreJacobian*attainable_[facei] : GREAT;
 }
 
 
@@ -96,11 +92,12 @@ stackFault layerJudge::faultOf
         return first <= fault && fault <= last;
     };
 
-    if
-    (
-        isAsked(stackFault::belowAttainable)
-     && isBelowAttainable(facei, controls_.minJacobian)
-    )
+    // Not the worst one only if below both
+    const scalar least = controls_.minJacobian*attainable_[facei];
+    const scalar inside = surelyInside(facei);
+    const scalar worst = worstJacobian(layers_, facei, min(least, inside));
+
+    if (isAsked(stackFault::belowAttainable) && worst < least)
     {
         return stackFault::belowAttainable;
     }
@@ -108,7 +105,12 @@ stackFault layerJudge::faultOf
     {
         return stackFault::notPositive;
     }
-    if (isAsked(stackFault::centreOutside) && isCentreOutside(facei))
+    if
+    (
+        isAsked(stackFault::centreOutside)
+     && worst < inside
+     && !hasPositivePyramids(layers_, facei)
+    )
     {
         return stackFault::centreOutside;
     }

@@ -13,7 +13,7 @@ namespace Foam
 namespace
 {
 
-//- A corner of a front face on some level
+//- A corner of a front face on some level, and of the cell beside
 struct levelCorner
 {
     vector edge;
@@ -21,6 +21,10 @@ struct levelCorner
 
     //- e1 x e2/(|e1||e2|) of the edges at the corner
     vector normal;
+
+    //- From the level below a cell to the level above, and its length
+    vector side;
+    scalar height;
 };
 
 }
@@ -75,16 +79,17 @@ static scalar worstJacobian
     // Mostly the upper cells are the worst
     for (label i = layers.nLayers; i >= lowest && worst >= enough; --i)
     {
+        for (label k = 0; k < n; ++k)
+        {
+            corners[k].side = layers(f[k], i) - layers(f[k], i - 1);
+            corners[k].height = max(mag(corners[k].side), VSMALL);
+        }
+
         const auto lookAt = [&]()
         {
-            for (label k = 0; k < n; ++k)
+            for (const levelCorner& c : corners)
             {
-                const vector side(layers(f[k], i) - layers(f[k], i - 1));
-
-                worst = min
-                (
-                    worst, (corners[k].normal & side)/max(mag(side), VSMALL)
-                );
+                worst = min(worst, (c.normal & c.side)/c.height);
             }
         };
 
