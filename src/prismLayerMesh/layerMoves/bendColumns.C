@@ -96,23 +96,21 @@ struct normalEquations
 
 
 //- From differences of the residuals. Leaves the column displaced.
-static normalEquations linearise
-(
-    bentColumn& column,
-    columnCells& cells,
-    const UList<scalar>& residuals
-)
+static normalEquations linearise(bentColumn& column, columnCells& cells)
 {
     typedef Eigen::Matrix<scalar, Eigen::Dynamic, nUnknowns> jacobian;
+    DynamicList<scalar> residuals, moved;
+    cells.linearise();
+    cells.residuals(residuals);
+
     const label n = residuals.size();
     const Eigen::Map<const Eigen::VectorXd> r(residuals.cdata(), n);
     jacobian J(n, label(nUnknowns));
-    DynamicList<scalar> moved;
 
     for (label k = 0; k < nUnknowns; ++k)
     {
         column.displace(differenceStep*bendVector::Unit(k));
-        cells.evaluate(moved);
+        cells.residuals(moved);
         J.col(k) = Eigen::Map<const Eigen::VectorXd>(moved.cdata(), n) - r;
     }
     J /= differenceStep;
@@ -134,8 +132,7 @@ static bool bend
 {
     const layerMoveControls& controls = editor.controls();
     columnCells cells(editor, geometry, targets, c);
-    DynamicList<scalar> residuals;
-    const scalar sum = cells.evaluate(residuals);
+    const scalar sum = cells.evaluate();
 
     if (sum <= controls.bendSlack)
     {
@@ -144,7 +141,7 @@ static bool bend
 
     bentColumn column(editor, c, before);
     const label nFacesWithoutDecomposition = cells.nFacesWithoutDecomposition();
-    const normalEquations step(linearise(column, cells, residuals));
+    const normalEquations step(linearise(column, cells));
     const labelList& around = editor.front().addressing.pointFaces[c];
 
     for (const scalar damping : dampings)
@@ -161,7 +158,7 @@ static bool bend
 
         if
         (
-            cells.evaluate(residuals) <= controls.bendGain*sum
+            cells.evaluate() <= controls.bendGain*sum
          && cells.nFacesWithoutDecomposition() <= nFacesWithoutDecomposition
          && std::none_of(around.begin(), around.end(), isAtFault)
         )

@@ -49,35 +49,79 @@ void columnCells::addSides
                     List<faceGeometry>(layers_.nLayers)
                 }
             );
-            for (label i = 1; i <= layers_.nLayers; ++i)
+            for (label i = 1; !sides_.last().moves && i <= layers_.nLayers; ++i)
             {
-                sides_.last().faces[i - 1] =
-                    faceGeometry(sidePoints{layers_, a, b, i});
+                updateSide(sides_.size() - 1, i);
             }
         }
     }
 }
 
 
-void columnCells::updateCells(stack& s) const
+void columnCells::updateLevel(const label stacki, const label i)
 {
-    const label n = s.columns.size();
-    List<faceGeometry> faces(n + 2);
+    stack& s = stacks_[stacki];
+    s.levels[i] = faceGeometry(levelPoints{layers_, s.columns, i});
+}
 
-    for (label i = 1; i <= layers_.nLayers; ++i)
+
+void columnCells::updateSide(const label sidei, const label i)
+{
+    side& s = sides_[sidei];
+    s.faces[i - 1] = faceGeometry(sidePoints{layers_, s.a, s.b, i});
+}
+
+
+void columnCells::updateCell(const label stacki, const label i)
+{
+    stack& s = stacks_[stacki];
+    cellFaces_.clear();
+    cellFaces_.append(s.levels[i - 1]);
+    cellFaces_[0].area *= -1;
+    cellFaces_.append(s.levels[i]);
+    forAll(s.sides, k)
     {
-        faces[0] = s.levels[i - 1];
-        faces[0].area *= -1;
-        faces[1] = s.levels[i];
-        for (label k = 0; k < n; ++k)
-        {
-            faces[2 + k] = sides_[s.sides[k]].faces[i - 1];
-            faces[2 + k].area *= s.outwards[k] ? 1 : -1;
-        }
+        cellFaces_.append(sides_[s.sides[k]].faces[i - 1]);
+        cellFaces_.last().area *= s.outwards[k] ? 1 : -1;
+    }
 
-        const cellGeometry cell(faces);
-        s.centres[i - 1] = cell.centre;
-        s.volumes3[i - 1] = cell.volume3;
+    const cellGeometry cell(cellFaces_);
+    s.centres[i - 1] = cell.centre;
+    s.volumes3[i - 1] = cell.volume3;
+}
+
+
+void columnCells::update()
+{
+    forAll(sides_, sidei)
+    {
+        for (label i = 1; sides_[sidei].moves && i <= layers_.nLayers; ++i)
+        {
+            updateSide(sidei, i);
+        }
+    }
+
+    forAll(stacks_, stacki)
+    {
+        for (label i = 1; i <= layers_.nLayers; ++i)
+        {
+            updateLevel(stacki, i);
+            updateCell(stacki, i);
+        }
+    }
+}
+
+
+void columnCells::setHeights(stack& s) const
+{
+    s.thickness = 0;
+
+    forAll(s.volumes3, i)
+    {
+        const scalar height =
+            layerHeight(s.levels[i], s.levels[i + 1], s.volumes3[i]);
+        s.thickness += height;
+        s.firstHeight = i == 0 ? height : s.firstHeight;
     }
 }
 
@@ -91,117 +135,91 @@ scalar columnCells::heightError(const scalar height, const scalar kept) const
 }
 
 
-const UList<point>& columnCells::neighbourCentres(const side& s) const
-{
-    return s.second < 0 ? s.fixedCentres : stacks_[s.second].centres;
-}
-
-
-scalar columnCells::levelViolation
+FixedList<scalar, 2> columnCells::heightResiduals
 (
     const stack& s,
-    const label i,
-    const scalar target
+    const scalar firstHeight,
+    const scalar thickness
 ) const
 {
-    return planarityViolation
-    (
-        s.levels[i], levelPoints{layers_, s.columns, i}, s.centres[i - 1],
-        i < layers_.nLayers ? &s.centres[i] : nullptr, target
-    );
+    const scalar error = heightError(firstHeight, s.keptHeights[0]);
+    const scalar weight = targets_.firstHeightWeight;
+    const scalar excess = max(error - (controls_.maxExcess - 1), scalar(0));
+
+    return
+    {
+        weight*error + (controls_.firstHeightWeight - weight)*excess,
+        targets_.thicknessWeight*heightError(thickness, sum(s.keptHeights))
+    };
 }
 
 
-scalar columnCells::sideViolation
-(
-    const side& s,
-    const label i,
-    const scalar target
-) const
+scalar columnCells::sumOfFaces()
 {
-    const UList<point>& other = neighbourCentres(s);
+    missedLevels_.clear();
+    missedSides_.clear();
+    nFacesWithoutDecomposition_ = 0;
 
-    return planarityViolation
-    (
-        s.faces[i - 1], sidePoints{layers_, s.a, s.b, i},
-        stacks_[s.first].centres[i - 1],
-        other.size() ? &other[i - 1] : nullptr, target
-    );
-}
-
-
-void columnCells::addViolations(DynamicList<scalar>& residuals) const
-{
-    const faceTargets& targets = targets_.faces;
-
-    const auto add = [&]
+    const auto square = [&]
     (
         const faceGeometry& f,
         const auto& points,
-        const point& a,
-        const point& b
+        const point& owner,
+        const point* neighbour
     )
     {
-        residuals.append(nonOrthoViolation(f.area, b - a, targets.cosine));
-        residuals.append(skewnessViolation(f, points, a, b, targets.skewness));
+        const vector r(residualsOf(f, points, owner, neighbour));
+
+        // Who meets a target that is not less meets this one, too
+        nFacesWithoutDecomposition_ +=
+            (r.z() > 0 || targets_.faces.planarity < SMALL)
+         && planarityViolation(f, points, owner, neighbour, SMALL) > 0;
+
+        return magSqr(r);
     };
 
-    for (const stack& s : stacks_)
+    scalar sum = 0;
+    forAll(stacks_, stacki)
     {
-        for (label i = 1; i < layers_.nLayers; ++i)
+        for (label i = 1; i <= layers_.nLayers; ++i)
         {
-            add
-            (
-                s.levels[i], levelPoints{layers_, s.columns, i},
-                s.centres[i - 1], s.centres[i]
-            );
-        }
-        for (label i = 1; i <= layers_.nLayers && s.columns.size() == 4; ++i)
-        {
-            residuals.append
-            (
-                controls_.planarityWeight
-               *levelViolation(s, i, targets.planarity)
-            );
+            const scalar s = onLevel(stacks_[stacki], i, square);
+            if (s > 0)
+            {
+                missedLevels_.append(labelPair(stacki, i));
+                sum += s;
+            }
         }
     }
 
-    for (const side& s : sides_)
+    forAll(sides_, sidei)
     {
-        const UList<point>& other = neighbourCentres(s);
-        for (label i = 1; i <= other.size(); ++i)
-        {
-            add
-            (
-                s.faces[i - 1], sidePoints{layers_, s.a, s.b, i},
-                stacks_[s.first].centres[i - 1], other[i - 1]
-            );
-        }
         for (label i = 1; i <= layers_.nLayers; ++i)
         {
-            residuals.append
-            (
-                controls_.planarityWeight
-               *sideViolation(s, i, targets.planarity)
-            );
+            const scalar s = onSide(sides_[sidei], i, square);
+            if (s > 0)
+            {
+                missedSides_.append(labelPair(sidei, i));
+                sum += s;
+            }
         }
     }
+
+    return sum;
 }
 
 
-void columnCells::addDisplacements(DynamicList<scalar>& residuals) const
+FixedList<vector, 2> columnCells::displacements() const
 {
     const label n = layers_.nLayers;
+    const label half = (n + 1)/2;
     const scalar height = mag(places_.last() - layers_(column_, 0));
 
-    for (const label i : {(n + 1)/2, n})
+    return
     {
-        const vector d((layers_(column_, i) - places_[i - 1])/height);
-        for (direction k = 0; k < vector::nComponents; ++k)
-        {
-            residuals.append(controls_.displacementWeight*d[k]);
-        }
-    }
+        (layers_(column_, half) - places_[half - 1])/height,
+        (layers_(column_, n) - places_[n - 1])/height
+    };
 }
 
 
@@ -236,7 +254,7 @@ columnCells::columnCells
                 List<faceGeometry>(n + 1), pointField(n), scalarField(n)
             }
         );
-        stacks_.last().levels[0] = faceGeometry(levelPoints{layers_, f, 0});
+        updateLevel(stacks_.size() - 1, 0);
     }
 
     addSides(geometry, around, column);
@@ -245,88 +263,28 @@ columnCells::columnCells
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-scalar columnCells::evaluate(DynamicList<scalar>& residuals)
+scalar columnCells::evaluate()
 {
-    residuals.clear();
-
-    for (side& s : sides_)
-    {
-        for (label i = 1; s.moves && i <= layers_.nLayers; ++i)
-        {
-            s.faces[i - 1] = faceGeometry(sidePoints{layers_, s.a, s.b, i});
-        }
-    }
+    update();
+    scalar sum = sumOfFaces();
 
     for (stack& s : stacks_)
     {
-        for (label i = 1; i <= layers_.nLayers; ++i)
+        if (s.keptHeights.size())
         {
-            s.levels[i] = faceGeometry(levelPoints{layers_, s.columns, i});
-        }
-        updateCells(s);
-
-        // The first height, and the thickness
-        if (s.heights.size())
-        {
-            scalar thickness = 0;
-            forAll(s.heights, i)
-            {
-                const scalar height =
-                    layerHeight(s.levels[i], s.levels[i + 1], s.volumes3[i]);
-                thickness += height;
-                if (i == 0)
-                {
-                    const scalar error = heightError(height, s.heights[0]);
-                    const scalar weight = targets_.firstHeightWeight;
-                    residuals.append
-                    (
-                        weight*error
-                      + (controls_.firstHeightWeight - weight)
-                       *max(error - (controls_.maxExcess - 1), scalar(0))
-                    );
-                }
-            }
-            residuals.append
-            (
-                targets_.thicknessWeight*heightError(thickness, sum(s.heights))
-            );
+            setHeights(s);
+            const auto errors =
+                heightResiduals(s, s.firstHeight, s.thickness);
+            sum += sqr(errors[0]) + sqr(errors[1]);
         }
     }
 
-    addViolations(residuals);
-    addDisplacements(residuals);
-
-    scalar sum = 0;
-    for (const scalar r : residuals)
+    for (const vector& d : displacements())
     {
-        sum += sqr(r);
+        sum += sqr(controls_.displacementWeight)*magSqr(d);
     }
 
     return sum;
-}
-
-
-label columnCells::nFacesWithoutDecomposition() const
-{
-    label n = 0;
-
-    for (const stack& s : stacks_)
-    {
-        for (label i = 1; i <= layers_.nLayers && s.columns.size() == 4; ++i)
-        {
-            n += levelViolation(s, i, SMALL) > 0;
-        }
-    }
-
-    for (const side& s : sides_)
-    {
-        for (label i = 1; i <= layers_.nLayers; ++i)
-        {
-            n += sideViolation(s, i, SMALL) > 0;
-        }
-    }
-
-    return n;
 }
 
 } // End namespace Foam
