@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "growColumns.H"
+#include "HashSet.H"
 
 #include <algorithm>
 
@@ -66,15 +67,8 @@ static bool anyAtFault
 }
 
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
-bool isLowered(const layerEditor& editor, const label c)
-{
-    return editor.thickness()[c] < editor.proposed().maxThickness[c];
-}
-
-
-bool growColumns
+//- Grow columns on one point. False if they stay.
+static bool grow
 (
     layerEditor& editor,
     const labelUList& columnsOnPoint,
@@ -95,31 +89,94 @@ bool growColumns
     List<columnState> before(columnsOnPoint.size());
     forAll(columnsOnPoint, i)
     {
-        const label c = columnsOnPoint[i];
-        before[i] = editor.state(c);
-        editor.setThickness(c, grown);
+        before[i] = editor.state(columnsOnPoint[i]);
+        editor.setThickness(columnsOnPoint[i], grown);
     }
 
-    const bool stays = anyAtFault(editor, columnsOnPoint, isAtFault);
+    const bool stay = anyAtFault(editor, columnsOnPoint, isAtFault);
 
     forAll(columnsOnPoint, i)
     {
         const label c = columnsOnPoint[i];
 
-        if (stays)
+        if (stay)
         {
             editor.restore(c, before[i]);
-            continue;
         }
-
-        if (grown == editor.proposed().maxThickness[c])
+        else if (grown == editor.proposed().maxThickness[c])
         {
             editor.setCause(c, editor.proposed().causes[c]);
         }
-        editor.accept(c, before[i]);
     }
 
-    return !stays;
+    return !stay;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+bool isLowered(const layerEditor& editor, const label c)
+{
+    return editor.thickness()[c] < editor.proposed().maxThickness[c];
+}
+
+
+labelList growColumns
+(
+    layerEditor& editor,
+    const labelUList& columns,
+    const std::function<bool(label facei)>& isAtFault
+)
+{
+    DynamicList<label> alone;
+    DynamicList<labelList> together;
+    labelHashSet found;
+    for (const label c : columns)
+    {
+        const labelList all(editor.columnsBeside(c));
+
+        if (all.size() == 1)
+        {
+            alone.append(c);
+        }
+        else if (found.insert(min(all)))
+        {
+            together.append(all);
+        }
+    }
+
+    labelHashSet grown
+    (
+        editor.inColours
+        (
+            alone,
+            []() {},
+            [&](const label c, const columnState&)
+            {
+                return grow(editor, labelList(1, c), isAtFault);
+            }
+        )
+    );
+
+    for (const labelList& all : together)
+    {
+        List<columnState> before(all.size());
+        forAll(all, i)
+        {
+            before[i] = editor.state(all[i]);
+        }
+
+        if (grow(editor, all, isAtFault))
+        {
+            forAll(all, i)
+            {
+                editor.accept(all[i], before[i]);
+            }
+            grown.insert(all);
+        }
+    }
+
+    return grown.sortedToc();
 }
 
 } // End namespace Foam

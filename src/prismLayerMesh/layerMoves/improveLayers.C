@@ -169,24 +169,16 @@ void improvement::lean(const labelUList& faces)
 
 void improvement::grow(const labelUList& faces)
 {
-    const auto atFault = [&](const label facei) { return isAtFault(facei); };
-    labelHashSet grown;
-
-    for (const label facei : faces)
-    {
-        for (const label c : editor.layers().faces[facei])
-        {
-            if (isLowered(editor, c) && !barred[c] && !grown.found(c))
-            {
-                const labelList all(editor.columnsBeside(c));
-
-                if (growColumns(editor, all, atFault))
-                {
-                    grown.insert(all);
-                }
-            }
-        }
-    }
+    growColumns
+    (
+        editor,
+        subsetList
+        (
+            notBarredOf(faces),
+            [&](const label c) { return isLowered(editor, c); }
+        ),
+        [&](const label facei) { return isAtFault(facei); }
+    );
 }
 
 

@@ -83,10 +83,7 @@ static void forAllMoves(editedColumns& m, const Test& test)
         retreatColumns(m.editor, someColumns(m, 5), squeezeCause::validity);
     }
     test("retreat");
-    for (const label c : all)
-    {
-        growColumns(m.editor, labelList(1, c), [](label) { return false; });
-    }
+    growColumns(m.editor, all, [](label) { return false; });
     test("grow");
     fitFirstHeights(m.editor, boolList(m.nColumns(), true), 1);
     test("fitFirstHeights");

@@ -8,6 +8,7 @@
 #include "retreatColumns.H"
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -27,7 +28,7 @@ static bool alwaysAtFault(label)
 
 static bool grow(editedColumns& m, const label c)
 {
-    return growColumns(m.editor, m.editor.columnsBeside(c), neverAtFault);
+    return growColumns(m.editor, labelList(1, c), neverAtFault).size();
 }
 
 
@@ -164,18 +165,43 @@ TEST(growColumns, thoseAtFaultThenStayAsTheyWere)
         const pointField points(m.editor.layers().points);
         const label now = m.editor.now();
 
-        EXPECT_FALSE
+        EXPECT_TRUE
         (
-            growColumns
-            (
-                m.editor, m.editor.columnsBeside(c), alwaysAtFault
-            )
+            growColumns(m.editor, labelList(1, c), alwaysAtFault).empty()
         );
         EXPECT_EQ(m.editor.thickness(), thickness);
         EXPECT_EQ(m.editor.layers().points, points);
         EXPECT_EQ(m.editor.causes()[c], squeezeCause::validity);
         EXPECT_TRUE(m.editor.touchedSince(now).empty());
     }
+}
+
+
+TEST(growColumns, numberOfThreadsChangesNothing)
+{
+    const label nThreads = omp_get_max_threads();
+
+    for (const layerFront& front : fronts())
+    {
+        pointField points;
+
+        for (const label n : {1, 4})
+        {
+            omp_set_num_threads(n);
+            editedColumns m(front);
+            retreated(m);
+            const labelList grown
+            (
+                growColumns(m.editor, identity(m.nColumns()), neverAtFault)
+            );
+
+            EXPECT_FALSE(grown.empty());
+            points = n == 1 ? m.editor.layers().points : points;
+            EXPECT_EQ(m.editor.layers().points, points);
+        }
+    }
+
+    omp_set_num_threads(nThreads);
 }
 
 
@@ -189,7 +215,11 @@ TEST(growColumns, thoseRolledBackAreAsTheyWere)
         const pointField points(m.editor.layers().points);
 
         m.editor.record();
-        EXPECT_TRUE(growColumns(m.editor, all, neverAtFault));
+        EXPECT_EQ
+        (
+            growColumns(m.editor, all, neverAtFault),
+            labelHashSet(all).sortedToc()
+        );
         EXPECT_NE(m.editor.layers().points, points);
 
         for (const label c : all)

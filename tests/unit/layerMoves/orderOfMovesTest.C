@@ -73,13 +73,10 @@ static void retreatSome(editedColumns& m)
 
 static void growAll(editedColumns& m)
 {
-    for (label c = 0; c < m.nColumns(); ++c)
-    {
-        growColumns
-        (
-            m.editor, m.editor.columnsBeside(c), [](label) { return false; }
-        );
-    }
+    growColumns
+    (
+        m.editor, identity(m.nColumns()), [](label) { return false; }
+    );
 }
 
 
