@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "heightLimits.H"
-#include "DynamicList.H"
+#include "ListOps.H"
 
 namespace Foam
 {
@@ -19,11 +19,16 @@ class heightSweeps
     const heightLimits& given_;
     const layerMoveControls& controls_;
 
-    //- Faces of each column
-    List<DynamicList<label>> columnFaces_;
+    //- Faces of each column, and indices of the pairs of neighbours with each
+    //  face
+    const labelListList columnFaces_;
+    const labelListList facePairs_;
 
     scalarField factors_;
     scalarField faceHeights_;
+
+    //- The factors that each face asks of its columns
+    List<scalarList> asked_;
 
     scalar height(const label facei, const label k) const
     {
@@ -32,15 +37,18 @@ class heightSweeps
 
     void setFaceHeight(label facei);
 
-    //- Lower a column by a factor, not below least of what it was at first.
-    //  False if it stays.
-    bool lower(label c, scalar factor, scalar least);
+    //- Ask for lower ones of the tallest columns of a face that is too high
+    void askTallest(label facei);
 
-    //- Lower the tallest columns of a face that is too high
-    bool lowerTallest(label facei);
+    //- Ask for lower ones of the columns of a face that another face does not
+    //  have
+    void askBeside(label facei, label other);
 
-    //- Lower the columns of a face that another one does not have
-    bool lowerBeside(label facei, label other);
+    //- Ask what a face needs by the heights as they are
+    void ask(label facei);
+
+    //- The least factor that faces ask of a column
+    scalar leastAsked(label c) const;
 
 public:
 
@@ -51,7 +59,8 @@ public:
         label nColumns
     );
 
-    //- False if nothing had to be lowered
+    //- Each column takes the least factor that its faces ask for. False if none
+    //  asked.
     bool sweep();
 
     const scalarField& factors() const
@@ -70,19 +79,18 @@ heightSweeps::heightSweeps
 :
     given_(given),
     controls_(controls),
-    columnFaces_(nColumns),
+    columnFaces_(invertManyToMany<face, labelList>(nColumns, given.faces)),
+    facePairs_
+    (
+        invertManyToMany<labelPair, labelList>
+        (
+            given.faces.size(), given.neighbours
+        )
+    ),
     factors_(nColumns, 1.0),
-    faceHeights_(given.faces.size())
-{
-    forAll(given_.faces, facei)
-    {
-        for (const label c : given_.faces[facei])
-        {
-            columnFaces_[c].append(facei);
-        }
-        setFaceHeight(facei);
-    }
-}
+    faceHeights_(given.faces.size()),
+    asked_(given.heights)
+{}
 
 
 void heightSweeps::setFaceHeight(const label facei)
@@ -97,27 +105,7 @@ void heightSweeps::setFaceHeight(const label facei)
 }
 
 
-bool heightSweeps::lower(const label c, const scalar factor, const scalar least)
-{
-    const scalar lowered = max(factors_[c]*factor, least);
-
-    if (lowered >= factors_[c])
-    {
-        return false;
-    }
-
-    factors_[c] = lowered;
-
-    for (const label facei : columnFaces_[c])
-    {
-        setFaceHeight(facei);
-    }
-
-    return true;
-}
-
-
-bool heightSweeps::lowerTallest(const label facei)
+void heightSweeps::askTallest(const label facei)
 {
     const label m = given_.faces[facei].size();
     const scalar sum = m*given_.largest[facei];
@@ -140,20 +128,15 @@ bool heightSweeps::lowerTallest(const label facei)
         level = nAbove ? (sum - below)/nAbove : level;
     }
 
-    bool any = false;
     for (label k = 0; k < m; ++k)
     {
-        const scalar h = height(facei, k);
-        any |=
-            h > level
-         && lower(given_.faces[facei][k], level/h, 0);
+        scalar& asked = asked_[facei][k];
+        asked = min(asked, level/given_.heights[facei][k]);
     }
-
-    return any;
 }
 
 
-bool heightSweeps::lowerBeside(const label facei, const label other)
+void heightSweeps::askBeside(const label facei, const label other)
 {
     const face& f = given_.faces[facei];
     const scalar bound = controls_.maxHeightJump*faceHeights_[other];
@@ -173,16 +156,51 @@ bool heightSweeps::lowerBeside(const label facei, const label other)
         f.size()*bound - shared,
         nOwn*controls_.leastOverNeighbour*faceHeights_[other]
     );
-    bool any = false;
 
-    for (const label c : f)
+    forAll(f, k)
     {
-        any |=
-            !given_.faces[other].found(c)
-         && lower(c, lowered/max(own, VSMALL), controls_.leastForJump);
+        if (!given_.faces[other].found(f[k]))
+        {
+            const scalar factor = factors_[f[k]]*lowered/max(own, VSMALL);
+            scalar& asked = asked_[facei][k];
+            asked = min(asked, max(factor, controls_.leastForJump));
+        }
+    }
+}
+
+
+void heightSweeps::ask(const label facei)
+{
+    asked_[facei] = 1.0;
+    const scalar height = faceHeights_[facei]/(1 + controls_.slack);
+
+    if (height > given_.largest[facei])
+    {
+        askTallest(facei);
     }
 
-    return any;
+    for (const label pairi : facePairs_[facei])
+    {
+        const labelPair& pair = given_.neighbours[pairi];
+        const label other = pair.other(facei);
+
+        if (height > controls_.maxHeightJump*faceHeights_[other])
+        {
+            askBeside(facei, other);
+        }
+    }
+}
+
+
+scalar heightSweeps::leastAsked(const label c) const
+{
+    scalar least = 1;
+    for (const label facei : columnFaces_[c])
+    {
+        least = min(least, asked_[facei][given_.faces[facei].find(c)]);
+    }
+
+    return least;
 }
 
 
@@ -190,28 +208,26 @@ bool heightSweeps::sweep()
 {
     bool any = false;
 
-    forAll(given_.faces, facei)
+    #pragma omp parallel
     {
-        if (faceHeights_[facei] > (1 + controls_.slack)*given_.largest[facei])
+        #pragma omp for schedule(static, 256)
+        forAll(given_.faces, facei)
         {
-            any |= lowerTallest(facei);
+            setFaceHeight(facei);
         }
-    }
 
-    for (const labelPair& pair : given_.neighbours)
-    {
-        const bool firstIsHigher =
-            faceHeights_[pair.first()] > faceHeights_[pair.second()];
-        const label high = firstIsHigher ? pair.first() : pair.second();
-        const label low = firstIsHigher ? pair.second() : pair.first();
-
-        if
-        (
-            faceHeights_[high]
-          > (1 + controls_.slack)*controls_.maxHeightJump*faceHeights_[low]
-        )
+        #pragma omp for schedule(static, 256)
+        forAll(given_.faces, facei)
         {
-            any |= lowerBeside(high, low);
+            ask(facei);
+        }
+
+        #pragma omp for schedule(static, 256) reduction(||: any)
+        forAll(factors_, c)
+        {
+            const scalar least = leastAsked(c);
+            any = any || least < factors_[c];
+            factors_[c] = min(factors_[c], least);
         }
     }
 

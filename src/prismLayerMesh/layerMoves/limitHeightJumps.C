@@ -108,20 +108,33 @@ static void lowerFirst(layerEditor& editor, const label c, const scalar factor)
 
 List<labelPair> neighboursOnWall(const layerFront& front)
 {
-    EdgeMap<label> firstFaces;
-    DynamicList<labelPair> neighbours(2*front.nWallFaces);
-
-    for (label facei = 0; facei < front.nWallFaces; ++facei)
+    const wallAddressing& addressing = front.addressing;
+    const auto isOfWall = [&](const label facei)
     {
-        const face& f = front.surface.faces[facei];
+        return facei >= 0 && facei < front.nWallFaces;
+    };
+    EdgeMap<label> firstFaces;
+    DynamicList<labelPair> neighbours(addressing.edges.size());
 
-        forAll(f, k)
+    forAll(addressing.edges, e)
+    {
+        const labelPair& two = addressing.edgeFaces[e];
+
+        if (isOfWall(two.first()) && isOfWall(two.second()))
         {
-            const edge e
+            neighbours.append(two);
+        }
+        else if (isOfWall(two.first()) || isOfWall(two.second()))
+        {
+            // Between the two faces at the edge of the wall are others
+            const label facei =
+                isOfWall(two.first()) ? two.first() : two.second();
+            const edge ofWall
             (
-                front.wallPoints[f[k]], front.wallPoints[f[f.fcIndex(k)]]
+                front.wallPoints[addressing.edges[e].start()],
+                front.wallPoints[addressing.edges[e].end()]
             );
-            const auto other = firstFaces.cfind(e);
+            const auto other = firstFaces.cfind(ofWall);
 
             if (other.found())
             {
@@ -129,7 +142,7 @@ List<labelPair> neighboursOnWall(const layerFront& front)
             }
             else
             {
-                firstFaces.insert(e, facei);
+                firstFaces.insert(ofWall, facei);
             }
         }
     }

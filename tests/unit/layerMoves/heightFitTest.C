@@ -193,4 +193,35 @@ TEST(heightFit, onlySomeFaces)
 }
 
 
+TEST(heightFit, solvesTheEquations)
+{
+    // (A.M.A^T + lambda I) y = r with d = M.A^T.y: lambda y is left of r,
+    // and d is a sum of normals times y
+    const scalar lambda = 0.1;
+
+    for (const wallSurface& wall : walls())
+    {
+        heightFit fit(wall, identity(wall.faces.size()), lambda);
+        fit.setMobilities(scalarField(wall.points.size(), 1));
+
+        const scalarField missing(randomHeights(wall));
+        const vectorField d(fit.displacements(missing));
+        const scalarField y((missing - changes(wall, d))/lambda);
+        const vectorField normals(wall.faceNormals());
+        vectorField expected(wall.points.size(), Zero);
+
+        forAll(wall.faces, facei)
+        {
+            for (const label p : wall.faces[facei])
+            {
+                expected[p] +=
+                    y[facei]*normals[facei]/wall.faces[facei].size();
+            }
+        }
+
+        EXPECT_LT(max(mag(expected - d)), 1e-2*max(mag(d)));
+    }
+}
+
+
 // ************************************************************************* //

@@ -141,6 +141,37 @@ TEST(heightLimits, roughColumnsBecomeEven)
 }
 
 
+TEST(heightLimits, orderOfFacesAndNeighboursChangesNothing)
+{
+    const wallSurface wall(testSurfaces::sphere(6));
+    const label n = wall.points.size();
+    Random random(7);
+    scalarField columns(n);
+    for (scalar& h : columns)
+    {
+        h = std::exp(random.sample01<scalar>());
+    }
+    heightLimits heights(given(wall, columns));
+    heights.largest = 2;
+
+    heightLimits reversed(heights);
+    const label last = wall.faces.size() - 1;
+    forAll(wall.faces, facei)
+    {
+        reversed.faces[facei] = heights.faces[last - facei];
+        reversed.heights[facei] = heights.heights[last - facei];
+    }
+    std::reverse(reversed.neighbours.begin(), reversed.neighbours.end());
+    for (labelPair& pair : reversed.neighbours)
+    {
+        pair = labelPair(last - pair.first(), last - pair.second());
+    }
+
+    EXPECT_LT(nEqualToOne(heights.factors(n)), 0.9*n);
+    EXPECT_EQ(heights.factors(n), reversed.factors(n));
+}
+
+
 TEST(heightLimits, muchLowerColumnsAreLeftAlone)
 {
     // A whole neighbourhood, whose height nobody else is to have
