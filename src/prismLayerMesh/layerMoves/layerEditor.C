@@ -4,46 +4,12 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layerEditor.H"
+#include "columnColours.H"
 
 #include <algorithm>
 
 namespace Foam
 {
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- Colours of columns such that those on one face differ
-static labelList columnColours
-(
-    const faceList& faces,
-    const wallAddressing& addressing
-)
-{
-    labelList colours(addressing.pointFaces.size(), -1);
-    DynamicList<label> others;
-
-    forAll(colours, c)
-    {
-        others.clear();
-        for (const label facei : addressing.pointFaces[c])
-        {
-            for (const label q : faces[facei])
-            {
-                others.append(colours[q]);
-            }
-        }
-
-        label colour = 0;
-        while (others.found(colour))
-        {
-            ++colour;
-        }
-        colours[c] = colour;
-    }
-
-    return colours;
-}
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -107,7 +73,7 @@ layerEditor::layerEditor
     controls_(controls),
     constraints_(constraints),
     smoother_(front.surface, front.addressing),
-    colours_(columnColours(front.surface.faces, front.addressing)),
+    colours_(columnColours(front.surface.faces, front.addressing.pointFaces)),
     thickness_(proposed.maxThickness),
     causes_(proposed.causes),
     heights_(front.wallPoints.size()*(spacing.nLayers + 1)),
