@@ -19,6 +19,10 @@ namespace Foam
 //- Penalty of a stack that must not be
 static const scalar forbidden = 1e3;
 
+//- The first fault that a move does not look for that stays only where no stack
+//  isAtFault: each stack was judged when the last of its columns moved
+static const stackFault notAtFault = stackFault::centreOutside;
+
 namespace
 {
 
@@ -77,7 +81,8 @@ struct improvement
     void grow(const labelUList& faces);
 
     //- Front faces that cannot be certified, of those moved since the last look
-    labelList faultyFaces();
+    //  first: earlier faults are not looked for
+    labelList faultyFaces(stackFault first);
 
     //- Roll back a column, and those on its point
     void rollBack(const label c)
@@ -92,8 +97,9 @@ struct improvement
         }
     }
 
-    //- Roll back columns until all can be certified
-    void settle();
+    //- Roll back columns until all can be certified. The first look is for
+    //  faults from 'first' on.
+    void settle(stackFault first = stackFault::belowAttainable);
 
     //- Bend columns of faces that are beyond bounds, of stacks that are looked
     //  at, and of stacks around columns that bend. Returns the columns that
@@ -113,10 +119,10 @@ struct improvement
             const labelList faces(beginRound());
             lean(faces);
             grow(faces);
-            settle();
+            settle(notAtFault);
         }
         lean(beginRound());
-        settle();
+        settle(notAtFault);
     }
 
     //- Fit columns to the first heights that are asked for, those that have to
@@ -182,13 +188,13 @@ void improvement::grow(const labelUList& faces)
 }
 
 
-labelList improvement::faultyFaces()
+labelList improvement::faultyFaces(const stackFault first)
 {
     const labelList moved(editor.touchedSince(judged));
     judged = editor.now();
     DynamicList<label> faulty;
 
-    for (const faultyStack& stack : judge.findFaults(moved))
+    for (const faultyStack& stack : judge.findFaults(moved, first))
     {
         const bool isOutside = stack.fault == stackFault::centreOutside;
         if (!isOutside || !tolerated.test(stack.facei))
@@ -206,14 +212,14 @@ labelList improvement::faultyFaces()
 }
 
 
-void improvement::settle()
+void improvement::settle(const stackFault first)
 {
     // What is rolled back may be in the way of what is not
     for
     (
-        labelList faulty(faultyFaces());
+        labelList faulty(faultyFaces(first));
         faulty.size();
-        faulty = faultyFaces()
+        faulty = faultyFaces(stackFault::belowAttainable)
     )
     {
         for (const label facei : faulty)
@@ -289,7 +295,7 @@ labelHashSet improvement::bendTo
         (
             bendColumns(editor, geometry, targets, columns, atFault)
         );
-        settle();
+        settle(notAtFault);
 
         for (const label c : tried)
         {
