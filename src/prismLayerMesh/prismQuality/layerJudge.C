@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layerJudge.H"
-#include "nestedBodies.H"
 #include "prismQuality.H"
 
 namespace Foam

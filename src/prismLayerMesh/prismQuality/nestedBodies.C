@@ -11,29 +11,29 @@
 #include "DynamicList.H"
 #include "Map.H"
 
+#include <algorithm>
+
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
+//- The box of some levels of a stack
 static boundBox boundsOf
 (
     const prismLayers& layers,
-    const labelUList& faces,
+    const label facei,
     const label from,
     const label to
 )
 {
     boundBox bounds(boundBox::invertedBox);
 
-    for (const label facei : faces)
+    for (const label c : layers.faces[facei])
     {
-        for (const label c : layers.faces[facei])
+        for (label i = from; i <= to; ++i)
         {
-            for (label i = from; i <= to; ++i)
-            {
-                bounds.add(layers(c, i));
-            }
+            bounds.add(layers(c, i));
         }
     }
 
@@ -41,18 +41,19 @@ static boundBox boundsOf
 }
 
 
-//- The middle of one of a body's cells: points of the wall may be on a side
-//  patch, and so on the boundary of other layers
-static point pointInside(const prismLayers& layers, const labelUList& body)
+//- A point of a body that does not move: the middle of a face of the body's
+//  wall. Points of the wall may be on a side patch, and so on the boundary of
+//  other layers.
+static point middleOf(const prismLayers& layers, const label facei)
 {
-    const face& f = layers.faces[body[0]];
-    point inside(Zero);
+    const face& f = layers.faces[facei];
+    point middle(Zero);
     for (const label c : f)
     {
-        inside += (layers(c, 0) + layers(c, 1))/(2*f.size());
+        middle += layers(c, 0)/f.size();
     }
 
-    return inside;
+    return middle;
 }
 
 
@@ -105,16 +106,9 @@ static bool isInStack
     const point& x
 )
 {
-    const labelList single(1, facei);
-
-    if (!boundsOf(layers, single, 0, layers.nLayers).contains(x))
-    {
-        return false;
-    }
-
     for (label i = 1; i <= layers.nLayers; ++i)
     {
-        if (!boundsOf(layers, single, i - 1, i).contains(x))
+        if (!boundsOf(layers, facei, i - 1, i).contains(x))
         {
             continue;
         }
@@ -145,64 +139,86 @@ static bool isInStack
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-labelListList findBodies(const prismLayers& layers)
+layerBodies findBodies(const prismLayers& layers)
 {
     disjointSets columns(connectedPoints(layers.nColumns(), layers.faces));
-    Map<DynamicList<label>> faces;
+    Map<label> bodyOfColumn;
+    layerBodies bodies;
+    bodies.ofFaces.setSize(layers.faces.size());
+    DynamicList<label> firstFaces;
+
     forAll(layers.faces, facei)
     {
-        faces(columns.find(layers.faces[facei][0])).append(facei);
-    }
-
-    DynamicList<labelList> bodies;
-    if (faces.size() > 1)
-    {
-        for (const label column : faces.sortedToc())
+        const label c = columns.find(layers.faces[facei][0]);
+        if (bodyOfColumn.insert(c, firstFaces.size()))
         {
-            bodies.append(labelList(std::move(faces[column])));
+            firstFaces.append(facei);
         }
+        bodies.ofFaces[facei] = bodyOfColumn[c];
     }
+    bodies.firstFaces = std::move(firstFaces);
 
-    return labelListList(std::move(bodies));
+    return bodies;
 }
 
 
 List<labelPair> findNestedBodies
 (
     const prismLayers& layers,
-    const labelListList& bodies
+    const labelUList& stacks,
+    const layerBodies& bodies
 )
 {
-    List<boundBox> bounds(bodies.size());
-    forAll(bodies, i)
+    const label nBodies = bodies.firstFaces.size();
+    DynamicList<labelPair> pairs;
+
+    if (nBodies == 1)
     {
-        bounds[i] = boundsOf(layers, bodies[i], 0, layers.nLayers);
+        return List<labelPair>();
     }
 
-    DynamicList<labelPair> pairs;
-    forAll(bodies, i)
+    // In ascending order of x
+    scalarField x(nBodies);
+    pointField middles(nBodies);
+    forAll(middles, i)
     {
-        const point inside(pointInside(layers, bodies[i]));
+        middles[i] = middleOf(layers, bodies.firstFaces[i]);
+        x[i] = middles[i].x();
+    }
+    const labelList order(sortedOrder(x));
+    x = scalarField(x, order);
 
-        forAll(bodies, j)
+    #pragma omp parallel for schedule(dynamic, 64) if (stacks.size() > 128)
+    forAll(stacks, k)
+    {
+        const label facei = stacks[k];
+        const boundBox box(boundsOf(layers, facei, 0, layers.nLayers));
+        label i =
+            std::lower_bound(x.begin(), x.end(), box.min().x()) - x.begin();
+
+        for (; i < nBodies && x[i] <= box.max().x(); ++i)
         {
-            if (i == j || !bounds[j].contains(inside))
-            {
-                continue;
-            }
+            const label body = order[i];
 
-            for (const label facei : bodies[j])
+            if
+            (
+                body != bodies.ofFaces[facei]
+             && box.contains(middles[body])
+             && isInStack(layers, facei, middles[body])
+            )
             {
-                if (isInStack(layers, facei, inside))
-                {
-                    pairs.append
+                #pragma omp critical
+                pairs.append
+                (
+                    labelPair
                     (
-                        labelPair(bodies[i][0], layers.faces.size() + facei)
-                    );
-                }
+                        bodies.firstFaces[body], layers.faces.size() + facei
+                    )
+                );
             }
         }
     }
+    sort(pairs);
 
     return List<labelPair>(std::move(pairs));
 }

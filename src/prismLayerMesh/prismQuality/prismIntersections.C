@@ -101,9 +101,14 @@ List<labelPair> findOverlaps
 (
     const prismLayers& layers,
     const labelUList& outerFaces,
-    const labelListList& bodies
+    const layerBodies& bodies
 )
 {
+    if (outerFaces.empty())
+    {
+        return List<labelPair>();
+    }
+
     List<labelPair> pairs(findIntersections(layers, outerFaces));
 
     for (const label facei : findSideCrossings(layers, outerFaces))
@@ -111,8 +116,9 @@ List<labelPair> findOverlaps
         const label outer = layers.faces.size() + facei;
         pairs.append(labelPair(outer, outer));
     }
+    pairs.append(findNestedBodies(layers, outerFaces, bodies));
 
-    return pairs.empty() ? findNestedBodies(layers, bodies) : pairs;
+    return pairs;
 }
 
 

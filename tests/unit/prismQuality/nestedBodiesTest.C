@@ -62,6 +62,15 @@ static prismLayers layersOn(const wallSurface& wall)
 }
 
 
+static List<labelPair> nested(const prismLayers& layers)
+{
+    return findNestedBodies
+    (
+        layers, identity(layers.faces.size()), findBodies(layers)
+    );
+}
+
+
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
 TEST(findNestedBodies, findsThoseInLayers)
@@ -69,10 +78,7 @@ TEST(findNestedBodies, findsThoseInLayers)
     for (const scalar z : {1.05, 1.15, 1.3, 1.45})
     {
         const prismLayers layers(layersOn(cubes(point(0.6, 0.3, z))));
-        const List<labelPair> pairs
-        (
-            findNestedBodies(layers, findBodies(layers))
-        );
+        const List<labelPair> pairs(nested(layers));
 
         ASSERT_FALSE(pairs.empty());
         EXPECT_FALSE(certify(layers).valid());
@@ -92,13 +98,40 @@ TEST(findNestedBodies, findsThoseInLayers)
 }
 
 
+TEST(findNestedBodies, looksAtStacksOfTheListOnly)
+{
+    const prismLayers layers(layersOn(cubes(point(0.6, 0.3, 1.15))));
+    const layerBodies bodies(findBodies(layers));
+    const label stack = nested(layers)[0].second() - layers.faces.size();
+    const labelList others
+    (
+        subsetList
+        (
+            identity(layers.faces.size()),
+            [&](const label facei) { return facei != stack; }
+        )
+    );
+
+    EXPECT_EQ(bodies.firstFaces, labelList({0, 12}));
+    EXPECT_EQ
+    (
+        findNestedBodies(layers, labelList(1, stack), bodies),
+        List<labelPair>(1, labelPair(12, stack + layers.faces.size()))
+    );
+    EXPECT_LT
+    (
+        findNestedBodies(layers, others, bodies).size(), nested(layers).size()
+    );
+}
+
+
 TEST(findNestedBodies, leavesThoseOutside)
 {
     for (const scalar z : {1.51, 3.0, -0.6})
     {
         const prismLayers layers(layersOn(cubes(point(0.6, 0.3, z))));
 
-        EXPECT_TRUE(findNestedBodies(layers, findBodies(layers)).empty());
+        EXPECT_TRUE(nested(layers).empty());
         EXPECT_TRUE(certify(layers).valid());
     }
 }
@@ -114,7 +147,7 @@ TEST(findNestedBodies, columnsRetreatFromThem)
     );
 
     EXPECT_TRUE(certify(layers).valid());
-    EXPECT_TRUE(findNestedBodies(layers, findBodies(layers)).empty());
+    EXPECT_TRUE(nested(layers).empty());
 }
 
 
