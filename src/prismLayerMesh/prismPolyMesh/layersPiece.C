@@ -126,14 +126,13 @@ static DynamicList<label> faceAddressing
             }
         );
     }
-    visitBoundaryFaces
-    (
-        layers, piece.open, []() {},
-        [&](const label facei, const label k, const label i)
+    for (const auto& patch : boundaryFaces(layers, piece.open))
+    {
+        for (const prismFaceKey& f : patch)
         {
-            addressing.append(piece.labels(facei, k, i) + 1);
+            addressing.append(piece.labels(f.front, f.edge, f.level) + 1);
         }
-    );
+    }
 
     return addressing;
 }

@@ -131,23 +131,23 @@ prismFaceLabels makePrismFaceLabels
         setInternalSides(layers, faceNeighbours, facei, labels);
     }
 
-    visitBoundaryFaces
-    (
-        layers, open, []() {},
-        [&](const label facei, const label k, const label i)
+    for (const auto& patch : boundaryFaces(layers, open))
+    {
+        for (const prismFaceKey& f : patch)
         {
-            if (k < 0)
+            if (f.edge < 0)
             {
-                (i ? labels.outerFaces : labels.wallFaces)[facei] = next;
+                (f.level ? labels.outerFaces : labels.wallFaces)[f.front] =
+                    next;
             }
-            else if (i == 1)
+            else if (f.level == 1)
             {
-                labels.firstSides[facei][k] = next;
-                labels.sideStrides[facei][k] = 1;
+                labels.firstSides[f.front][f.edge] = next;
+                labels.sideStrides[f.front][f.edge] = 1;
             }
             ++next;
         }
-    );
+    }
 
     return labels;
 }

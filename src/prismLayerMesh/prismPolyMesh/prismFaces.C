@@ -12,17 +12,25 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Points on level i of a front face
-static face faceAt(const prismLayers& layers, const label facei, const label i)
+//- Appends the points of sideFace
+static void appendSide
+(
+    const prismLayers& layers,
+    const edge& e,
+    const label i,
+    DynamicList<label>& points
+)
 {
-    face f(layers.faces[facei]);
+    const label start = layers.pointLabel(e.first(), i - 1);
+    const label end = layers.pointLabel(e.second(), i - 1);
 
-    for (label& p : f)
+    points.append(start);
+    if (end != start)
     {
-        p = layers.pointLabel(p, i);
+        points.append(end);
     }
-
-    return f;
+    points.append(layers.pointLabel(e.second(), i));
+    points.append(layers.pointLabel(e.first(), i));
 }
 
 
@@ -35,31 +43,34 @@ face sideFace
     const label i
 )
 {
-    const label start = layers.pointLabel(e.first(), i - 1);
-    const label end = layers.pointLabel(e.second(), i - 1);
+    DynamicList<label> points(4);
+    appendSide(layers, e, i, points);
 
-    face f(start == end ? 3 : 4);
-    f[0] = start;
-    f[1] = end;
-    f[f.size() - 2] = layers.pointLabel(e.second(), i);
-    f[f.size() - 1] = layers.pointLabel(e.first(), i);
-
-    return f;
+    return face(points);
 }
 
 
-face prismFace
+void appendFace
 (
     const prismLayers& layers,
-    const label facei,
-    const label k,
-    const label i
+    const prismFaceKey& key,
+    DynamicList<label>& points
 )
 {
-    return
-        k >= 0 ? sideFace(layers, layers.faces[facei].faceEdge(k), i)
-      : i > 0 ? faceAt(layers, facei, i)
-      : faceAt(layers, facei, 0).reverseFace();
+    const face& f = layers.faces[key.front];
+
+    if (key.edge >= 0)
+    {
+        appendSide(layers, f.faceEdge(key.edge), key.level, points);
+        return;
+    }
+
+    const label n = f.size();
+    for (label k = 0; k < n; ++k)
+    {
+        const label c = f[key.level ? k : (n - k) % n];
+        points.append(layers.pointLabel(c, key.level));
+    }
 }
 
 
@@ -102,6 +113,41 @@ List<DynamicList<labelPair>> openEdges
     }
 
     return edges;
+}
+
+
+List<DynamicList<prismFaceKey>> boundaryFaces
+(
+    const prismLayers& layers,
+    const UList<DynamicList<labelPair>>& open
+)
+{
+    const label nWall = layers.patchNames.size();
+    List<DynamicList<prismFaceKey>> patches(nWall + 1 + open.size());
+
+    forAll(layers.patchIDs, facei)
+    {
+        patches[layers.patchIDs[facei]].append(prismFaceKey{facei, -1, 0});
+    }
+    forAll(layers.faces, facei)
+    {
+        patches[nWall].append(prismFaceKey{facei, -1, layers.nLayers});
+    }
+    forAll(open, i)
+    {
+        for (const labelPair& e : open[i])
+        {
+            for (label level = 1; level <= layers.nLayers; ++level)
+            {
+                patches[nWall + 1 + i].append
+                (
+                    prismFaceKey{e.first(), e.second(), level}
+                );
+            }
+        }
+    }
+
+    return patches;
 }
 
 

@@ -4,7 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "prismPolyMesh.H"
+#include "findFaceNeighbours.H"
 #include "HashSet.H"
+#include "meshOrder.H"
 
 namespace Foam
 {
@@ -18,10 +20,12 @@ const word boundaryLayerName("boundaryLayer");
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
+//- starts: the first face of each patch, then the number of all faces
 static void addPatches
 (
-    const polyMeshTopology& topology,
+    const labelList& starts,
     const meshPatches& all,
+    const bool isWhole,
     polyMesh& mesh
 )
 {
@@ -30,8 +34,8 @@ static void addPatches
     forAll(patches, patchi)
     {
         dictionary patch(all.entries[patchi]);
-        patch.set("nFaces", topology.patchSizes[patchi]);
-        patch.set("startFace", topology.patchStarts[patchi]);
+        patch.set("nFaces", starts[patchi + 1] - starts[patchi]);
+        patch.set("startFace", starts[patchi]);
         patches.set
         (
             patchi,
@@ -42,7 +46,7 @@ static void addPatches
         );
     }
 
-    mesh.addPatches(patches);
+    mesh.addPatches(patches, isWhole);
 }
 
 
@@ -106,34 +110,62 @@ static void dropPatchesOfWall(const wordList& wallPatches, farFieldMesh& far)
 }
 
 
-//- The points of the mesh, which leaves nothing of the layers' and the far
-//  field's
-static pointField takePoints(prismLayers& layers, farFieldMesh& far)
+//- The patches of the mesh. The far field loses the patches that the mesh does
+//  not have.
+//  nOpen: number of lists of openEdges
+static meshPatches makePatches
+(
+    const prismLayers& layers,
+    const label nOpen,
+    farFieldMesh& far
+)
 {
-    const label n = layers.nColumns();
-    pointField points
-    (
-        layers.extraColumnPoints.size()
-      ? layers.meshPoints() : pointField(std::move(layers.points))
-    );
-
-    if (!far.empty())
+    if (far.empty())
     {
-        points.append(SubList<point>(far.points, far.points.size() - n, n));
+        return patchesOfLayers(layers, nOpen);
     }
 
-    layers = prismLayers();
-    far.points.clear();
+    meshPatches patches(patchesOfWall(layers));
+    dropPatchesOfWall(patches.names, far);
+    patches.names.append(far.patches.names);
+    patches.entries.append(far.patches.entries);
 
-    return points;
+    return patches;
 }
 
 
-//- The first cells are those of the layers
+//- The cells of a zone of the far field in the mesh, where they follow those of
+//  the layers
+static labelList cellsOf
+(
+    const prismLayers& layers,
+    const cellZoneParts& zone
+)
+{
+    const label n = layers.nLayers;
+    DynamicList<label> cells(zone.frontFaces.size()*n + zone.cells.size());
+
+    for (const label fronti : zone.frontFaces)
+    {
+        for (label i = 1; i <= n; ++i)
+        {
+            cells.append(cellLabel(layers, fronti, i));
+        }
+    }
+    for (const label celli : zone.cells)
+    {
+        cells.append(layers.faces.size()*n + celli);
+    }
+
+    return labelList(std::move(cells));
+}
+
+
 static void addZones
 (
-    const label nLayerCells,
+    const prismLayers& layers,
     const farFieldMesh& far,
+    const meshOrder& order,
     polyMesh& mesh
 )
 {
@@ -141,7 +173,8 @@ static void addZones
     ({
         new cellZone
         (
-            boundaryLayerName, identity(nLayerCells), 0, mesh.cellZones()
+            boundaryLayerName, identity(layers.faces.size()*layers.nLayers), 0,
+            mesh.cellZones()
         )
     });
     List<faceZone*> faces;
@@ -150,23 +183,106 @@ static void addZones
     {
         cells.append
         (
-            new cellZone(zone.name, zone.cells, cells.size(), mesh.cellZones())
+            new cellZone
+            (
+                zone.name, cellsOf(layers, zone), cells.size(),
+                mesh.cellZones()
+            )
         );
     }
+
+    const labelList newFaces
+    (
+        far.faceZones.size() ? order.farFaceLabels() : labelList()
+    );
     for (const faceZoneParts& zone : far.faceZones)
     {
+        labelList labels(zone.faces);
+        inplaceRenumber(newFaces, labels);
         faces.append
         (
             new faceZone
             (
-                zone.name, zone.faces, zone.flips, faces.size(),
-                mesh.faceZones()
+                zone.name, labels, zone.flips, faces.size(), mesh.faceZones()
             )
         );
     }
 
     mesh.addZones(List<pointZone*>(), faces, cells);
 }
+
+
+//- The points of a mesh
+static pointField pointsOf(const meshBlocks& mesh)
+{
+    DynamicList<point> points(mesh.nPoints);
+    for (label i = 0; i < mesh.nPointBlocks; ++i)
+    {
+        points.append(mesh.points(i));
+    }
+
+    return pointField(std::move(points));
+}
+
+
+namespace
+{
+
+//- The mesh of layers and far field before it is a polyMesh, or files
+struct prismMesh
+{
+    const prismLayers& layers;
+    farFieldMesh& far;
+    labelListList faceNeighbours;
+    List<DynamicList<labelPair>> open;
+    meshPatches patches;
+    meshOrder order;
+
+    prismMesh(const prismLayers& l, farFieldMesh& f)
+    :
+        layers(l),
+        far(f),
+        faceNeighbours(findFaceNeighbours(l)),
+        open(openEdges(l, faceNeighbours)),
+        patches(makePatches(l, open.size(), f)),
+        order(l, f, std::move(faceNeighbours), open)
+    {}
+
+    //- Makes the mesh with patches and zones.
+    //  points, topology: of the mesh. Without points patches and zones alone
+    //  are made.
+    autoPtr<polyMesh> make
+    (
+        const IOobject& io,
+        pointField&& points,
+        polyMeshTopology&& topology
+    ) const
+    {
+        IOobject unread(io);
+        unread.readOpt() = IOobject::NO_READ;
+        const bool isWhole = points.size();
+        autoPtr<polyMesh> mesh
+        (
+            new polyMesh
+            (
+                unread,
+                std::move(points),
+                faceList(std::move(topology.faces)),
+                labelList(std::move(topology.owner)),
+                labelList(std::move(topology.neighbour))
+            )
+        );
+        addPatches(order.patchStarts(), patches, isWhole, mesh());
+        if (!far.empty())
+        {
+            addZones(layers, far, order, mesh());
+        }
+
+        return mesh;
+    }
+};
+
+} // End anonymous namespace
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
@@ -214,58 +330,17 @@ meshPatches patchesOfLayers(const prismLayers& layers, const label nOpen)
 
 autoPtr<polyMesh> makePrismPolyMesh
 (
-    prismLayers& layers,
+    const prismLayers& layers,
     farFieldMesh& far,
     const IOobject& io
 )
 {
-    const bool hasFarField = !far.empty();
-    const label nLayerCells = layers.faces.size()*layers.nLayers;
-    polyMeshTopology topology(makePrismTopology(layers));
-    meshPatches patches(patchesOfWall(layers));
+    const prismMesh mesh(layers, far);
 
-    if (hasFarField)
-    {
-        dropPatchesOfWall(patches.names, far);
-        topology = joinFarField
-        (
-            layers, topology,
-            layers.points.size() - layers.extraColumnPoints.size(), far
-        );
-        far.topology = polyMeshTopology();
-        patches.names.append(far.patches.names);
-        patches.entries.append(far.patches.entries);
-    }
-    else
-    {
-        const label nWall = layers.patchNames.size();
-        const label nOpen = topology.patchSizes.size() - nWall - 1;
-        patches = patchesOfLayers(layers, nOpen);
-    }
-
-    IOobject unread(io);
-    unread.readOpt() = IOobject::NO_READ;
-    pointField points(takePoints(layers, far));
-
-    autoPtr<polyMesh> mesh
+    return mesh.make
     (
-        new polyMesh
-        (
-            unread,
-            std::move(points),
-            faceList(std::move(topology.faces)),
-            labelList(std::move(topology.owner)),
-            labelList(std::move(topology.neighbour))
-        )
+        io, pointsOf(mesh.order.blocks()), makeTopology(mesh.order)
     );
-    addPatches(topology, patches, mesh());
-
-    if (hasFarField)
-    {
-        addZones(nLayerCells, far, mesh());
-    }
-
-    return mesh;
 }
 
 } // End namespace Foam

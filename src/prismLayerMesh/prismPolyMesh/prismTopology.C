@@ -5,42 +5,30 @@
 
 #include "prismPolyMesh.H"
 #include "findFaceNeighbours.H"
-#include "prismFaces.H"
+#include "meshOrder.H"
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-static void addInternalFaces
+//- Copies a block of faces to its place in a mesh
+static void copyFaces
 (
-    const prismLayers& layers,
-    const labelListList& faceNeighbours,
-    const labelList& starts,
+    const faceBlock& block,
+    const label firstFace,
+    const label firstInternal,
     polyMeshTopology& mesh
 )
 {
-    mesh.faces.setSize(starts.last());
-    mesh.owner.setSize(starts.last());
-    mesh.neighbour.setSize(starts.last());
-
-    #pragma omp parallel for schedule(static, 256)
-    forAll(faceNeighbours, facei)
+    forAll(block.ends, i)
     {
-        label at = starts[facei];
-        visitInternalFaces
-        (
-            layers.nLayers, faceNeighbours[facei], facei,
-            [&](const label k, const label i, const label other)
-            {
-                const label celli = cellLabel(layers, facei, i);
-                mesh.faces[at] = prismFace(layers, facei, k, i);
-                mesh.owner[at] = celli;
-                mesh.neighbour[at] =
-                    k < 0 ? celli + 1 : cellLabel(layers, other, i);
-                ++at;
-            }
-        );
+        mesh.faces[firstFace + i] = face(block.face(i));
+        mesh.owner[firstFace + i] = block.owner[i];
+    }
+    forAll(block.neighbour, i)
+    {
+        mesh.neighbour[firstInternal + i] = block.neighbour[i];
     }
 }
 
@@ -62,6 +50,37 @@ wordList sidePatchNames(const wallBorder& border)
 }
 
 
+polyMeshTopology makeTopology(const meshOrder& order)
+{
+    const meshBlocks& blocks = order.blocks();
+    polyMeshTopology mesh;
+    mesh.faces.setSize(blocks.nFaces());
+    mesh.owner.setSize(blocks.nFaces());
+    mesh.neighbour.setSize(blocks.nInternalFaces());
+
+    #pragma omp parallel for schedule(dynamic)
+    for (label i = 0; i < blocks.nFaceBlocks; ++i)
+    {
+        copyFaces
+        (
+            blocks.faces(i), blocks.firstFaces[i], blocks.firstInternal[i], mesh
+        );
+    }
+
+    mesh.patchStarts = order.patchStarts();
+    const label nPatches = mesh.patchStarts.size() - 1;
+    mesh.patchSizes.setSize(nPatches);
+    forAll(mesh.patchSizes, patchi)
+    {
+        mesh.patchSizes[patchi] =
+            mesh.patchStarts[patchi + 1] - mesh.patchStarts[patchi];
+    }
+    mesh.patchStarts.setSize(nPatches);
+
+    return mesh;
+}
+
+
 polyMeshTopology makePrismTopology
 (
     const prismLayers& layers,
@@ -69,31 +88,12 @@ polyMeshTopology makePrismTopology
     const UList<DynamicList<labelPair>>& open
 )
 {
-    const label n = layers.nLayers;
-    label nBoundary = layers.nWallFaces() + layers.faces.size();
-    for (const DynamicList<labelPair>& edges : open)
-    {
-        nBoundary += edges.size()*n;
-    }
+    const farFieldMesh none;
 
-    const labelList starts(firstInternalFaces(faceNeighbours, n));
-    polyMeshTopology mesh;
-    mesh.reserve(starts.last() + nBoundary, starts.last());
-    addInternalFaces(layers, faceNeighbours, starts, mesh);
-    visitBoundaryFaces
+    return makeTopology
     (
-        layers, open, [&]() { mesh.startPatch(); },
-        [&](const label facei, const label k, const label i)
-        {
-            mesh.append
-            (
-                prismFace(layers, facei, k, i),
-                cellLabel(layers, facei, max(i, label(1)))
-            );
-        }
+        meshOrder(layers, none, labelListList(faceNeighbours), open)
     );
-
-    return mesh;
 }
 
 
