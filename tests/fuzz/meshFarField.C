@@ -77,7 +77,7 @@ class farFieldStage
 
     bool isJustified(reasons reason) const;
 
-    void tellCut(const polyMesh& mesh) const;
+    void tellCut(const farFieldMesh& far) const;
 
     void check(farFieldMesh far) const;
 
@@ -179,11 +179,11 @@ bool farFieldStage::isJustified(const reasons reason) const
 }
 
 
-void farFieldStage::tellCut(const polyMesh& mesh) const
+void farFieldStage::tellCut(const farFieldMesh& far) const
 {
     const faceQualityCounts cut
     (
-        makeFarFieldReport(mesh, qualityControls()).cut
+        makeFarFieldReport(layered_.made.layers, far, qualityControls()).cut
     );
     if (cut.nFaces)
     {
@@ -197,15 +197,15 @@ void farFieldStage::tellCut(const polyMesh& mesh) const
 void farFieldStage::check(farFieldMesh far) const
 {
     tell_("stage", "farFieldChecks");
-    prismLayers layers(layered_.made.layers);
+    tellCut(far);
     const autoPtr<polyMesh> mesh
     (
         makePrismPolyMesh
         (
-            layers, far, IOobject("mesh", time_->constant(), *time_)
+            layered_.made.layers, far,
+            IOobject("mesh", time_->constant(), *time_)
         )
     );
-    tellCut(*mesh);
     const std::string fault
     (
         findFarFieldFault({wall_, layered_.made.layers, asked_, *mesh})

@@ -10,7 +10,6 @@
 #include "replacedFiles.H"
 #include "throwingErrors.H"
 #include "Time.H"
-#include "writeObjects.H"
 
 namespace Foam
 {
@@ -109,11 +108,10 @@ void Foam::caseWriter::writeOuter
 }
 
 
-void Foam::caseWriter::writeMesh
+void Foam::caseWriter::writeMeshFolder
 (
-    const polyMesh& mesh,
-    const meshPiece* piece,
-    replacedFiles& files
+    replacedFiles& files,
+    const std::function<void(const IOobject&)>& write
 ) const
 {
     // The scratch folder is the case while the mesh is written
@@ -123,14 +121,8 @@ void Foam::caseWriter::writeMesh
     );
     const fileName caseName(time_.caseName());
     time_.caseName() = scratch.relative(time_.rootPath());
-    const bool written =
-        writeObjects(mesh) && (!piece || writeAddressing(mesh, *piece));
+    write(case_.meshObject());
     time_.caseName() = caseName;
-
-    if (!written)
-    {
-        FatalErrorInFunction << "Cannot write to it" << exit(FatalError);
-    }
 
     // OpenFOAM does not look whether the last bytes of a file arrived
     const fileName folder(scratch/case_.polyMeshPath());
@@ -141,59 +133,81 @@ void Foam::caseWriter::writeMesh
 }
 
 
-void Foam::caseWriter::writePiece(meshPiece& piece, replacedFiles& files) const
+void Foam::caseWriter::writePiece
+(
+    const meshPiece& piece,
+    replacedFiles& files
+) const
 {
-    const autoPtr<polyMesh> mesh
+    writeMeshFolder
     (
-        makePolyMesh(case_.meshObject(), parallel_.processor(), piece)
+        files,
+        [&](const IOobject& io)
+        {
+            writeMeshPiece(piece, parallel_.processor(), io);
+        }
     );
-    writeMesh(mesh(), &piece, files);
 }
 
 
-Foam::autoPtr<Foam::polyMesh> Foam::caseWriter::writeMesh
+Foam::label Foam::caseWriter::writeMesh
 (
     prismLayers& layers,
     farFieldMesh& far,
     replacedFiles& files
 ) const
 {
-    const label nStacks = layers.faces.size();
-    const label nLayers = layers.nLayers;
-    autoPtr<polyMesh> mesh;
-
-    if (!parallel_.isParallel() || !far.empty())
-    {
-        mesh = makePrismPolyMesh(layers, far, case_.meshObject());
-    }
+    label nFaces = 0;
 
     if (parallel_.isParallel())
     {
-        if (mesh)
-        {
-            refuseCoupled(*mesh);
-        }
-        meshPiece piece
-        (
-            mesh
-          ? parallel_.sendPieces(mesh(), nStacks, nLayers)
-          : parallel_.sendPieces(layers)
-        );
-        writePiece(piece, files);
+        writePiece(dividePieces(layers, far), files);
         parallel_.requireWritten();
     }
     else
     {
-        writeMesh(mesh(), nullptr, files);
+        writeMeshFolder
+        (
+            files,
+            [&](const IOobject& io)
+            {
+                nFaces = writePrismMesh(layers, far, io);
+            }
+        );
     }
 
-    return mesh;
+    return nFaces;
+}
+
+
+Foam::meshPiece Foam::caseWriter::dividePieces
+(
+    prismLayers& layers,
+    farFieldMesh& far
+) const
+{
+    if (far.empty())
+    {
+        return parallel_.sendPieces(layers);
+    }
+
+    const label nStacks = layers.faces.size();
+    const label nLayers = layers.nLayers;
+    const autoPtr<polyMesh> mesh
+    (
+        makePrismPolyMesh(layers, far, case_.meshObject())
+    );
+    refuseCoupled(mesh());
+    layers = prismLayers();
+    far = farFieldMesh();
+
+    return parallel_.sendPieces(mesh(), nStacks, nLayers);
 }
 
 
 bool Foam::caseWriter::writeReceived() const
 {
-    meshPiece piece(parallel_.receivePiece());
+    const meshPiece piece(parallel_.receivePiece());
     replacedFiles files;
     string failure;
     const throwingErrors throwing(true);

@@ -55,7 +55,6 @@ Usage
 #include "layerStages.H"
 #include "layerSurfaces.H"
 #include "OSspecific.H"
-#include "polyMesh.H"
 #include "readDomain.H"
 #include "readLocalHeights.H"
 #include "readPrismLayerControls.H"
@@ -187,22 +186,24 @@ static void writeCase
     const bool hasFarField = !made.farField.empty();
     writer.writeOuter(made.made.layers, hasFarField, replaced);
     layerReport report(makeLayerReport(given.wall, made));
+    const farFieldReport far
+    (
+        hasFarField
+      ? makeFarFieldReport(made.made.layers, made.farField, made.bounds)
+      : farFieldReport()
+    );
 
-    const qualityControls bounds(made.bounds);
     prismLayers layers(std::move(made.made.layers));
     farFieldMesh farField(std::move(made.farField));
     made = prismLayerMesh();
     returnMemory();
 
-    const autoPtr<polyMesh> mesh
-    (
-        writer.writeMesh(layers, farField, replaced)
-    );
+    const label nCells = report.nCells + far.nCells;
+    const label nFaces = writer.writeMesh(layers, farField, replaced);
     log.end
     (
-        mesh
-      ? name(mesh->nCells()) + " cells, " + name(mesh->nFaces()) + " faces"
-      : name(report.nCells) + " cells, in parts for all processes"
+        name(nCells) + " cells, "
+      + string(nFaces ? name(nFaces) + " faces" : "in parts for all processes")
     );
     report.stages = log.costs();
 
@@ -212,7 +213,6 @@ static void writeCase
 
     if (hasFarField)
     {
-        const farFieldReport far(makeFarFieldReport(mesh(), bounds));
         entries.add("farField", toDictionary(far));
         Foam::write(Info, far);
     }

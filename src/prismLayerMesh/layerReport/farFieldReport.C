@@ -4,10 +4,13 @@
 \*---------------------------------------------------------------------------*/
 
 #include "farFieldReport.H"
+#include "cellGeometry.H"
 #include "DynamicField.H"
 #include "faceQualityReport.H"
+#include "HashSet.H"
+#include "labelRange.H"
 #include "makeFarFieldMesh.H"
-#include "prismPolyMesh.H"
+#include "polyhedralMesh.H"
 #include "UIndirectList.H"
 
 #include <sstream>
@@ -15,67 +18,195 @@
 namespace Foam
 {
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Adds the faces of a far field to its report
+struct farFieldFaces
+{
+    const prismLayers& layers;
+    const farFieldMesh& far;
+    const qualityControls& bounds;
+    const label nTets;
+
+    List<cellGeometry> cells{};
+    farFieldReport report{};
+
+    faceGeometry geometry(const label facei) const
+    {
+        return faceGeometry
+        (
+            UIndirectList<point>(far.points, far.topology.faces[facei])
+        );
+    }
+
+    static faceCell cellOf(const cellGeometry& c)
+    {
+        return faceCell{c.centre, c.volume3/3};
+    }
+
+    void setCells();
+    cellGeometry lastCell(label fronti, const labelRange& outer) const;
+    void addTransition();
+    void addInside();
+    void addPatches();
+};
+
+
+void farFieldFaces::setCells()
+{
+    const polyMeshTopology& t = far.topology;
+    const polyhedralMesh mesh(far.points, t.faces, t.owner, t.neighbour);
+    cells.setSize(mesh.nCells());
+
+    #pragma omp parallel for schedule(static)
+    forAll(cells, celli)
+    {
+        DynamicList<faceGeometry> faces(8);
+        for (const label facei : mesh.cellFaces(celli))
+        {
+            faces.append(geometry(facei));
+            faces.last().area *= mesh.owner(facei) == celli ? 1 : -1;
+        }
+        cells[celli] = cellGeometry(faces);
+    }
+}
+
+
+//- The last cell on a front face; faces of the far field, one or several, are
+//  its outer face
+cellGeometry farFieldFaces::lastCell
+(
+    const label fronti,
+    const labelRange& outer
+) const
+{
+    const label n = layers.nLayers;
+    const face& f = layers.faces[fronti];
+    DynamicList<faceGeometry> faces(8);
+
+    faces.append(faceGeometry(levelPoints{layers, f, n - 1}));
+    faces.last().area *= -1;
+    forAll(f, k)
+    {
+        faces.append(faceGeometry(sidePoints{layers, f[k], f.nextLabel(k), n}));
+    }
+    for (const label facei : outer)
+    {
+        faces.append(geometry(far.topology.patchStarts[0] + facei));
+        faces.last().area *= -1;
+    }
+
+    return cellGeometry(faces);
+}
+
+
+void farFieldFaces::addTransition()
+{
+    const label start = far.topology.patchStarts[0];
+    const labelList& fronts = far.frontFaces;
+    DynamicField<scalar> volumeRatios(fronts.size());
+
+    for (label i = 0; i < fronts.size();)
+    {
+        label end = i + 1;
+        while (end < fronts.size() && fronts[end] == fronts[i])
+        {
+            ++end;
+        }
+        const labelRange outer(i, end - i);
+        const cellGeometry layer(lastCell(fronts[i], outer));
+
+        for (const label k : outer)
+        {
+            const cellGeometry& cell = cells[far.topology.owner[start + k]];
+            const face outwards(far.topology.faces[start + k].reverseFace());
+            const UIndirectList<point> points(far.points, outwards);
+            report.transition.add
+            (
+                k, faceGeometry(points), points, cellOf(layer), cellOf(cell),
+                bounds
+            );
+            volumeRatios.append(cell.volume3/layer.volume3);
+        }
+        i = end;
+    }
+
+    report.volumeRatio = makePercentiles(volumeRatios);
+}
+
+
+void farFieldFaces::addInside()
+{
+    const polyMeshTopology& t = far.topology;
+
+    forAll(t.neighbour, facei)
+    {
+        const label owner = t.owner[facei];
+        const label neighbour = t.neighbour[facei];
+        faceQualityCounts& faces =
+            neighbour < nTets ? report.farField
+          : owner < nTets ? report.cut : report.core;
+        faces.add
+        (
+            facei, geometry(facei),
+            UIndirectList<point>(far.points, t.faces[facei]),
+            cellOf(cells[owner]), cellOf(cells[neighbour]), bounds
+        );
+    }
+}
+
+
+//- Patches with sides of layers are none of the far boundary
+void farFieldFaces::addPatches()
+{
+    wordHashSet sides;
+    for (const label side : layers.border.edgeSides)
+    {
+        sides.insert(layers.border.sides[side].name);
+    }
+
+    forAll(far.patches.names, patchi)
+    {
+        const word& name = far.patches.names[patchi];
+        const label size = far.topology.patchSizes[1 + patchi];
+        if (size && !sides.found(name))
+        {
+            report.patches.append(name);
+            report.patchFaces.append(size);
+        }
+    }
+}
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 farFieldReport makeFarFieldReport
 (
-    const polyMesh& mesh,
+    const prismLayers& layers,
+    const farFieldMesh& far,
     const qualityControls& bounds
 )
 {
-    const label nLayerCells = mesh.cellZones()[boundaryLayerName].size();
-    const scalarField& volumes = mesh.cellVolumes();
-    const auto cell = [&](const label celli)
+    label nTets = 0;
+    for (const cellZoneParts& zone : far.cellZones)
     {
-        return faceCell{mesh.cellCentres()[celli], volumes[celli]};
-    };
-    const label nTets = mesh.cellZones()[farFieldName].size();
-    const auto isTet = [=](const label celli)
-    {
-        return celli < nLayerCells + nTets;
-    };
-    DynamicField<scalar> volumeRatios;
-    farFieldReport report;
-
-    for (label facei = 0; facei < mesh.nInternalFaces(); ++facei)
-    {
-        const label owner = mesh.faceOwner()[facei];
-        const label neighbour = mesh.faceNeighbour()[facei];
-        if (neighbour < nLayerCells)
-        {
-            continue;
-        }
-
-        faceGeometry f;
-        f.centre = mesh.faceCentres()[facei];
-        f.area = mesh.faceAreas()[facei];
-        const UIndirectList<point> points(mesh.points(), mesh.faces()[facei]);
-        faceQualityCounts& faces =
-            owner < nLayerCells ? report.transition
-          : isTet(neighbour) ? report.farField
-          : isTet(owner) ? report.cut : report.core;
-        faces.add(facei, f, points, cell(owner), cell(neighbour), bounds);
-
-        if (owner < nLayerCells)
-        {
-            volumeRatios.append(volumes[neighbour]/volumes[owner]);
-        }
+        nTets = zone.name == farFieldName ? zone.cells.size() : nTets;
     }
 
-    report.nCells = mesh.nCells() - nLayerCells;
-    report.nTets = nTets;
-    report.volumeRatio = makePercentiles(volumeRatios);
+    farFieldFaces faces{layers, far, bounds, nTets};
+    faces.setCells();
+    faces.addTransition();
+    faces.addInside();
+    faces.addPatches();
+    faces.report.nCells = far.nCells;
+    faces.report.nTets = nTets;
 
-    for (const polyPatch& patch : mesh.boundaryMesh())
-    {
-        if (patch.size() && patch.faceCells()[0] >= nLayerCells)
-        {
-            report.patches.append(patch.name());
-            report.patchFaces.append(patch.size());
-        }
-    }
-
-    return report;
+    return faces.report;
 }
 
 

@@ -6,6 +6,7 @@
 #include "meshPiece.H"
 #include "DynamicList.H"
 #include "labelIOList.H"
+#include "meshFiles.H"
 #include "processorPolyPatch.H"
 #include "readWallSurface.H"
 
@@ -171,7 +172,6 @@ struct pieceMaker
 static void addPatches
 (
     const label processor,
-    const label nInternalFaces,
     const meshPiece& piece,
     polyMesh& mesh
 )
@@ -179,7 +179,7 @@ static void addPatches
     const label nWhole = piece.patchNames.size();
     const polyBoundaryMesh& boundary = mesh.boundaryMesh();
     PtrList<polyPatch> patches(nWhole + piece.processors.size());
-    label start = nInternalFaces;
+    label start = piece.neighbour.size();
 
     forAll(piece.patchNames, i)
     {
@@ -233,6 +233,67 @@ static void addZones(const meshPiece& piece, polyMesh& mesh)
 }
 
 
+//- The piece in blocks, at least one of faces and one of points
+static meshBlocks blocksOf(const meshPiece& piece)
+{
+    static constexpr label blockSize = 8192;
+
+    const label nPoints = piece.points.size();
+    const label nFaces = piece.faces.size();
+    meshBlocks mesh;
+    mesh.nCells = piece.cellAddressing.size();
+    mesh.nPoints = nPoints;
+    mesh.nPointBlocks = max(label(1), numberOfBlocks(nPoints, blockSize));
+    mesh.points = [&piece, nPoints](const label i)
+    {
+        const labelRange range(rangeOfBlock(nPoints, blockSize, i));
+
+        return pointField
+        (
+            SubList<point>(piece.points, range.size(), range.start())
+        );
+    };
+    mesh.nFaceBlocks = max(label(1), numberOfBlocks(nFaces, blockSize));
+    mesh.faces = [&piece, nFaces](const label i)
+    {
+        faceBlock block;
+        for (const label facei : rangeOfBlock(nFaces, blockSize, i))
+        {
+            block.points.append(piece.faces[facei]);
+            block.endFace
+            (
+                piece.owner[facei],
+                facei < piece.neighbour.size() ? piece.neighbour[facei] : -1
+            );
+        }
+
+        return block;
+    };
+    mesh.count();
+
+    return mesh;
+}
+
+
+static void writeAddressing(const polyMesh& frame, const meshPiece& piece)
+{
+    const auto write = [&](const char* name, const labelUList& labels)
+    {
+        const IOobject io
+        (
+            name, frame.facesInstance(), polyMesh::meshSubDir, frame,
+            IOobject::NO_READ, IOobject::NO_WRITE, false
+        );
+        writeWhole(labelIOList(io, labelList(labels)));
+    };
+
+    write("cellProcAddressing", piece.cellAddressing);
+    write("faceProcAddressing", piece.faceAddressing);
+    write("pointProcAddressing", piece.pointAddressing);
+    write("boundaryProcAddressing", piece.boundaryAddressing());
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 labelList meshPiece::boundaryAddressing() const
@@ -257,48 +318,23 @@ meshPiece makeMeshPiece
 }
 
 
-autoPtr<polyMesh> makePolyMesh
+void writeMeshPiece
 (
-    const IOobject& io,
+    const meshPiece& piece,
     const label processor,
-    meshPiece& piece
+    const IOobject& io
 )
 {
-    const label nInternal = piece.neighbour.size();
-    autoPtr<polyMesh> mesh
+    polyMesh frame
     (
-        new polyMesh
-        (
-            io, std::move(piece.points), std::move(piece.faces),
-            std::move(piece.owner), std::move(piece.neighbour), false
-        )
+        io, pointField(), faceList(), labelList(), labelList(), false
     );
-    addPatches(processor, nInternal, piece, mesh());
-    addZones(piece, mesh());
+    addPatches(processor, piece, frame);
+    addZones(piece, frame);
 
-    return mesh;
+    writeMeshFiles(frame, blocksOf(piece));
+    writeAddressing(frame, piece);
 }
-
-
-bool writeAddressing(const polyMesh& mesh, const meshPiece& piece)
-{
-    const auto write = [&](const char* name, const labelUList& labels)
-    {
-        const IOobject io
-        (
-            name, mesh.facesInstance(), polyMesh::meshSubDir, mesh,
-            IOobject::NO_READ, IOobject::NO_WRITE, false
-        );
-
-        return labelIOList(io, labelList(labels)).write();
-    };
-
-    return write("cellProcAddressing", piece.cellAddressing)
-        && write("faceProcAddressing", piece.faceAddressing)
-        && write("pointProcAddressing", piece.pointAddressing)
-        && write("boundaryProcAddressing", piece.boundaryAddressing());
-}
-
 
 } // End namespace Foam
 

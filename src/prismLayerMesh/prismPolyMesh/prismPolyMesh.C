@@ -6,6 +6,7 @@
 #include "prismPolyMesh.H"
 #include "findFaceNeighbours.H"
 #include "HashSet.H"
+#include "meshFiles.H"
 #include "meshOrder.H"
 
 namespace Foam
@@ -341,6 +342,30 @@ autoPtr<polyMesh> makePrismPolyMesh
     (
         io, pointsOf(mesh.order.blocks()), makeTopology(mesh.order)
     );
+}
+
+
+label writePrismMesh
+(
+    const prismLayers& layers,
+    farFieldMesh& far,
+    const IOobject& io
+)
+{
+    const prismMesh mesh(layers, far);
+    const label nFaces = mesh.order.blocks().nFaces();
+
+    // Zones of faces look whether they have labels of faces
+    polyMeshTopology nothing;
+    nothing.faces.setSize(far.faceZones.size() ? nFaces : 0);
+    nothing.owner.setSize(nothing.faces.size(), 0);
+    const autoPtr<polyMesh> frame
+    (
+        mesh.make(io, pointField(), std::move(nothing))
+    );
+    writeMeshFiles(frame(), mesh.order.blocks());
+
+    return nFaces;
 }
 
 } // End namespace Foam

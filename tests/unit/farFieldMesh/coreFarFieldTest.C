@@ -151,7 +151,7 @@ TEST(coreFarField, hexahedraFillTheBox)
 
     const farFieldReport report
     (
-        makeFarFieldReport(mesh, qualityControls())
+        makeFarFieldReport(c.layers, c.far, qualityControls())
     );
     EXPECT_EQ(report.nTets, mesh.cellZones()[1].size());
     EXPECT_EQ(report.nCells, c.far.nCells);

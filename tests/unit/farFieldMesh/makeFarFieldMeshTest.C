@@ -154,10 +154,9 @@ TEST(makeFarFieldMesh, sizesGrowByTheGivenRate)
 TEST(makeFarFieldMesh, reportsTheTransition)
 {
     const farCase c(testSurfaces::sphere(5), boxOf(4));
-    const memoryMesh memory(c.layers, c.mesh);
     const farFieldReport report
     (
-        makeFarFieldReport(memory(), qualityControls())
+        makeFarFieldReport(c.layers, c.mesh, qualityControls())
     );
 
     EXPECT_EQ(report.nCells, c.mesh.nCells);

@@ -3,8 +3,10 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
+#include "labelIOList.H"
 #include "memoryMesh.H"
 #include "meshPiece.H"
+#include "temporaryFiles.H"
 #include "testLayers.H"
 #include "testSurfaces.H"
 
@@ -146,27 +148,49 @@ TEST(meshPiece, facesBetweenProcessesAreInOneOrder)
 }
 
 
-TEST(meshPiece, becomesAMeshInUpperTriangularOrder)
+class meshPieceFiles
+:
+    public temporaryFiles
+{};
+
+
+TEST_F(meshPieceFiles, areAMeshInUpperTriangularOrder)
 {
-    piecedMesh m;
-    const Time& time = m.mesh().time();
+    const piecedMesh m;
+    dictionary control;
+    control.add("deltaT", 1);
+    control.add("writeInterval", 1);
+    control.add("writePrecision", 17);
+    const Time time
+    (
+        control, folder_, "case", "system", "constant", false, false
+    );
 
     forAll(m.pieces, i)
     {
-        const label nCells = m.pieces[i].cellAddressing.size();
-        const autoPtr<polyMesh> mesh
-        (
-            makePolyMesh
-            (
-                IOobject("piece" + name(i), time.constant(), time),
-                i, m.pieces[i]
-            )
-        );
+        IOobject io("piece" + name(i), time.constant(), time);
+        writeMeshPiece(m.pieces[i], i, io);
+        io.readOpt() = IOobject::MUST_READ;
+        const polyMesh mesh(io);
 
-        EXPECT_EQ(mesh->nCells(), nCells);
-        EXPECT_FALSE(mesh->checkUpperTriangular());
-        EXPECT_EQ(mesh->boundaryMesh().last().type(), "processor");
-        EXPECT_FALSE(mesh->boundaryMesh().checkDefinition());
+        EXPECT_EQ(mesh.nCells(), m.pieces[i].cellAddressing.size());
+        EXPECT_EQ(mesh.points(), m.pieces[i].points);
+        EXPECT_EQ(mesh.faces(), m.pieces[i].faces);
+        EXPECT_FALSE(mesh.checkUpperTriangular());
+        EXPECT_EQ(mesh.boundaryMesh().last().type(), "processor");
+        EXPECT_FALSE(mesh.boundaryMesh().checkDefinition());
+        EXPECT_EQ
+        (
+            labelIOList
+            (
+                IOobject
+                (
+                    "faceProcAddressing", time.constant(), polyMesh::meshSubDir,
+                    mesh, IOobject::MUST_READ, IOobject::NO_WRITE, false
+                )
+            ),
+            m.pieces[i].faceAddressing
+        );
     }
 }
 
