@@ -223,12 +223,13 @@ static void writeCase
 }
 
 
-//- Make and write the mesh on a wall, and its repaired surface
+//- Make and write the mesh on a wall, and its repaired surface. The surface is
+//  dropped if it is as it was read.
 static void meshWall
 (
     const prismCase& files,
     const caseWriter& writer,
-    const preparedWall& given,
+    preparedWall& given,
     const fileName& preparedFile,
     const prismLayerControls& controls,
     const bool pictures,
@@ -237,6 +238,8 @@ static void meshWall
 )
 {
     const wallSurface& wall = given.wall;
+    const bool isChanged = given.prepared.isChanged();
+    given.prepared.dropUnchanged();
     const localHeights local(readLocal(files, wall, controls, time, log));
     farFieldDomain domain
     (
@@ -264,7 +267,6 @@ static void meshWall
         writeStageFields(files.reportFolder(), wall, made);
     }
 
-    const bool isChanged = given.prepared.isChanged();
     replaceFiles([&](replacedFiles& replaced)
     {
         if (isChanged)
@@ -339,7 +341,7 @@ int main(int argc, char *argv[])
     const fileNameList surfaces(files.surfaceFiles(controls.surface));
     const fileName preparedFile(files.preparedFile(surfaces));
     stageLog log;
-    const preparedWall given(readWall(surfaces, controls, checkOnly, log));
+    preparedWall given(readWall(surfaces, controls, checkOnly, log));
 
     if (checkOnly)
     {

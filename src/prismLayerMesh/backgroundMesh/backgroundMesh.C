@@ -171,7 +171,7 @@ backgroundMesh makeBackgroundMesh
     }
     else
     {
-        domain.holes = bodySeeds(wall, context.search);
+        domain.holes = bodySeeds(wall, context.search());
         if (enclosedVolume(wall) > 0)
         {
             addBox(box, domain);
@@ -196,8 +196,8 @@ backgroundMesh makeBackgroundMesh
     UIndirectList<bool>(mesh.free, onSides) = true;
     setTets
     (
-        filled.tets, triangles, context.addressing.pointPoints, context.search,
-        mesh
+        filled.tets, triangles, context.addressing.pointPoints,
+        context.search(), mesh
     );
 
     return mesh;

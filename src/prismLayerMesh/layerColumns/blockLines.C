@@ -7,6 +7,7 @@
 #include "isolatedProcess.H"
 #include "ListOps.H"
 #include "monotoneField.H"
+#include "returnMemory.H"
 #include "throwingErrors.H"
 
 #include <algorithm>
@@ -30,6 +31,8 @@ class blockwiseLines
     //- Columns at each point of the wall
     labelListList columns_;
 
+    //- Not set before a block is: a child process begins with all memory that
+    //  was set
     columnLines made_;
 
     labelList columnsAt(const labelUList& points) const;
@@ -40,6 +43,9 @@ class blockwiseLines
     //- Write, and read, those of the columns of a block
     void write(const columnLines& lines, label nColumns, std::FILE* out) const;
     bool read(const labelUList& columns, std::FILE* in);
+
+    //- Sets the lines of columns
+    void set(const labelUList& columns, const columnLines& lines);
 
 public:
 
@@ -53,6 +59,9 @@ public:
     //- Make a block in a process of its own. Returns the reason why there is
     //  none, empty if there is one.
     string makeIsolated(const labelList& own);
+
+    //- Makes the lines of a block straight
+    void makeStraight(const labelList& own);
 
     columnLines release() { return std::move(made_); }
 };
@@ -74,12 +83,12 @@ blockwiseLines::blockwiseLines
     ),
     made_
     {
-        makeStraightLines
-        (
-            pointField(wall.context.wall.points, starts.wallPoints),
-            starts.directions, starts.arcLengths
-        ),
-        scalarField(starts.wallPoints.size(), 0)
+        gradientLines
+        {
+            starts.nSamples(), pointField(starts.arcLengths.size()),
+            scalarField(starts.arcLengths.size())
+        },
+        scalarField(starts.wallPoints.size())
     }
 {}
 
@@ -108,7 +117,7 @@ columnLines blockwiseLines::makeBlock(const labelList& own) const
     );
     const backgroundMesh mesh
     (
-        makeBackgroundMesh(block, wall_.context.search)
+        makeBackgroundMesh(block, wall_.context.search())
     );
     const monotoneField field
     (
@@ -150,9 +159,10 @@ void blockwiseLines::write
 bool blockwiseLines::read(const labelUList& columns, std::FILE* in)
 {
     const label n = starts_.nSamples();
-    scalarField slopes(columns.size());
-    scalarField energies(n*columns.size());
-    pointField points(energies.size());
+    columnLines lines;
+    lines.slopes.setSize(columns.size());
+    lines.lines.energies.setSize(n*columns.size());
+    lines.lines.points.setSize(n*columns.size());
     const auto take = [&](auto& values)
     {
         return std::fread
@@ -161,22 +171,61 @@ bool blockwiseLines::read(const labelUList& columns, std::FILE* in)
         ) == size_t(values.size());
     };
 
-    if (!take(slopes) || !take(energies) || !take(points))
+    if
+    (
+        !take(lines.slopes)
+     || !take(lines.lines.energies) || !take(lines.lines.points)
+    )
     {
         return false;
     }
+    set(columns, lines);
+
+    return true;
+}
+
+
+void blockwiseLines::set(const labelUList& columns, const columnLines& lines)
+{
+    const label n = starts_.nSamples();
 
     forAll(columns, i)
     {
         const label c = columns[i];
-        made_.slopes[c] = slopes[i];
+        made_.slopes[c] = lines.slopes[i];
         SubList<scalar>(made_.lines.energies, n, n*c) =
-            SubList<scalar>(energies, n, n*i);
+            SubList<scalar>(lines.lines.energies, n, n*i);
         SubList<point>(made_.lines.points, n, n*c) =
-            SubList<point>(points, n, n*i);
+            SubList<point>(lines.lines.points, n, n*i);
+    }
+}
+
+
+void blockwiseLines::makeStraight(const labelList& own)
+{
+    const label n = starts_.nSamples();
+    const labelList columns(columnsAt(own));
+    scalarField arcLengths(n*columns.size());
+    forAll(columns, i)
+    {
+        SubList<scalar>(arcLengths, n, n*i) =
+            SubList<scalar>(starts_.arcLengths, n, n*columns[i]);
     }
 
-    return true;
+    const labelList points
+    (
+        UIndirectList<label>(starts_.wallPoints, columns)
+    );
+    const columnLines straight
+    {
+        makeStraightLines
+        (
+            pointField(wall_.context.wall.points, points),
+            vectorField(starts_.directions, columns), arcLengths
+        ),
+        scalarField(columns.size(), 0)
+    };
+    set(columns, straight);
 }
 
 
@@ -267,6 +316,8 @@ columnLines makeColumnLines
     string& failure
 )
 {
+    // Child processes begin with all memory of this one
+    returnMemory();
     blockwiseLines lines(wall, starts, controls);
     List<string> failures(wall.parts.size());
 
@@ -285,7 +336,12 @@ columnLines makeColumnLines
     #pragma omp parallel for schedule(dynamic, 1)
     forAll(order, k)
     {
-        failures[order[k]] = lines.makeIsolated(wall.parts[order[k]]);
+        const labelList& own = wall.parts[order[k]];
+        failures[order[k]] = lines.makeIsolated(own);
+        if (failures[order[k]].size())
+        {
+            lines.makeStraight(own);
+        }
     }
 
     failure = summary(wall.parts, failures);

@@ -60,7 +60,7 @@ envelopeRays::envelopeRays
 :
     wall_(context.wall),
     addressing_(context.addressing),
-    search_(context.search),
+    search_(context.search()),
     visibility_(context.visibility),
     wanted_(wanted),
     maxStretch_(maxStretch)

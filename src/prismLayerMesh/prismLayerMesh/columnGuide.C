@@ -103,7 +103,6 @@ static columnGuide fieldGuide
     guide.envelope = std::move(envelope);
     guide.blocks = blocksOf(context.wall, guide.envelope);
     const columnStarts starts(startsOf(front, guide.spacing));
-    const gradientLines straight(straightLines(front, starts));
     columnLines along;
 
     if (guide.blocks.empty() || keepStages)
@@ -134,12 +133,15 @@ static columnGuide fieldGuide
     else
     {
         guide.noField = guide.fields.failure;
-        guide.lines = straight;
+        guide.lines = straightLines(front, starts);
 
         return guide;
     }
 
-    guide.lines = straightened(front, straight, guide.spacing, along);
+    guide.lines = straightened
+    (
+        front, straightLines(front, starts), guide.spacing, along
+    );
 
     return guide;
 }

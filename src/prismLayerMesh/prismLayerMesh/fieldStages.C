@@ -287,7 +287,7 @@ levelSetLayers makeLevelSets
     {
         result.field = localField
         (
-            fields, feetOfPoints(mesh, context.search), energies, asked,
+            fields, feetOfPoints(mesh, context.search()), energies, asked,
             controls.field, reached
         );
     }

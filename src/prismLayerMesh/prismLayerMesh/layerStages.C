@@ -84,7 +84,7 @@ scalarField makeClearance
     (
         makeWallClearance
         (
-            front.surface, context.search, front.visibility,
+            front.surface, context.search(), front.visibility,
             2*controls.envelope.scale*front.ofColumns(heights.room),
             controls.layers.maxStretch
         )
@@ -131,17 +131,16 @@ madeLayers makeLayers
 )
 {
     observer.begin("prismLayers");
-    const layerSpacing ofColumns(spacing.at(front.wallPoints));
     layerMoveControls moves;
     moves.quality = quality;
-    madeLayers made(makePrismLayers(front, ofColumns, columns, moves));
+    madeLayers made(makePrismLayers(front, spacing, columns, moves));
 
     if (made.certified.pointsWithoutHeight.empty())
     {
         nameCauses
         (
             front, context.kinds, heights.request.at(front.wallPoints),
-            ofColumns, columns, made
+            spacing, columns, made
         );
     }
     observer.end(sizesOf(made));

@@ -14,10 +14,11 @@ namespace Foam
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- The mesh on a front with multiple normals at angles below one [deg], as far
-//  as layers are possible there
+//  as layers are possible there. Unless the stages are kept, the context is
+//  dropped on the way.
 static prismLayerMesh makeLayersOnFront
 (
-    const wallContext& context,
+    wallContext& context,
     const wallHeights& heights,
     const scalar angle,
     const prismLayerControls& controls,
@@ -26,6 +27,7 @@ static prismLayerMesh makeLayersOnFront
 )
 {
     prismLayerMesh mesh;
+    context.complete();
     mesh.front = makeFront(context, angle, observer);
 
     if (mesh.front.pointsWithoutDirection.size())
@@ -49,7 +51,7 @@ static prismLayerMesh makeLayersOnFront
     (
         makeColumns(mesh.front, clearance, guide, controls.layers, observer)
     );
-    const layerSpacing spacing(guide.spacing);
+    const layerSpacing spacing(guide.spacing.at(mesh.front.wallPoints));
     mesh.noField = guide.noField;
 
     if (keepStages)
@@ -61,6 +63,8 @@ static prismLayerMesh makeLayersOnFront
     else
     {
         guide = columnGuide();
+        clearance.clear();
+        context.drop();
         returnMemory();
     }
 
@@ -93,7 +97,7 @@ prismLayerMesh makePrismLayerMesh
 )
 {
     observer.begin("wallVisibility");
-    const wallContext context(wall);
+    wallContext context(wall);
     observer.end(sizesOf(context.kinds));
 
     const wallHeights heights
@@ -115,6 +119,7 @@ prismLayerMesh makePrismLayerMesh
     }
     if (!hasLayers(mesh))
     {
+        context.complete();
         throw errorOfPoints(context, mesh.front, mesh.made.certified);
     }
 
@@ -125,16 +130,18 @@ prismLayerMesh makePrismLayerMesh
         mesh.made.layers,
         layerGeometry(mesh.made.layers, mesh.front.addressing), mesh.bounds
     );
-    mesh.addressing = context.addressing;
     mesh.pointKinds = context.kinds;
     mesh.heights = heights;
 
     if (keepStages)
     {
-        mesh.visibility = context.visibility;
+        mesh.addressing = std::move(context.addressing);
+        mesh.visibility = std::move(context.visibility);
     }
     else
     {
+        mesh.addressing = mesh.front.extraColumnPoints().empty()
+          ? mesh.front.addressing : makeWallAddressing(wall);
         mesh.front.visibility = wallVisibility();
     }
 

@@ -51,8 +51,8 @@ void layerGeometry::join(const edge& e, const label a, const label b)
     {
         const label k = from.edgeDirection(e) > 0
           ? from.find(e.start()) : from.find(e.end());
-        across_[facei][k] = other;
-        wallCosines_[facei][k] = cosine;
+        across_[starts_[facei] + k] = other;
+        wallCosines_[starts_[facei] + k] = cosine;
     };
 
     set(f, a, b);
@@ -69,17 +69,16 @@ layerGeometry::layerGeometry
 )
 :
     layers_(layers),
-    across_(layers.faces.size()),
-    wallCosines_(layers.faces.size()),
+    starts_(layers.faces.size() + 1, Zero),
     centres_(layers.faces.size()*layers.nLayers),
     volumes3_(centres_.size())
 {
-    forAll(across_, facei)
+    forAll(layers.faces, facei)
     {
-        const label n = layers.faces[facei].size();
-        across_[facei].setSize(n, -1);
-        wallCosines_[facei].setSize(n, GREAT);
+        starts_[facei + 1] = starts_[facei] + layers.faces[facei].size();
     }
+    across_.setSize(starts_.last(), -1);
+    wallCosines_.setSize(starts_.last(), GREAT);
 
     // Each edge has places of its own in both of its faces
     #pragma omp parallel for schedule(static, 256)
@@ -113,11 +112,11 @@ labelList layerGeometry::withNeighbours(const labelUList& faces) const
     DynamicList<label> all(faces);
     for (const label facei : faces)
     {
-        for (const label other : across_[facei])
+        forAll(layers_.faces[facei], k)
         {
-            if (other >= 0)
+            if (across(facei, k) >= 0)
             {
-                all.append(other);
+                all.append(across(facei, k));
             }
         }
     }
@@ -141,8 +140,9 @@ bool layerGeometry::isOfWall
         centres(across(facei, k))[i - 1] - centres(facei)[i - 1]
     );
 
-    return wallCosines_[facei][k] < 1
-        && nonOrthoViolation(side.area, between, wallCosines_[facei][k]) <= 0;
+    const scalar cosine = wallCosines_[starts_[facei] + k];
+
+    return cosine < 1 && nonOrthoViolation(side.area, between, cosine) <= 0;
 }
 
 

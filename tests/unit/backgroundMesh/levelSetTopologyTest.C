@@ -265,7 +265,7 @@ TEST(splitWallBridges, secondTimeFindsNone)
     (
         splitWallBridges
         (
-            s.wall.faces, s.context.addressing.pointPoints, s.context.search,
+            s.wall.faces, s.context.addressing.pointPoints, s.context.search(),
             mesh
         ),
         0
@@ -355,7 +355,7 @@ TEST(splitSlitEdges, noneWithoutASlit)
     const stages s(testSurfaces::lBlock(6), 5, 0.15);
     backgroundMesh mesh(s.background());
 
-    EXPECT_EQ(splitSlitEdges(s.context.search, mesh), 0);
+    EXPECT_EQ(splitSlitEdges(s.context.search(), mesh), 0);
 }
 
 

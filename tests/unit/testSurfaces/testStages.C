@@ -24,7 +24,7 @@ Foam::testSurfaces::stages::stages
         makeWallClearance
         (
             wall,
-            context.search,
+            context.search(),
             context.visibility,
             scalarField(2*envelopeControls().scale*spacing.thickness)
         )
