@@ -189,7 +189,7 @@ static columnGuide levelSetGuide
 
 columnGuide makeColumnGuide
 (
-    const wallContext& context,
+    wallContext& context,
     const wallHeights& heights,
     const layerFront& front,
     const scalarField& clearance,
@@ -212,6 +212,12 @@ columnGuide makeColumnGuide
             context, heights.room, front.smallest(clearance), controls, observer
         )
     );
+
+    if (!keepStages && !layers.onLevelSets)
+    {
+        // Not for the processes that make lines
+        context.visibility = wallVisibility();
+    }
 
     return layers.onLevelSets
       ? levelSetGuide
