@@ -178,7 +178,7 @@ offsetEnvelope makeOffsetEnvelope
         rays.addLongEdges(p, r);
     }
 
-    const sheetMaker maker{wall, context.search, rays, closeness};
+    const sheetMaker maker{wall, context.search(), rays, closeness};
     const auto onOuter = [&](const envelopeRay& r) { return !atTip[r.p]; };
     maker.addSheet(1, mesh.radiusEdgeRatio, onOuter, envelope);
     envelope.nEnvelope = envelope.points.size();
