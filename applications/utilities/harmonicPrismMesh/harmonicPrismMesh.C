@@ -341,7 +341,10 @@ int main(int argc, char *argv[])
     const fileNameList surfaces(files.surfaceFiles(controls.surface));
     const fileName preparedFile(files.preparedFile(surfaces));
     stageLog log;
-    preparedWall given(readWall(surfaces, controls, checkOnly, log));
+    preparedWall given
+    (
+        readWall(surfaces, controls, checkOnly, runTime, log)
+    );
 
     if (checkOnly)
     {

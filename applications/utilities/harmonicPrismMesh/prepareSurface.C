@@ -201,6 +201,7 @@ void remesh
 (
     const wallSurfaceControls& controls,
     preparedSurface& prepared,
+    const Time& time,
     stageLog& log
 )
 {
@@ -210,7 +211,15 @@ void remesh
     }
 
     log.begin("surfaceRemesh");
-    remeshedSurface remeshed(remeshSurface(prepared.surface, controls.remesh));
+    PtrList<regionSearch> regions;
+    for (const edgeRegion& region : controls.remesh.regions)
+    {
+        regions.append(new regionSearch(region, time));
+    }
+    remeshedSurface remeshed
+    (
+        remeshSurface(prepared.surface, controls.remesh, regions)
+    );
     const scalar size = boundBox(remeshed.surface.points, false).mag();
     for (const sidePatch& plane : controls.sidePlanes)
     {

@@ -156,6 +156,7 @@ preparedWall readWall
     const fileNameList& surfaceFiles,
     const prismLayerControls& controls,
     const bool wantsAdvice,
+    const Time& time,
     stageLog& log
 )
 {
@@ -191,7 +192,7 @@ preparedWall readWall
         return result;
     }
 
-    remesh(onSides, result.prepared, log);
+    remesh(onSides, result.prepared, time, log);
     result.wall = takeWall(surface, onSides, controls.layers, reading, log);
     renumberWall(result.wall);
 

@@ -9,6 +9,7 @@
 #include "readFarFieldControls.H"
 #include "readLayerControls.H"
 #include "readRegions.H"
+#include "readRemeshControls.H"
 
 namespace Foam
 {
@@ -112,30 +113,6 @@ static surfaceRepairControls readRepair(const dictionary& dict)
 }
 
 
-static surfaceRemeshControls readRemesh(const dictionary& surface)
-{
-    const dictionary& dict = optionalDict(surface, "remesh");
-    checkKeys
-    (
-        dict, {"maxEdge", "minEdge", "deviation", "featureAngle", "growthRate"}
-    );
-
-    surfaceRemeshControls controls;
-    controls.active = surface.found("remesh");
-    readBounded(dict, "maxEdge", SMALL, GREAT, controls.maxEdge);
-    readBounded
-    (
-        dict, "minEdge", SMALL,
-        controls.maxEdge > 0 ? controls.maxEdge : GREAT, controls.minEdge
-    );
-    readBounded(dict, "deviation", SMALL, GREAT, controls.deviation);
-    readBounded(dict, "featureAngle", 1, 90, controls.featureAngle);
-    readBounded(dict, "growthRate", 1.01, 2, controls.growthRate);
-
-    return controls;
-}
-
-
 static wallSurfaceControls readSurface(const dictionary& dict)
 {
     checkKeys
@@ -160,7 +137,7 @@ static wallSurfaceControls readSurface(const dictionary& dict)
     readBounded(dict, "mergeTolerance", 0, 1e-3, controls.mergeTolerance);
     controls.cad = readCad(optionalDict(dict, "cad"));
     controls.repair = readRepair(dict);
-    controls.remesh = readRemesh(dict);
+    controls.remesh = readRemeshControls(dict);
 
     return controls;
 }

@@ -16,6 +16,7 @@ void givenSurface::setLines(const wallSides& sides, const scalar minCos)
     FixedList<label, 3> none(-1);
     neighbours_ = List<FixedList<label, 3>>(faces.size(), none);
     DynamicList<edge> lines;
+    DynamicList<scalar> cosines;
 
     for (label e = 0; e < sides.nEdges(); ++e)
     {
@@ -26,18 +27,21 @@ void givenSurface::setLines(const wallSides& sides, const scalar minCos)
         if (all.size() != 2)
         {
             lines.append(both);
+            cosines.append(1);
             continue;
         }
 
         const wallSide& b = all[1];
+        const scalar cosine = normals_[a.facei] & normals_[b.facei];
         if
         (
             surface_.patchIDs[a.facei] != surface_.patchIDs[b.facei]
          || faces[a.facei].size() != 3 || faces[b.facei].size() != 3
-         || (normals_[a.facei] & normals_[b.facei]) < minCos
+         || cosine < minCos
         )
         {
             lines.append(both);
+            cosines.append(cosine);
             continue;
         }
         neighbours_[a.facei][faces[a.facei].edges().find(both)] = b.facei;
@@ -45,6 +49,7 @@ void givenSurface::setLines(const wallSides& sides, const scalar minCos)
     }
 
     lines_ = std::move(lines);
+    lineCosines_ = scalarField(std::move(cosines));
 }
 
 

@@ -49,9 +49,11 @@ static surfaceRemeshControls withDefaults
 static wallSurface trianglesOf
 (
     const wallSurface& surface,
-    const surfaceRemeshControls& controls
+    const surfaceRemeshControls& controls,
+    const edgeBounds& bounds
 )
 {
+    const scalarField longest(bounds.atPoints(surface));
     wallSurface result(surface);
     DynamicList<face> faces;
     DynamicList<label> patchIDs;
@@ -64,7 +66,8 @@ static wallSurface trianglesOf
         {
             const scalar length = e.mag(surface.points);
             isKept = isKept
-             && length >= controls.minEdge && length <= controls.maxEdge;
+             && length >= controls.minEdge
+             && length <= min(longest[e.start()], longest[e.end()]);
         }
 
         if (isKept)
@@ -240,11 +243,12 @@ static remeshedSurface remeshed
 (
     const wallSurface& triangles,
     const nearestSurface& search,
-    const surfaceRemeshControls& controls
+    const surfaceRemeshControls& controls,
+    const edgeBounds& bounds
 )
 {
     givenSurface shape(triangles, controls.featureAngle, controls.deviation);
-    autoPtr<remesher> mesher(new remesher(shape, controls));
+    autoPtr<remesher> mesher(new remesher(shape, controls, bounds));
     mesher->remesh();
     remeshedSurface result(resultOf(mesher()));
     labelList conflicts(facesInConflict(result.surface));
@@ -275,7 +279,7 @@ static remeshedSurface remeshed
         if (faces.size())
         {
             // Changes of few triangles do not always take them apart
-            mesher.reset(new remesher(shape, controls));
+            mesher.reset(new remesher(shape, controls, bounds));
             mesher->remesh();
         }
         else
@@ -302,17 +306,20 @@ static remeshedSurface remeshed
 remeshedSurface remeshSurface
 (
     const wallSurface& surface,
-    const surfaceRemeshControls& given
+    const surfaceRemeshControls& given,
+    const PtrList<regionSearch>& regions
 )
 {
     const surfaceRemeshControls controls
     (
         withDefaults(given, boundBox(surface.points, false).mag())
     );
-    const wallSurface triangles(trianglesOf(surface, controls));
+    const edgeBounds bounds(surface, controls, regions);
+    const wallSurface triangles(trianglesOf(surface, controls, bounds));
     const nearestSurface search(triangles);
 
-    remeshedSurface result(remeshed(triangles, search, controls));
+    remeshedSurface result(remeshed(triangles, search, controls, bounds));
+    bounds.requirePointsInRegions(result.surface);
     result.distance = distanceTo(search, result.surface);
     result.distanceOfGiven =
         distanceTo(nearestSurface(result.surface), surface);

@@ -38,25 +38,51 @@ static constexpr label nImprovements = 4;
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+scalar remesher::lengthAt(const Vertex v, const scalarField& limits) const
+{
+    scalar length = GREAT;
+    for (const Halfedge h : edited_.halfedgesFrom(v))
+    {
+        const Face f = mesh_.face(h);
+        if (edited_.isTriangle(f))
+        {
+            length = min(length, limits[edited_.nearest(f)]);
+            length = min(length, perWidth*edited_.width(f));
+        }
+    }
+
+    return max(length, controls_.minEdge);
+}
+
+
+scalar remesher::sharpBound(const Vertex v) const
+{
+    const scalar cosine = Foam::cos(degToRad(controls_.sharpAngle));
+    for (const Halfedge h : edited_.halfedgesFrom(v))
+    {
+        const label line = edited_.line(mesh_.edge(h));
+        if (line >= 0 && edited_.given().lineCosine(line) < cosine)
+        {
+            return controls_.sharpMaxEdge > 0 ? controls_.sharpMaxEdge : GREAT;
+        }
+    }
+
+    return GREAT;
+}
+
+
 void remesher::setLengths()
 {
     const scalarField limits(edited_.given().lengths());
+    const scalarField bounds(bounds_.atPoints(edited_.surface()));
     typedef std::pair<scalar, Vertex> entry;
     std::priority_queue<entry, std::vector<entry>, std::greater<entry>> queue;
 
+    label n = 0;
     for (const Vertex v : mesh_.vertices())
     {
-        scalar length = controls_.maxEdge;
-        for (const Halfedge h : edited_.halfedgesFrom(v))
-        {
-            const Face f = mesh_.face(h);
-            if (edited_.isTriangle(f))
-            {
-                length = min(length, limits[edited_.nearest(f)]);
-                length = min(length, perWidth*edited_.width(f));
-            }
-        }
-        edited_.lengths[v] = max(length, controls_.minEdge);
+        const scalar bound = min(bounds[n++], sharpBound(v));
+        edited_.lengths[v] = min(lengthAt(v, limits), bound);
         queue.emplace(edited_.lengths[v], v);
     }
 
@@ -214,10 +240,12 @@ void remesher::improve()
 remesher::remesher
 (
     const givenSurface& given,
-    const surfaceRemeshControls& controls
+    const surfaceRemeshControls& controls,
+    const edgeBounds& bounds
 )
 :
     controls_(controls),
+    bounds_(bounds),
     edited_(given),
     mesh_(edited_.mesh())
 {}

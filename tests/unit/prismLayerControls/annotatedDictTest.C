@@ -73,6 +73,11 @@ static std::vector<std::string> withUnknownKeys()
       + inLayers("regions { wake { geometry {} " + other + " } }"),
         surface + inLayers("fields { " + other + " }"),
         surface + inLayers("fields { thickness { " + other + " } }"),
+        "surface { file a; remesh { " + other + " } }",
+        "surface { file a; remesh { patches { wing { " + other + " } } } }",
+        "surface { file a; remesh { regions { nose { geometry {} " + other
+      + " } } } }",
+        "surface { file a; remesh { sharpEdges { " + other + " } } }",
         surface + layers + "envelope { " + other + " }",
         surface + layers + "backgroundMesh { " + other + " }",
         surface + layers + "field { " + other + " }",
