@@ -207,10 +207,11 @@ bool editedSurface::collapse(const Halfedge h, const scalar maxRatio)
     }
 
     std::vector<candidate> triangles(trianglesLeft(h));
-    if (!mayReplace(h, triangles))
+    if (!mayReplace(h, triangles) || (guard_ && !guard_->mayCollapse(h)))
     {
         return false;
     }
+    if (guard_) guard_->leaveAround(mesh_.source(h));
 
     const std::vector<std::pair<Vertex, label>> lines(joinedLines(h));
     const point x(at(u));
@@ -232,6 +233,7 @@ bool editedSurface::collapse(const Halfedge h, const scalar maxRatio)
         const Halfedge g =
             mesh_.halfedge(now(t.vertices[0]), now(t.vertices[1]));
         nearest_[mesh_.face(g)] = t.nearest;
+        if (guard_) guard_->enter(mesh_.face(g));
     }
     noteChange(left);
 

@@ -223,7 +223,7 @@ bool editedSurface::isAsBefore(const Vertex v) const
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-editedSurface::editedSurface(const givenSurface& given)
+editedSurface::editedSurface(const givenSurface& given, const bool guarded)
 :
     given_(given)
 {
@@ -236,6 +236,8 @@ editedSurface::editedSurface(const givenSurface& given)
     notMoved_ = mesh_.add_property_map<Vertex, label>("v:tried", -1).first;
     patches_ = mesh_.add_property_map<Face, label>("f:patch", 0).first;
     fill();
+
+    guard_.reset(guarded ? new changeGuard(mesh_) : nullptr);
 }
 
 
@@ -316,7 +318,7 @@ wallSurface editedSurface::surface() const
 }
 
 
-edgeList editedSurface::features() const
+edgeList editedSurface::features(const scalar maxCosine) const
 {
     labelList labels(mesh_.num_vertices(), -1);
     label n = 0;
@@ -328,7 +330,7 @@ edgeList editedSurface::features() const
     DynamicList<edge> result;
     for (const Edge e : mesh_.edges())
     {
-        if (lines_[e] >= 0)
+        if (lines_[e] >= 0 && given_.lineCosine(lines_[e]) <= maxCosine)
         {
             const Halfedge h = mesh_.halfedge(e);
             result.append

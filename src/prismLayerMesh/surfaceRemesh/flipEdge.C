@@ -39,12 +39,15 @@ bool editedSurface::flip(const Edge e)
      || mesh_.halfedge(c, d) != Mesh::null_halfedge()
      || !isNear(first) || !isNear(second)
      || !isNear(at(c), at(d), first.nearest)
+     || (guard_ && !guard_->mayFlip(h))
     )
     {
         return false;
     }
 
+    if (guard_) guard_->leaveBeside(h);
     CGAL::Euler::flip_edge(h, mesh_);
+    if (guard_) guard_->enterBeside(h);
     ++nChanges_;
     for (const Vertex v : {a, b, c, d})
     {

@@ -41,7 +41,7 @@ void givenSurface::setLines(const wallSides& sides, const scalar minCos)
         )
         {
             lines.append(both);
-            cosines.append(cosine);
+            cosines.append(min(cosine, scalar(1)));
             continue;
         }
         neighbours_[a.facei][faces[a.facei].edges().find(both)] = b.facei;

@@ -92,6 +92,7 @@ point editedSurface::onSurface(const Vertex v, const point& x) const
 
 void editedSurface::move(const Vertex v, const point& x)
 {
+    if (guard_) guard_->leaveAround(v);
     mesh_.point(v) = x;
     changed_[v] = ++nChanges_;
     for (const Halfedge h : halfedgesFrom(v))
@@ -101,6 +102,7 @@ void editedSurface::move(const Vertex v, const point& x)
             tie(mesh_.face(h));
         }
     }
+    if (guard_) guard_->enterAround(v);
 }
 
 
@@ -108,12 +110,7 @@ void editedSurface::move(const Vertex v, const point& x)
 
 bool editedSurface::smooth(const Vertex v)
 {
-    if (kinds_[v] == kind::fixed)
-    {
-        return false;
-    }
-
-    if (isAsBefore(v))
+    if (kinds_[v] == kind::fixed || isAsBefore(v))
     {
         return false;
     }
@@ -136,7 +133,11 @@ bool editedSurface::smooth(const Vertex v)
         return false;
     }
     const scalar after = smallestAngle(v, x);
-    if (after < degToRad(enoughAngle) && after <= smallestAngle(v))
+    if
+    (
+        (after < degToRad(enoughAngle) && after <= smallestAngle(v))
+     || (guard_ && !guard_->mayMove(v, x))
+    )
     {
         return false;
     }
@@ -179,7 +180,7 @@ bool editedSurface::optimise(const Vertex v)
         }
     }
 
-    if (best <= before)
+    if (best <= before || (guard_ && !guard_->mayMove(v, place)))
     {
         return false;
     }

@@ -9,8 +9,8 @@
 #include "autoPtr.H"
 #include "boundBox.H"
 #include "cutSurface.H"
+#include "edgeHashes.H"
 #include "triFace.H"
-#include "unitConversion.H"
 #include "wallSides.H"
 
 namespace Foam
@@ -18,11 +18,9 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Angle between faces at an edge [deg] below which they are folded
-static constexpr scalar foldAngle = 0.5;
-
 //- Rounds in which the surface is kept nearer to the given one where its faces
-//  would intersect or are folded, or where it is too far away
+//  intersect or are folded, or where it is too far away. After faces that
+//  intersect or are folded, changes are guarded.
 static constexpr label maxRounds = 8;
 
 
@@ -91,21 +89,31 @@ static wallSurface trianglesOf
 }
 
 
-//- Faces that are folded onto a neighbour: a fin as thin as the deviation may
-//  lose all of its thickness, and with it the room for layers at its points
-static labelList foldedFaces(const wallSurface& surface)
+//- The given faces, and those that are folded onto a neighbour though the given
+//  surface is not folded there: a fin as thin as the deviation may lose all of
+//  its thickness, and with it the room for layers at its points
+static labelList withFolded
+(
+    const labelUList& faces,
+    const remesher& mesher,
+    const wallSurface& surface
+)
 {
-    static const scalar smallest = -Foam::cos(degToRad(foldAngle));
+    const edgeHashSet foldedBefore(mesher.edited().features(foldCosine()));
     const vectorField normals(surface.faceNormals());
     const wallSides all(makeWallSides(surface.faces, surface.points.size()));
-    DynamicList<label> folded;
+    DynamicList<label> folded(faces);
 
     for (label e = 0; e < all.nEdges(); ++e)
     {
         const label first = all.on(e)[0].facei;
+        if (foldedBefore.found(edge(all.on(e)[0].low, all.on(e)[0].high)))
+        {
+            continue;
+        }
         for (const wallSide& other : all.on(e))
         {
-            if ((normals[first] & normals[other.facei]) < smallest)
+            if ((normals[first] & normals[other.facei]) < foldCosine())
             {
                 folded.append(first);
                 folded.append(other.facei);
@@ -248,11 +256,12 @@ static remeshedSurface remeshed
 )
 {
     givenSurface shape(triangles, controls.featureAngle, controls.deviation);
-    autoPtr<remesher> mesher(new remesher(shape, controls, bounds));
+    bool guarded = false;
+    autoPtr<remesher> mesher(new remesher(shape, controls, bounds, guarded));
     mesher->remesh();
     remeshedSurface result(resultOf(mesher()));
     labelList conflicts(facesInConflict(result.surface));
-    labelList folded(foldedFaces(result.surface));
+    labelList faces(withFolded(conflicts, mesher(), result.surface));
 
     // The last without intersections, which a round for distances may bring
     remeshedSurface valid;
@@ -261,8 +270,6 @@ static remeshedSurface remeshed
     {
         const wallSurface& surface = result.surface;
         const labelList nearest(mesher->edited().nearestFaces());
-        labelList faces(conflicts);
-        faces.append(folded);
         labelHashSet tightened(trianglesNear(shape, surface, nearest, faces));
         tightened |= trianglesAway(shape, search, surface, nearest, controls);
 
@@ -276,10 +283,11 @@ static remeshedSurface remeshed
         {
             shape.tighten(t);
         }
-        if (faces.size())
+        if (faces.size() && !guarded)
         {
-            // Changes of few triangles do not always take them apart
-            mesher.reset(new remesher(shape, controls, bounds));
+            // Guarded changes take longer, and few surfaces need them
+            guarded = true;
+            mesher.reset(new remesher(shape, controls, bounds, guarded));
             mesher->remesh();
         }
         else
@@ -288,7 +296,7 @@ static remeshedSurface remeshed
         }
         result = resultOf(mesher());
         conflicts = facesInConflict(result.surface);
-        folded = foldedFaces(result.surface);
+        faces = withFolded(conflicts, mesher(), result.surface);
     }
 
     if (conflicts.size() && valid.surface.faces.size())

@@ -241,12 +241,13 @@ remesher::remesher
 (
     const givenSurface& given,
     const surfaceRemeshControls& controls,
-    const edgeBounds& bounds
+    const edgeBounds& bounds,
+    const bool guarded
 )
 :
     controls_(controls),
     bounds_(bounds),
-    edited_(given),
+    edited_(given, guarded),
     mesh_(edited_.mesh())
 {}
 

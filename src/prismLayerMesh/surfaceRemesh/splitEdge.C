@@ -33,9 +33,9 @@ void editedSurface::divide(const Halfedge a, const Halfedge b)
     {
         nearest_[f] = nearest_[old];
         patches_[f] = patches_[old];
+        tie(f);
     }
-    tie(mesh_.face(h));
-    tie(mesh_.face(mesh_.opposite(h)));
+    if (guard_) guard_->enterBeside(h);
 }
 
 
@@ -98,7 +98,7 @@ bool editedSurface::split(const Edge e)
 
     label line;
     const point x(middleOf(e, line));
-    if (!splits(e, x))
+    if (!splits(e, x) || (guard_ && !guard_->maySplit(mesh_.halfedge(e), x)))
     {
         return false;
     }
@@ -106,6 +106,7 @@ bool editedSurface::split(const Edge e)
     const Halfedge h = mesh_.halfedge(e);
     const Vertex a = mesh_.source(h);
     const Vertex b = mesh_.target(h);
+    if (guard_) guard_->leaveBeside(h);
     const Halfedge before = CGAL::Euler::split_edge(h, mesh_);
     const Halfedge after = mesh_.next(before);
     const Vertex v = mesh_.target(before);
