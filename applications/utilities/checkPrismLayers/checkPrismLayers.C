@@ -34,6 +34,9 @@ Usage
       - \par -layers \<n\>
         Ask for n layers on every face of the walls
 
+      - \par -version
+        Print the version, and do nothing else
+
       - \par -writeSets
         Write the cells that are not positive as cellSet nonPositiveCells
 
@@ -45,6 +48,7 @@ Usage
 #include "polyMesh.H"
 #include "wallPolyPatch.H"
 #include "certificateLog.H"
+#include "pluginVersion.H"
 #include "prismPolyMesh.H"
 
 using namespace Foam;
@@ -80,6 +84,7 @@ static void addOptions()
     (
         "layers", "n", "Ask for n layers on every face of the walls"
     );
+    argList::addBoolOption("version", "Print the version, do nothing else");
     argList::addBoolOption
     (
         "writeSets", "Write the cells that are not positive as a cellSet"
@@ -237,6 +242,10 @@ static labelList outerPatches
 
 int main(int argc, char *argv[])
 {
+    if (versionIsAsked(argc, argv))
+    {
+        return 0;
+    }
     addOptions();
 
     #include "setRootCase.H"

@@ -13,9 +13,9 @@ Description
     wall surface, certified; with a far field all of the mesh.
 
     Reads system/harmonicPrismMeshDict and the surface in constant/triSurface
-    that it names; writes constant/polyMesh, constant/triSurface/layerOuter.obj
-    and postProcessing/harmonicPrismMesh/report. The wall is closed, or ends on
-    side patches; constant/triSurface/sides.obj has what layers leave of them.
+    that it names. Writes constant/polyMesh, constant/triSurface/layerOuter.obj,
+    postProcessing/harmonicPrismMesh/report, and, if the wall ends on side
+    patches, constant/triSurface/sides.obj.
 
 Usage
     \b harmonicPrismMesh [OPTIONS]
@@ -34,18 +34,19 @@ Usage
         Say what is wrong with the surface, write nothing
 
       - \par -prepareSurface
-        Repair the surface as surface.repair says, give it new triangles as
-        surface.remesh says, and write it to
-        constant/triSurface/<name>.prepared.obj, but no mesh
+        Repair and remesh the surface, as surface.repair and surface.remesh say,
+        and write it to constant/triSurface/<name>.prepared.obj, but no mesh
 
       - \par -parallel
         Write the mesh in pieces, one for each process, as
         system/decomposeParDict says, never divided through a stack of cells
 
+      - \par -version
+        Print the version, and do nothing else
+
       - \par -writeFields
-        Write VTK files of the envelope, the background mesh with its fields,
-        the columns, the layers, and the wall with what was reached on it; how
-        even the level sets of the field are
+        Write VTK files of wall, layers, columns, envelope and background mesh,
+        and how even the level sets of the field are
 
 \*---------------------------------------------------------------------------*/
 
@@ -55,6 +56,7 @@ Usage
 #include "layerStages.H"
 #include "layerSurfaces.H"
 #include "OSspecific.H"
+#include "pluginVersion.H"
 #include "readDomain.H"
 #include "readLocalHeights.H"
 #include "readPrismLayerControls.H"
@@ -75,10 +77,9 @@ static void addOptions()
     argList::noCheckProcessorDirectories();
     argList::addNote
     (
-        "Make n layers of prisms on all of a wall surface: the boundary-layer"
-        " region of a mesh, or with a far field all of it.\n"
-        "Reads system/harmonicPrismMeshDict and the surface that it names;"
-        " writes\n"
+        "Make n layers of prisms on all of a wall surface, and on request the"
+        " rest of the mesh.\n"
+        "Reads system/harmonicPrismMeshDict and its surface. Writes\n"
         "  constant/polyMesh\n"
         "  constant/triSurface/layerOuter.obj, and sides.obj where the wall"
         " ends\n"
@@ -102,6 +103,7 @@ static void addOptions()
         "Repair and remesh the surface, write it, <name>.prepared.obj, and no"
         " mesh"
     );
+    argList::addBoolOption("version", "Print the version, do nothing else");
     argList::addBoolOption
     (
         "writeFields",
@@ -285,6 +287,23 @@ static void meshWall
 }
 
 
+//- Writes the surface alone
+static void writePrepared
+(
+    const caseWriter& writer,
+    const fileName& file,
+    const wallSurface& surface
+)
+{
+    replaceFiles([&](replacedFiles& replaced)
+    {
+        writer.writeSurface(file, surface, replaced);
+    });
+    logPatches(surface);
+    Info<< nl << "Surface: " << file << nl << endl;
+}
+
+
 //- Say whether the surface can be meshed, and end the run: with 1 if not
 static void endCheck
 (
@@ -312,19 +331,24 @@ static void requireOneProcess(const parallelRun& parallel, const bool isForOne)
     if (parallel.isParallel() && isForOne)
     {
         FatalErrorInFunction
-            << "-checkSurface and -prepareSurface are for one process, without"
-            << " -parallel" << exit(FatalError);
+            << "-checkSurface and -prepareSurface run without -parallel"
+            << exit(FatalError);
     }
 }
 
 
 int main(int argc, char *argv[])
 {
+    if (versionIsAsked(argc, argv))
+    {
+        return 0;
+    }
     addOptions();
 
     #include "setRootCase.H"
     #include "createTime.H"
 
+    Info<< "harmonicPrismMesh " << pluginVersion << nl << endl;
     const prismCase files(args, runTime);
     const parallelRun parallel(runTime);
     const caseWriter writer(files, parallel, runTime);
@@ -359,12 +383,7 @@ int main(int argc, char *argv[])
     }
     else if (prepareOnly)
     {
-        replaceFiles([&](replacedFiles& replaced)
-        {
-            writer.writeSurface(preparedFile, given.prepared.surface, replaced);
-        });
-        logPatches(given.prepared.surface);
-        Info<< nl << "Surface: " << preparedFile << nl << endl;
+        writePrepared(writer, preparedFile, given.prepared.surface);
     }
     else
     {

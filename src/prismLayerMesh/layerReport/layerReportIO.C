@@ -5,6 +5,7 @@
 
 #include "layerReport.H"
 #include "faceQualityReport.H"
+#include "pluginVersion.H"
 #include "Switch.H"
 
 namespace Foam
@@ -159,6 +160,7 @@ dictionary toDictionary(const layerReport& report)
     }
 
     dictionary dict;
+    dict.add("version", string(pluginVersion));
     dict.add("wall", wall);
     dict.add("certificate", certificate);
     dict.add("allPatches", toDictionary(report.wall));
