@@ -276,7 +276,9 @@ void writeFailedPoints(const fileName& file, const wallPointsError& failure)
     }
 
     const labelList& labels = failure.labels();
-    grid.pointFields.add("wallPoint", scalarList(labels.begin(), labels.end()));
+    scalarField wallPoints(labels.size());
+    std::copy(labels.begin(), labels.end(), wallPoints.begin());
+    grid.pointFields.add("wallPoint", wallPoints);
     writeVtk(file, grid);
 }
 

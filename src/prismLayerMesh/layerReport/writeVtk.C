@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "writeVtk.H"
-#include "endian.H"
 #include "error.H"
 #include "tensor.H"
 
@@ -32,7 +31,7 @@ static void writeNumbers(std::ostream& os, const UList<Type>& values)
         char digits[sizeof(Number)];
         std::memcpy(digits, &number, sizeof(Number));
 
-        #ifdef WM_LITTLE_ENDIAN
+        #if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
         std::reverse(std::begin(digits), std::end(digits));
         #endif
 
