@@ -5,7 +5,6 @@
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
-#include <CGAL/Polygon_mesh_processing/internal/Snapping/snap.h>
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
@@ -15,6 +14,7 @@
 #include "stitchSurface.H"
 #include "boundBox.H"
 #include "cgalMeshes.H"
+#include "snapBorders.H"
 
 namespace Foam
 {
@@ -85,15 +85,14 @@ void closeGaps
     repairSteps& steps
 )
 {
+    gapMesh triangles;
+    addFaces(surface, triangles);
+    PMP::triangulate_faces(triangles);
+    setFaces(triangles, surface);
+    snapBorders(surface, gap);
+
     gapMesh mesh;
     addFaces(surface, mesh);
-    PMP::triangulate_faces(mesh);
-
-    auto gaps = mesh.add_property_map<gapMesh::Vertex_index, double>
-    (
-        "v:gap", gap
-    ).first;
-    PMP::experimental::snap_borders(mesh, gaps);
     addStep
     (
         steps, "edges with one face joined across gaps",
