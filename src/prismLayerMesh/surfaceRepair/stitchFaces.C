@@ -102,7 +102,9 @@ void mergeEqualPoints(wallSurface& surface, repairSteps& steps)
     forAll(surface.faces, facei)
     {
         const cgalPolygon& polygon = polygons[facei];
-        surface.faces[facei] = face(labelList(polygon.begin(), polygon.end()));
+        face& f = surface.faces[facei];
+        f.setSize(polygon.size());
+        std::copy(polygon.begin(), polygon.end(), f.begin());
     }
 }
 
