@@ -9,25 +9,85 @@
 
 #include <sstream>
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Seconds from one line of progress of a stage to the next
+static constexpr double progressInterval = 5;
+
+
+static std::string heading(const Foam::word& stage)
+{
+    return stage + std::string(18 - stage.size(), ' ');
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::stageLog::stageLog()
+{
+    listenToProgress([this](const progressStep& step) { tell(step); });
+}
+
+
+Foam::stageLog::~stageLog()
+{
+    listenToProgress({});
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::stageLog::tell(const progressStep& step)
+{
+    const double seconds = clock_.elapsedTime();
+    if (seconds < nextProgress_)
+    {
+        return;
+    }
+    nextProgress_ = seconds + progressInterval;
+
+    std::ostringstream line;
+    line<< (isInterrupted_ ? "" : "\n") << "    " << step.what;
+
+    if (step.done)
+    {
+        line<< ' ' << step.done;
+    }
+    if (step.total)
+    {
+        line<< " of " << step.total;
+    }
+    line<< (*step.what ? ", " : "") << label(seconds) << " s\n";
+
+    Info<< line.str().c_str() << flush;
+    isInterrupted_ = true;
+}
+
 
 void Foam::stageLog::begin(const word& stage)
 {
     // The line is visible while the stage runs
-    Info<< stage.c_str() << std::string(18 - stage.size(), ' ').c_str()
-        << flush;
+    Info<< heading(stage).c_str() << flush;
 
     costs_.append(stageCost());
     costs_.last().stage = stage;
-    clock_.timeIncrement();
+    clock_.resetTime();
+    nextProgress_ = progressInterval;
+    isInterrupted_ = false;
+    tellProgress("");
 }
 
 
 void Foam::stageLog::end(const string& sizes)
 {
     stageCost& cost = costs_.last();
-    cost.seconds = clock_.timeIncrement();
+    cost.seconds = clock_.elapsedTime();
     cost.peakMemory = peakMemory();
+
+    if (isInterrupted_)
+    {
+        Info<< heading(cost.stage).c_str();
+    }
 
     // The seconds are on the first line
     const auto lineEnd = sizes.find('\n');

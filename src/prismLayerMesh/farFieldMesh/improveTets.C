@@ -5,6 +5,7 @@
 
 #include "improveTets.H"
 #include "farFieldMeshControls.H"
+#include "stageProgress.H"
 #include "tetAddressing.H"
 #include "tetImprover.H"
 
@@ -20,6 +21,10 @@ void improveTets(const neighbourCells& neighbours, farFieldTets& mesh)
 
     for (label pass = 0; better && pass < farFieldTuned.maxPasses; ++pass)
     {
+        tellProgress
+        (
+            "improving tetrahedra, pass", pass + 1, farFieldTuned.maxPasses
+        );
         better = improver.improve();
     }
 

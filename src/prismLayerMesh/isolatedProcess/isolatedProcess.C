@@ -5,6 +5,7 @@
 
 #include "isolatedProcess.H"
 #include "error.H"
+#include "stageProgress.H"
 
 #include <cerrno>
 #include <cfenv>
@@ -12,6 +13,7 @@
 #include <fcntl.h>
 #include <mutex>
 #include <omp.h>
+#include <poll.h>
 #include <set>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -110,6 +112,8 @@ static void closeEnd(std::FILE* in)
         std::signal(sig, SIG_DFL);
     }
 
+    forgetProgress();
+
     // The threads of OpenMP have stayed in the parent
     omp_set_num_threads(1);
 
@@ -165,6 +169,12 @@ processEnd isolatedProcess
     if (child == 0)
     {
         runChild(work, cpuSeconds, end);
+    }
+
+    pollfd first{end, POLLIN, 0};
+    while (::poll(&first, 1, 1000) == 0)
+    {
+        tellSameProgress();
     }
 
     std::FILE* in = ::fdopen(end, "rb");

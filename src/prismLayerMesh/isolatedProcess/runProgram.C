@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "runProgram.H"
+#include "stageProgress.H"
 
 #include <cerrno>
 #include <chrono>
@@ -105,6 +106,7 @@ static programEnd waitFor(const pid_t child, const double seconds)
 
             return programEnd::tooLong;
         }
+        tellSameProgress();
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
 

@@ -8,9 +8,11 @@
 #include "ListOps.H"
 #include "monotoneField.H"
 #include "returnMemory.H"
+#include "stageProgress.H"
 #include "throwingErrors.H"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 
 namespace Foam
@@ -333,6 +335,7 @@ columnLines makeColumnLines
         }
     );
 
+    std::atomic<label> nMade(0);
     #pragma omp parallel for schedule(dynamic, 1)
     forAll(order, k)
     {
@@ -342,6 +345,7 @@ columnLines makeColumnLines
         {
             lines.makeStraight(own);
         }
+        tellProgress("blocks of the field", ++nMade, order.size());
     }
 
     failure = summary(wall.parts, failures);

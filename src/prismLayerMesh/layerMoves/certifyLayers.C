@@ -8,6 +8,7 @@
 #include "retreatColumns.H"
 #include "turnColumns.H"
 #include "HashSet.H"
+#include "stageProgress.H"
 
 namespace Foam
 {
@@ -298,6 +299,7 @@ bool layerCertifier::makePositive()
     )
     {
         const labelList moving(editor_.layers().columnsOf(faulty));
+        tellProgress("moving columns with faulty cells", moving.size());
 
         if
         (
@@ -316,6 +318,7 @@ bool layerCertifier::makePositive()
 
 labelList layerCertifier::overlappingColumns()
 {
+    tellProgress("looking for intersections");
     const labelList moved(editor_.touchedSince(overlapsJudged_));
     overlapsJudged_ = editor_.now();
 

@@ -9,6 +9,7 @@
 #include "growColumns.H"
 #include "leanColumns.H"
 #include "limitHeightJumps.H"
+#include "stageProgress.H"
 #include "unitConversion.H"
 
 namespace Foam
@@ -116,6 +117,11 @@ struct improvement
     {
         for (label round = 0; round < editor.controls().maxRounds; ++round)
         {
+            tellProgress
+            (
+                "leaning and growing columns, round",
+                round + 1, editor.controls().maxRounds
+            );
             const labelList faces(beginRound());
             lean(faces);
             grow(faces);
@@ -133,6 +139,7 @@ struct improvement
 
     void fitAll()
     {
+        tellProgress("fitting thicknesses");
         fitThickness(editor);
         settle();
     }
@@ -244,6 +251,7 @@ void improvement::fitFirst()
 
     for (const scalar reach : editor.controls().reaches)
     {
+        tellProgress("fitting first heights");
         barred = false;
         fitFirstHeights(editor, wanted, reach);
         settle();
@@ -289,6 +297,7 @@ labelHashSet improvement::bendTo
             notBarredOf(stacksMissingTargets(geometry.now(), looked, bounds))
         );
         targets.keep(editor, columns);
+        tellProgress("bending columns", columns.size());
 
         const label then = editor.now();
         const labelList tried

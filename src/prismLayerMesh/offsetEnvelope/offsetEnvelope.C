@@ -8,6 +8,7 @@
 #include "limitGradient.H"
 #include "pointOrder.H"
 #include "sparsePoints.H"
+#include "stageProgress.H"
 #include "ListOps.H"
 
 #include <algorithm>
@@ -74,6 +75,7 @@ struct sheetMaker
         pointField points(rays.all().size());
         List<labelPair> sides(rays.all().size());
         boolList stands(rays.all().size(), false);
+        progressCounter counter("points of a sheet", rays.all().size());
 
         #pragma omp parallel for schedule(dynamic, 256)
         forAll(rays.all(), i)
@@ -88,6 +90,7 @@ struct sheetMaker
                     root, sheetControls::sideShare*height, points[i], sides[i]
                 )
              && !search.nearer(points[i], sheetControls::ownShare*height);
+            counter.countOne();
         }
         inplaceSubset(stands, points);
         inplaceSubset(stands, sides);

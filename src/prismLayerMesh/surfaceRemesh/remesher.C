@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "remesher.H"
+#include "stageProgress.H"
 #include "unitConversion.H"
 
 #include <algorithm>
@@ -180,6 +181,7 @@ void remesher::changeEdges(const label nRounds)
 {
     for (label round = 0; round < nRounds; ++round)
     {
+        tellProgress("remeshing, round", round + 1, nRounds);
         setLengths();
         split(longest);
         collapse();

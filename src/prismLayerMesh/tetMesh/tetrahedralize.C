@@ -8,6 +8,7 @@
 #include "error.H"
 #include "isolatedProcess.H"
 #include "orientation.H"
+#include "stageProgress.H"
 #include "tetgenRun.H"
 #include "triangleIndex.H"
 
@@ -107,6 +108,7 @@ static tetMesh attempts
 {
     for (label attempt = 0; attempt < tuned.maxAttempts; ++attempt)
     {
+        tellProgress("TetGen, points", domain.points.size());
         const tensor rotation(generalRotation(attempt));
         tetMesh mesh;
 

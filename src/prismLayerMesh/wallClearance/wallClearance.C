@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallClearance.H"
+#include "stageProgress.H"
 
 namespace Foam
 {
@@ -154,6 +155,7 @@ scalarField makeWallClearance
 )
 {
     scalarField clearance(wall.points.size());
+    progressCounter counter("room at points", clearance.size());
 
     #pragma omp parallel for schedule(dynamic, 64)
     for (label p = 0; p < clearance.size(); ++p)
@@ -165,6 +167,7 @@ scalarField makeWallClearance
             max(cone.cosine, 1/maxStretch)
         };
         clearance[p] = balls.room(reach[p]);
+        counter.countOne();
     }
 
     return clearance;

@@ -1,0 +1,103 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "stageProgress.H"
+
+#include <atomic>
+#include <chrono>
+#include <mutex>
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+typedef std::chrono::steady_clock progressClock;
+
+
+//- Who listens, and the last step that was told
+struct progressState
+{
+    std::atomic<bool> isHeard{false};
+    std::mutex lock;
+    std::function<void(const progressStep&)> listener;
+    progressStep last{"", 0, 0};
+    progressClock::time_point heard;
+};
+
+} // End anonymous namespace
+
+
+static progressState& state()
+{
+    static progressState all;
+
+    return all;
+}
+
+
+//- Calls the listener if a second has passed. The lock is held.
+static void pass(progressState& all)
+{
+    const auto now = progressClock::now();
+
+    if (all.listener && now - all.heard >= std::chrono::seconds(1))
+    {
+        all.heard = now;
+        all.listener(all.last);
+    }
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void listenToProgress(std::function<void(const progressStep&)> listener)
+{
+    progressState& all = state();
+    const std::lock_guard<std::mutex> guard(all.lock);
+    all.isHeard = bool(listener);
+    all.listener = std::move(listener);
+    all.last = progressStep{"", 0, 0};
+    all.heard = progressClock::time_point();
+}
+
+
+void forgetProgress()
+{
+    // Another thread may have had the lock when the process was copied
+    state().isHeard = false;
+}
+
+
+void tellProgress(const char* what, const label done, const label total)
+{
+    progressState& all = state();
+
+    if (all.isHeard)
+    {
+        const std::lock_guard<std::mutex> guard(all.lock);
+        all.last = progressStep{what, done, total};
+        pass(all);
+    }
+}
+
+
+void tellSameProgress()
+{
+    progressState& all = state();
+
+    if (all.isHeard)
+    {
+        const std::lock_guard<std::mutex> guard(all.lock);
+        pass(all);
+    }
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

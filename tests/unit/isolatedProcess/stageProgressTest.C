@@ -1,0 +1,160 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "isolatedProcess.H"
+#include "stageProgress.H"
+
+#include <chrono>
+#include <gtest/gtest.h>
+#include <string>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Notes what it hears, for as long as it lives
+struct heardSteps
+{
+    std::vector<std::string> all;
+
+    heardSteps()
+    {
+        listenToProgress([this](const progressStep& step)
+        {
+            all.push_back
+            (
+                step.what + std::to_string(step.done) + '/'
+              + std::to_string(step.total)
+            );
+        });
+    }
+
+    ~heardSteps() { listenToProgress({}); }
+};
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(stageProgress, isHeardOnceASecond)
+{
+    heardSteps heard;
+    const auto start = std::chrono::steady_clock::now();
+    label n = 0;
+
+    while (std::chrono::steady_clock::now() - start < std::chrono::seconds(2))
+    {
+        tellProgress("step ", ++n, 7);
+    }
+    const double seconds = std::chrono::duration<double>
+    (
+        std::chrono::steady_clock::now() - start
+    ).count();
+
+    ASSERT_GE(heard.all.size(), 2u);
+    EXPECT_LE(heard.all.size(), 1 + seconds);
+    EXPECT_EQ(heard.all.front(), "step 1/7");
+}
+
+
+TEST(stageProgress, isHeardByOneThreadAtATime)
+{
+    int nInside = 0;
+    int most = 0;
+    label nHeard = 0;
+    listenToProgress([&](const progressStep&)
+    {
+        most = std::max(most, ++nInside);
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+        --nInside;
+        ++nHeard;
+    });
+
+    std::vector<std::thread> threads;
+    for (label i = 0; i < 4; ++i)
+    {
+        threads.emplace_back([]
+        {
+            for (label k = 0; k < 1000; ++k)
+            {
+                tellProgress("step");
+            }
+        });
+    }
+    for (std::thread& thread : threads)
+    {
+        thread.join();
+    }
+    listenToProgress({});
+
+    EXPECT_EQ(most, 1);
+    EXPECT_GE(nHeard, 1);
+}
+
+
+TEST(stageProgress, goesOnWhileAnotherProcessWorks)
+{
+    heardSteps heard;
+    tellProgress("waiting ");
+    const auto work = [](std::FILE* out)
+    {
+        // Nobody hears this process
+        tellProgress("child ");
+        ::usleep(2500000);
+        std::fputc('x', out);
+    };
+    const auto read = [](std::FILE* in) { return std::fgetc(in) == 'x'; };
+
+    EXPECT_EQ(isolatedProcess(work, read), processEnd::complete);
+    ASSERT_GE(heard.all.size(), 2u);
+    for (const std::string& step : heard.all)
+    {
+        EXPECT_EQ(step, "waiting 0/0");
+    }
+}
+
+
+TEST(stageProgress, threadsCountTogether)
+{
+    heardSteps heard;
+    progressCounter counter("point ", 1024);
+
+    std::vector<std::thread> threads;
+    for (label i = 0; i < 4; ++i)
+    {
+        threads.emplace_back([&]
+        {
+            for (label k = 0; k < 64; ++k)
+            {
+                counter.countOne();
+            }
+        });
+    }
+    for (std::thread& thread : threads)
+    {
+        thread.join();
+    }
+
+    ASSERT_EQ(heard.all.size(), 1u);
+    EXPECT_EQ(heard.all.front(), "point 256/1024");
+}
+
+
+TEST(stageProgress, nobodyNeedsToListen)
+{
+    listenToProgress({});
+    EXPECT_NO_THROW(tellProgress("step", 1, 2));
+    EXPECT_NO_THROW(tellSameProgress());
+}
+
+
+// ************************************************************************* //
