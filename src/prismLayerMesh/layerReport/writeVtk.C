@@ -123,7 +123,8 @@ void vtkFields::add(const word& name, const UList<vector>& field)
 
 void vtkFields::add(const word& name, const UList<symmTensor>& field)
 {
-    const List<tensor> full(field.begin(), field.end());
+    List<tensor> full(field.size());
+    std::copy(field.begin(), field.end(), full.begin());
     fields.append(namedValues{name, 9, componentsOf(full)});
 }
 
