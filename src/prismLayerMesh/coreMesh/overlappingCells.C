@@ -28,7 +28,6 @@ const scalar treeDuplicity = 5;
 //- The cells of one region
 class regionCells
 {
-    const polyMesh& mesh_;
     boundBox box_;
     autoPtr<indexedOctree<treeDataCell>> tree_;
 
@@ -36,7 +35,6 @@ public:
 
     regionCells(const polyMesh& mesh, const labelList& cells)
     :
-        mesh_(mesh),
         box_(boundBox::invertedBox)
     {
         for (const label celli : cells)

@@ -46,7 +46,7 @@ Foam::vectorField Foam::scaledGradients
     const scalarField& field
 )
 {
-    return mesh.gaps*pointGradients(mesh, field);
+    return vectorField(mesh.gaps*pointGradients(mesh, field));
 }
 
 
