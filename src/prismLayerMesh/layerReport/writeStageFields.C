@@ -9,6 +9,7 @@
 #include "harmonicField.H"
 #include "levelSetReport.H"
 #include "OSspecific.H"
+#include "paraviewScript.H"
 #include "unitConversion.H"
 #include "wallPointsError.H"
 #include "writeVtk.H"
@@ -263,6 +264,7 @@ void writeStageFields
     }
 
     writeVtk(folder/"wall.vtk", onWall);
+    writeParaviewScript(folder/"show.py");
 }
 
 
