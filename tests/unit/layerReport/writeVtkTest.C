@@ -5,7 +5,6 @@
 
 
 #include "writeVtk.H"
-#include "endian.H"
 #include "error.H"
 #include "OSspecific.H"
 
@@ -55,7 +54,7 @@ class vtkFile
     {
         is_.read(bytes, size);
 
-        #ifdef WM_LITTLE_ENDIAN
+        #if __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
         std::reverse(bytes, bytes + size);
         #endif
     }
