@@ -31,7 +31,7 @@ static void log(const char* which, const surfaceMeasures& measures)
 
 static void log(const char* which, const surfaceDistance& distance)
 {
-    Info<< "    distance " << which << " the given surface: "
+    Info<< "    distance from the " << which << " surface: "
         << distance.largest << " m at most, at " << distance.place << ", mean "
         << distance.mean << " m" << nl;
 }
@@ -76,8 +76,8 @@ static dictionary measure(const char* which, const wallSurface& surface)
 template<class Changed>
 static dictionary compare(const wallSurface& given, const Changed& changed)
 {
-    log("from", changed.distance);
-    log("of", changed.distanceOfGiven);
+    log("new surface to the given", changed.distance);
+    log("given surface to the new", changed.distanceOfGiven);
 
     dictionary dict;
     dict.add("distanceFromGiven", toDictionary(changed.distance));

@@ -241,7 +241,7 @@ void write(Ostream& os, const farFieldReport& report)
     volumes.precision(3);
     volumes
         << "cells " << report.nCells << ", tetrahedra " << report.nTets
-        << "; volumes over that of the last layer: 1 % below "
+        << "; volumes over the last layer's: 1 % below "
         << report.volumeRatio.p1 << ", median " << report.volumeRatio.p50
         << ", 99 % below " << report.volumeRatio.p99;
 

@@ -67,9 +67,9 @@ static scalarField readHeights
     if (field.field.empty() && surface.files.size() > 1)
     {
         FatalErrorInFunction
-            << "The values of " << field.file << " are those of one surface"
-            << " file, but the wall has " << surface.files.size()
-            << "; give them in a VTK file" << exit(FatalError);
+            << field.file << " has values for one surface file, but the wall"
+            << " has " << surface.files.size() << " files: give the values in"
+            << " a VTK file" << exit(FatalError);
     }
 
     const surfaceValues source
@@ -85,8 +85,8 @@ static scalarField readHeights
     {
         FatalErrorInFunction
             << "The surface with values " << field.file << " is " << distance
-            << " m away from a point of the wall; is it that of another body,"
-            << " or in other units?" << exit(FatalError);
+            << " m away from a point of the wall. Does it belong to another"
+            << " body, or has it other units?" << exit(FatalError);
     }
 
     checkHeights(field, wall.points, heights);

@@ -87,10 +87,10 @@ void requireCountable
     {
         FatalErrorInFunction
             << "The faces of " << label(nLayers) << " layers would have "
-            << std::to_string(nCorners).c_str() << " corners, of which labels"
-            << " of " << label(8*sizeof(label)) << " bits count " << labelMax
-            << ": fewer layers or faces, or an OpenFOAM with WM_LABEL_SIZE=64"
-            << exit(FatalError);
+            << std::to_string(nCorners).c_str() << " corners. Labels of "
+            << label(8*sizeof(label)) << " bits count only " << labelMax
+            << ". Ask for fewer layers, use fewer faces, or an OpenFOAM with"
+            << " WM_LABEL_SIZE=64" << exit(FatalError);
     }
 }
 

@@ -101,9 +101,10 @@ static void dropPatchesOfWall(const wordList& wallPatches, farFieldMesh& far)
         else if (size)
         {
             FatalErrorInFunction
-                << "The mesh around the layers has a patch " << name
-                << ", as the wall has, of which " << size << " faces stay"
-                << nl << "Name one of them otherwise" << exit(FatalError);
+                << "The wall and the mesh around the layers both have a patch "
+                << name << ", and " << size << " faces of the mesh's patch"
+                << " stay." << nl << "Rename one of the patches"
+                << exit(FatalError);
         }
     }
 
