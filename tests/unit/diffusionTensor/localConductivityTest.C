@@ -52,7 +52,7 @@ static scalar conductivityBetween
     List<wallSearch::foot> feet(4);
     for (wallSearch::foot& foot : feet)
     {
-        foot.points = 0;
+        foot.points = label(0);
         foot.weights = scalar(0);
         foot.weights[0] = 1;
         foot.distance = 0.5*(depthA + depthB);

@@ -19,7 +19,10 @@ static List<sidePlane> cubePlanes()
 {
     const List<sidePatch> sides(sidesOf(boundBox(Zero, vector(1, 1, 1))));
 
-    return List<sidePlane>(sides.begin(), sides.end());
+    List<sidePlane> planes(sides.size());
+    std::copy(sides.begin(), sides.end(), planes.begin());
+
+    return planes;
 }
 
 
