@@ -135,7 +135,7 @@ void Foam::randomSurfaces::addNeedles(wallSurface& wall, Random& random)
         const label c = f.prevLabel(k);
         const vector along(wall.points[b] - wall.points[a]);
         const vector inward(wall.points[c] - wall.points[a]);
-        const scalar width = logUniform(random, 1e-9, 1e-3);
+        const scalar width = logUniform(random, 1e-7, 1e-3);
         const point off
         (
             wall.points[a] + 0.3*width*mag(along)*unitVector(random)
