@@ -287,23 +287,6 @@ static void meshWall
 }
 
 
-//- Writes the surface alone
-static void writePrepared
-(
-    const caseWriter& writer,
-    const fileName& file,
-    const wallSurface& surface
-)
-{
-    replaceFiles([&](replacedFiles& replaced)
-    {
-        writer.writeSurface(file, surface, replaced);
-    });
-    logPatches(surface);
-    Info<< nl << "Surface: " << file << nl << endl;
-}
-
-
 //- Say whether the surface can be meshed, and end the run: with 1 if not
 static void endCheck
 (
@@ -365,10 +348,7 @@ int main(int argc, char *argv[])
     const fileNameList surfaces(files.surfaceFiles(controls.surface));
     const fileName preparedFile(files.preparedFile(surfaces));
     stageLog log;
-    preparedWall given
-    (
-        readWall(surfaces, controls, checkOnly, runTime, log)
-    );
+    preparedWall given(readWall(surfaces, controls, checkOnly, runTime, log));
 
     if (checkOnly)
     {

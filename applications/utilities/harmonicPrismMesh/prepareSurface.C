@@ -7,6 +7,7 @@
 #include "boundBox.H"
 #include "cutSurface.H"
 #include "remeshSurface.H"
+#include "replacedFiles.H"
 #include "repairSurface.H"
 #include "splitAtSidePatches.H"
 #include "surfaceMeasures.H"
@@ -133,17 +134,7 @@ static dictionary logSteps(const repairSteps& steps)
 }
 
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
-string sizesOf(const wallSurface& surface)
-{
-    return name(surface.faces.size()) + " faces, "
-      + name(surface.points.size()) + " points, "
-      + name(surface.patchNames.size()) + " patches";
-}
-
-
-void logPatches(const wallSurface& surface)
+static void logPatches(const wallSurface& surface)
 {
     const List<patchMeasures> patches(measuresOfPatches(surface));
 
@@ -161,6 +152,32 @@ void logPatches(const wallSurface& surface)
         Info<< nl;
     }
     Info<< flush;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+string sizesOf(const wallSurface& surface)
+{
+    return name(surface.faces.size()) + " faces, "
+      + name(surface.points.size()) + " points, "
+      + name(surface.patchNames.size()) + " patches";
+}
+
+
+void writePrepared
+(
+    const caseWriter& writer,
+    const fileName& file,
+    const wallSurface& surface
+)
+{
+    replaceFiles([&](replacedFiles& replaced)
+    {
+        writer.writeSurface(file, surface, replaced);
+    });
+    logPatches(surface);
+    Info<< nl << "Surface: " << file << nl << endl;
 }
 
 
