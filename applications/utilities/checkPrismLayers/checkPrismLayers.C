@@ -45,6 +45,7 @@ Usage
 #include "argList.H"
 #include "cellSet.H"
 #include "Time.H"
+#include "waitPassively.H"
 #include "polyMesh.H"
 #include "wallPolyPatch.H"
 #include "certificateLog.H"
@@ -242,6 +243,7 @@ static labelList outerPatches
 
 int main(int argc, char *argv[])
 {
+    waitPassively(argv);
     if (versionIsAsked(argc, argv))
     {
         return 0;

@@ -65,6 +65,7 @@ Usage
 #include "returnMemory.H"
 #include "surfaceAdvice.H"
 #include "Time.H"
+#include "waitPassively.H"
 #include "wallPointsError.H"
 #include "writeStageFields.H"
 
@@ -320,8 +321,26 @@ static void requireOneProcess(const parallelRun& parallel, const bool isForOne)
 }
 
 
+//- Errors: FatalError if the surface has defects
+static void requireNoDefects
+(
+    const preparedWall& given,
+    const wallSurfaceControls& controls
+)
+{
+    if (given.defects.size())
+    {
+        FatalErrorInFunction
+            << "The surface " << flatOutput(controls.files)
+            << " cannot be meshed." << nl << given.defects.c_str()
+            << exit(FatalError);
+    }
+}
+
+
 int main(int argc, char *argv[])
 {
+    waitPassively(argv);
     if (versionIsAsked(argc, argv))
     {
         return 0;
@@ -354,14 +373,9 @@ int main(int argc, char *argv[])
     {
         endCheck(given, controls.surface.remesh);
     }
-    else if (given.defects.size())
-    {
-        FatalErrorInFunction
-            << "The surface " << flatOutput(controls.surface.files)
-            << " cannot be meshed." << nl << given.defects.c_str()
-            << exit(FatalError);
-    }
-    else if (prepareOnly)
+    requireNoDefects(given, controls.surface);
+
+    if (prepareOnly)
     {
         writePrepared(writer, preparedFile, given.prepared.surface);
     }
