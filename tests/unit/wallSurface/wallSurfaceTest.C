@@ -51,7 +51,9 @@ TEST(wallSurface, edgesAreThereOnceWithTheirFaces)
     forAll(a.edges, i)
     {
         const edge& e = a.edges[i];
-        EXPECT_TRUE(seen.insert({e.minVertex(), e.maxVertex()}).second);
+        const label low = min(e.first(), e.second());
+        const label high = max(e.first(), e.second());
+        EXPECT_TRUE(seen.insert({low, high}).second);
 
         // The first face runs along the edge, the second against it
         EXPECT_EQ(wall.faces[a.edgeFaces[i].first()].edgeDirection(e), 1);
