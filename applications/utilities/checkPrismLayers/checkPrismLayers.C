@@ -45,12 +45,12 @@ Usage
 #include "argList.H"
 #include "cellSet.H"
 #include "Time.H"
-#include "waitPassively.H"
 #include "polyMesh.H"
 #include "wallPolyPatch.H"
 #include "certificateLog.H"
 #include "pluginVersion.H"
 #include "prismPolyMesh.H"
+#include "waitPassively.H"
 
 using namespace Foam;
 

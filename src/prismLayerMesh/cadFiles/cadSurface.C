@@ -9,55 +9,19 @@
 #include "clockTime.H"
 #include "gmshScript.H"
 #include "guardedReading.H"
-#include "OSspecific.H"
 #include "runProgram.H"
+#include "scratchFolder.H"
 #include "stepFaceNames.H"
 #include "stringOps.H"
 
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
-#include <unistd.h>
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-//- A folder that goes when this does
-class scratchFolder
-{
-    fileName path_;
-
-public:
-
-    scratchFolder()
-    {
-        const char* base = std::getenv("TMPDIR");
-        std::string path(base && *base ? base : "/tmp");
-        path += "/harmonicPrismMeshXXXXXX";
-
-        if (!::mkdtemp(&path[0]))
-        {
-            FatalErrorInFunction
-                << "no temporary folder " << path.c_str() << exit(FatalError);
-        }
-        path_ = path;
-    }
-
-    ~scratchFolder() { rmDir(path_); }
-
-    scratchFolder(const scratchFolder&) = delete;
-    void operator=(const scratchFolder&) = delete;
-
-    const fileName& path() const { return path_; }
-};
-
-} // End anonymous namespace
-
 
 //- Algorithms of gmsh on surfaces, in the order in which they are tried:
 //  frontal Delaunay, MeshAdapt, Delaunay
