@@ -5,6 +5,7 @@
 
 #include "cutSurface.H"
 #include "openSurfaces.H"
+#include "orientOpenWall.H"
 #include "splitAtSidePatches.H"
 #include "wallDefects.H"
 
