@@ -9,6 +9,7 @@
 #include "clockTime.H"
 #include "gmshScript.H"
 #include "guardedReading.H"
+#include "OSspecific.H"
 #include "runProgram.H"
 #include "scratchFolder.H"
 #include "stepFaceNames.H"
