@@ -5,7 +5,6 @@
 
 #include "addNeedles.H"
 #include "randomSurface.H"
-#include "edgeList.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -39,13 +38,10 @@ static label otherFace
 //- Whether a face is a triangle and not thin
 static bool isWide(const wallSurface& wall, const face& f)
 {
-    scalar longest = 0;
-    for (const edge& e : f.edges())
-    {
-        longest = max(longest, e.mag(wall.points));
-    }
+    const pointField& x = wall.points;
+    const scalar longest = f.faceEdge(f.longestEdge(x)).mag(x);
 
-    return f.size() == 3 && f.mag(wall.points) > 1e-3*sqr(longest);
+    return f.size() == 3 && f.mag(x) > 1e-3*sqr(longest);
 }
 
 

@@ -26,15 +26,7 @@ static edge edgeOfCap
         return edge();
     }
 
-    label longest = 0;
-    for (label k = 1; k < 3; ++k)
-    {
-        if (f.faceEdge(k).mag(points) > f.faceEdge(longest).mag(points))
-        {
-            longest = k;
-        }
-    }
-
+    const label longest = f.longestEdge(points);
     const edge e(f.faceEdge(longest));
     const vector along(e.vec(points));
     const vector side(points[f.prevLabel(longest)] - points[e[0]]);
