@@ -152,6 +152,33 @@ vector layerColumns::axisOffset
 }
 
 
+layerColumns layerColumns::at(const labelUList& columns) const
+{
+    layerColumns result;
+    result.nLayers = nLayers;
+    result.heights.setSize(columns.size()*nLayers);
+    result.offsets.setSize(columns.size()*nLayers);
+    forAll(columns, c)
+    {
+        const label from = columns[c]*nLayers;
+        SubList<scalar>(result.heights, nLayers, c*nLayers) =
+            SubList<scalar>(heights, nLayers, from);
+        SubList<vector>(result.offsets, nLayers, c*nLayers) =
+            SubList<vector>(offsets, nLayers, from);
+    }
+    result.maxThickness = scalarField(maxThickness, columns);
+    result.causes = List<squeezeCause>
+    (
+        UIndirectList<squeezeCause>(causes, columns)
+    );
+    result.edgeLengths = scalarField(edgeLengths, columns);
+    result.maxStretch = maxStretch;
+    result.onLevelSets = onLevelSets;
+
+    return result;
+}
+
+
 label layerColumns::layerAt(const label c, const scalar height) const
 {
     const scalar* first = heights.cdata() + c*nLayers;

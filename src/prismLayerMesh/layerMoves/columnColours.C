@@ -29,6 +29,7 @@ static label colourOf
     const label c,
     const faceList& faces,
     const labelListList& columnFaces,
+    const columnTeam& team,
     const labelList& colours
 )
 {
@@ -42,7 +43,7 @@ static label colourOf
             {
                 others.append(colours[q]);
             }
-            else if (isBefore(q, c))
+            else if (isBefore(team.wholeColumn(q), team.wholeColumn(c)))
             {
                 return -1;
             }
@@ -64,23 +65,28 @@ static label colourOf
 labelList columnColours
 (
     const faceList& faces,
-    const labelListList& columnFaces
+    const labelListList& columnFaces,
+    const columnTeam& team
 )
 {
     labelList colours(columnFaces.size(), -1);
-    labelList waiting(identity(colours.size()));
+    labelList waiting(team.ownOf(identity(colours.size())));
 
-    while (waiting.size())
+    while (team.any(waiting.size()))
     {
         labelList found(waiting.size());
 
         #pragma omp parallel for schedule(static, 256)
         forAll(waiting, i)
         {
-            found[i] = colourOf(waiting[i], faces, columnFaces, colours);
+            found[i] = colourOf
+            (
+                waiting[i], faces, columnFaces, team, colours
+            );
         }
 
         UIndirectList<label>(colours, waiting) = found;
+        team.update(colours);
         waiting = subsetList
         (
             waiting, [&](const label c) { return colours[c] < 0; }

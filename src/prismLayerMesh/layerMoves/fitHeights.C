@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "fitHeights.H"
+#include "fittedWall.H"
 #include "heightFit.H"
 
 #include <algorithm>
@@ -68,21 +69,6 @@ static labelList fittedFaces(const layerEditor& editor)
 }
 
 
-//- The faces that have mobile columns
-static labelList mobileFaces
-(
-    const faceList& faces,
-    const labelUList& candidates,
-    const scalarField& mobilities
-)
-{
-    return subsetList(candidates, [&](const label facei)
-    {
-        return max(scalarField(mobilities, faces[facei])) > 0;
-    });
-}
-
-
 //- Returns the heights [m] that faces are too low by, up to a level.
 //  normals: normals of all faces
 static scalarField missingHeights
@@ -137,6 +123,7 @@ static scalarField firstMobilities
         }
     }
 
+    editor.team().update(mobile);
     for (label ring = 0; ring < editor.controls().nRings; ++ring)
     {
         for (const label c : findIndices(mobile, true))
@@ -146,6 +133,7 @@ static scalarField firstMobilities
                 mobile, front.addressing.pointPoints[c]
             ) = true;
         }
+        editor.team().update(mobile);
     }
 
     scalarField mobilities(mobile.size(), 0);
@@ -158,46 +146,44 @@ static scalarField firstMobilities
 }
 
 
-//- How many times further a displacement goes than it may
+//- How many times further a displacement goes than it may at a height
 static scalar excessOf
 (
-    const layerEditor& editor,
-    const label c,
+    const layerMoveControls& controls,
     const vector& displacement,
-    const label level
+    const scalar height
 )
 {
-    return mag(displacement)
-       /(editor.controls().maxDisplacement*editor.heights(c)[level]);
+    return mag(displacement)/(controls.maxDisplacement*height);
 }
 
 
-//- Lower the mobilities of columns that go too far at a level, a few times, and
-//  give the fit what they are
+//- Lower the mobilities of columns that go too far at the level of the fit, a
+//  few times, and give the fit what they are
 static void fitMobilities
 (
-    const layerEditor& editor,
+    const layerMoveControls& controls,
     const scalarField& missing,
-    const label level,
-    heightFit& heights,
-    scalarField& mobilities
+    fittedWall& fitted,
+    heightFit& heights
 )
 {
     bool lowered = true;
 
-    for (label k = 0; k < editor.controls().maxLowerings && lowered; ++k)
+    for (label k = 0; k < controls.maxLowerings && lowered; ++k)
     {
-        heights.setMobilities(mobilities);
+        heights.setMobilities(fitted.mobilities);
         const vectorField displacements(heights.displacements(missing));
         lowered = false;
 
-        forAll(mobilities, c)
+        forAll(displacements, p)
         {
-            const scalar excess = excessOf(editor, c, displacements[c], level);
+            const scalar excess =
+                excessOf(controls, displacements[p], fitted.heights[p]);
 
             if (excess > 1)
             {
-                mobilities[c] /= sqr(excess);
+                fitted.mobilities[p] /= sqr(excess);
                 lowered = true;
             }
         }
@@ -205,23 +191,26 @@ static void fitMobilities
 }
 
 
-//- Displace columns at a level by their shares
+//- Displace own columns at a level by their shares
 static void displace
 (
     const vectorField& displacements,
+    const fittedWall& fitted,
     const fitTarget& target,
     const label level,
     layerEditor& editor
 )
 {
-    forAll(displacements, c)
+    forAll(displacements, p)
     {
-        const vector& d = displacements[c];
+        const vector& d = displacements[p];
+        const label c = fitted.ownColumns[p];
 
-        if (magSqr(d) > 0)
+        if (c >= 0 && magSqr(d) > 0)
         {
-            const scalar share = target.share(c, editor.heights(c)[level])
-               /max(excessOf(editor, c, d, level), scalar(1));
+            const scalar height = editor.heights(c)[level];
+            const scalar share = target.share(c, height)
+               /max(excessOf(editor.controls(), d, height), scalar(1));
 
             editor.setPoint(c, level, editor.layers()(c, level) + share*d);
         }
@@ -229,11 +218,27 @@ static void displace
 }
 
 
+//- The own columns that are mobile
+static labelList mobileColumns(const fittedWall& fitted)
+{
+    DynamicList<label> columns;
+    forAll(fitted.ownColumns, p)
+    {
+        if (fitted.ownColumns[p] >= 0 && fitted.mobilities[p] > 0)
+        {
+            columns.append(fitted.ownColumns[p]);
+        }
+    }
+
+    return labelList(std::move(columns));
+}
+
+
 //- The levels at which mobile columns have a share
 static labelList levelsOf
 (
     const layerEditor& editor,
-    const scalarField& mobilities,
+    const labelUList& mobile,
     const fitTarget& target
 )
 {
@@ -241,22 +246,62 @@ static labelList levelsOf
 
     for (label i = 1; i <= editor.spacing().nLayers; ++i)
     {
-        bool any = false;
-
-        for (label c = 0; c < mobilities.size() && !any; ++c)
-        {
-            any = mobilities[c] > 0
-             && target.share(c, editor.heights(c)[i])
-              > editor.controls().leftOutShare;
-        }
-
+        const bool any = std::any_of
+        (
+            mobile.begin(), mobile.end(), [&](const label c)
+            {
+                return target.share(c, editor.heights(c)[i])
+                     > editor.controls().leftOutShare;
+            }
+        );
         if (any)
         {
             levels.append(i);
         }
     }
 
-    return labelList(std::move(levels));
+    labelList all(editor.team().gather(levels));
+    inplaceUniqueSort(all);
+
+    return all;
+}
+
+
+//- Displace columns at all levels at which they have a share
+static void displaceAll
+(
+    const fittedWall& fitted,
+    const heightFit& heights,
+    const fitTarget& target,
+    const std::function<scalarField(label level)>& missing,
+    layerEditor& editor
+)
+{
+    const labelList columns(mobileColumns(fitted));
+    const labelList levels(levelsOf(editor, columns, target));
+    List<scalarField> missingAt(levels.size());
+    forAll(levels, k)
+    {
+        missingAt[k] = missing(levels[k]);
+    }
+
+    for (const label c : columns)
+    {
+        editor.remember(c);
+        editor.touch(c);
+    }
+
+    #pragma omp parallel for schedule(dynamic, 1)
+    forAll(levels, k)
+    {
+        displace
+        (
+            heights.displacements(missingAt[k]), fitted, target, levels[k],
+            editor
+        );
+        missingAt[k].clear();
+    }
+    editor.publish(columns);
 }
 
 
@@ -266,54 +311,40 @@ static void fit(layerEditor& editor, const fitTarget& target)
 {
     const layerFront& front = editor.front();
     const vectorField normals(front.surface.faceNormals());
-    const auto missing = [&](const labelUList& faces, const label level)
-    {
-        return missingHeights(editor, faces, normals, level);
-    };
-
-    const labelList fitted(fittedFaces(editor));
-    scalarField mobilities
+    const labelList candidates(fittedFaces(editor));
+    const scalarField mobilities
     (
-        firstMobilities(editor, fitted, missing(fitted, target.level), target)
+        firstMobilities
+        (
+            editor, candidates,
+            missingHeights(editor, candidates, normals, target.level), target
+        )
     );
 
-    if (max(mobilities) == 0)
+    if (!editor.team().any(max(mobilities) > 0))
     {
         return;
     }
 
+    fittedWall fitted
+    (
+        makeFittedWall(editor, candidates, mobilities, target.level)
+    );
+    const auto missing = [&](const label level)
+    {
+        return fitted.ofAll
+        (
+            editor.team(),
+            missingHeights(editor, fitted.counted, normals, level)
+        );
+    };
     heightFit heights
     (
-        front.surface,
-        mobileFaces(front.surface.faces, fitted, mobilities),
+        fitted.wall, identity(fitted.wall.faces.size()),
         editor.controls().damping
     );
-    const labelList& faces = heights.faces();
-    fitMobilities
-    (
-        editor, missing(faces, target.level), target.level, heights, mobilities
-    );
-
-    forAll(mobilities, c)
-    {
-        if (mobilities[c] > 0)
-        {
-            editor.remember(c);
-            editor.touch(c);
-        }
-    }
-
-    const labelList levels(levelsOf(editor, mobilities, target));
-
-    #pragma omp parallel for schedule(dynamic, 1)
-    forAll(levels, k)
-    {
-        displace
-        (
-            heights.displacements(missing(faces, levels[k])),
-            target, levels[k], editor
-        );
-    }
+    fitMobilities(editor.controls(), missing(target.level), fitted, heights);
+    displaceAll(fitted, heights, target, missing, editor);
 }
 
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "growColumns.H"
+#include "columnColours.H"
 #include "HashSet.H"
 
 #include <algorithm>
@@ -113,6 +114,82 @@ static bool grow
 }
 
 
+//- Returns a colour of each point of the wall, at its first column, such that
+//  columns on points of one colour are on no common face
+static labelList pointColours(const layerEditor& editor)
+{
+    const layerFront& front = editor.front();
+    faceList faces(front.surface.faces);
+    for (face& f : faces)
+    {
+        inplaceRenumber(front.wallPoints, f);
+    }
+
+    labelListList pointFaces(front.wallPoints.size());
+    forAll(front.wallPoints, c)
+    {
+        pointFaces[front.wallPoints[c]].append(front.addressing.pointFaces[c]);
+    }
+
+    return columnColours(faces, pointFaces, editor.team());
+}
+
+
+//- Grow groups of columns, each on one point. Returns the columns that have
+//  grown.
+static labelList growTogether
+(
+    layerEditor& editor,
+    const UList<labelList>& groups,
+    const std::function<bool(label facei)>& isAtFault
+)
+{
+    const columnTeam& team = editor.team();
+    DynamicList<label> grown;
+
+    if (!team.any(groups.size()))
+    {
+        return labelList();
+    }
+
+    const labelList colours(pointColours(editor));
+    const label nColours = 1 + max(team.gather(labelList(1, max(colours))));
+
+    for (label colour = 0; colour < nColours; ++colour)
+    {
+        const label nBefore = grown.size();
+
+        for (const labelList& group : groups)
+        {
+            if (colours[editor.front().wallPoints[group[0]]] != colour)
+            {
+                continue;
+            }
+
+            List<columnState> before(group.size());
+            forAll(group, i)
+            {
+                before[i] = editor.state(group[i]);
+            }
+            if (grow(editor, group, isAtFault))
+            {
+                forAll(group, i)
+                {
+                    editor.accept(group[i], before[i]);
+                }
+                grown.append(group);
+            }
+        }
+        editor.publish
+        (
+            SubList<label>(grown, grown.size() - nBefore, nBefore)
+        );
+    }
+
+    return labelList(std::move(grown));
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 bool isLowered(const layerEditor& editor, const label c)
@@ -131,7 +208,7 @@ labelList growColumns
     DynamicList<label> alone;
     DynamicList<labelList> together;
     labelHashSet found;
-    for (const label c : columns)
+    for (const label c : editor.team().ownOf(columns))
     {
         const labelList all(editor.columnsBeside(c));
 
@@ -158,23 +235,7 @@ labelList growColumns
         )
     );
 
-    for (const labelList& all : together)
-    {
-        List<columnState> before(all.size());
-        forAll(all, i)
-        {
-            before[i] = editor.state(all[i]);
-        }
-
-        if (grow(editor, all, isAtFault))
-        {
-            forAll(all, i)
-            {
-                editor.accept(all[i], before[i]);
-            }
-            grown.insert(all);
-        }
-    }
+    grown.insert(growTogether(editor, together, isAtFault));
 
     return grown.sortedToc();
 }

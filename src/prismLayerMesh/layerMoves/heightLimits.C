@@ -18,6 +18,7 @@ class heightSweeps
 {
     const heightLimits& given_;
     const layerMoveControls& controls_;
+    const columnTeam& team_;
 
     //- Faces of each column, and indices of the pairs of neighbours with each
     //  face
@@ -56,11 +57,12 @@ public:
     (
         const heightLimits& given,
         const layerMoveControls& controls,
+        const columnTeam& team,
         label nColumns
     );
 
-    //- Each column takes the least factor that its faces ask for. False if none
-    //  asked.
+    //- Each own column takes the least factor that its faces ask for. False if
+    //  none asked.
     bool sweep();
 
     const scalarField& factors() const
@@ -74,11 +76,13 @@ heightSweeps::heightSweeps
 (
     const heightLimits& given,
     const layerMoveControls& controls,
+    const columnTeam& team,
     const label nColumns
 )
 :
     given_(given),
     controls_(controls),
+    team_(team),
     columnFaces_(invertManyToMany<face, labelList>(nColumns, given.faces)),
     facePairs_
     (
@@ -225,13 +229,15 @@ bool heightSweeps::sweep()
         #pragma omp for schedule(static, 256) reduction(||: any)
         forAll(factors_, c)
         {
-            const scalar least = leastAsked(c);
+            const scalar least = team_.isOwn(c) ? leastAsked(c) : factors_[c];
             any = any || least < factors_[c];
             factors_[c] = min(factors_[c], least);
         }
     }
 
-    return any;
+    team_.update(factors_);
+
+    return team_.any(any);
 }
 
 }
@@ -242,10 +248,11 @@ bool heightSweeps::sweep()
 scalarField heightLimits::factors
 (
     const label nColumns,
-    const layerMoveControls& controls
+    const layerMoveControls& controls,
+    const columnTeam& team
 ) const
 {
-    heightSweeps sweeps(*this, controls, nColumns);
+    heightSweeps sweeps(*this, controls, team, nColumns);
 
     for (label i = 0; i < controls.maxSweeps && sweeps.sweep(); ++i)
     {}

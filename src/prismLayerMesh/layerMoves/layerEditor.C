@@ -64,16 +64,25 @@ layerEditor::layerEditor
     const layerSpacing& spacing,
     const layerColumns& proposed,
     const layerMoveControls& controls,
-    const List<columnConstraint>& constraints
+    const List<columnConstraint>& constraints,
+    const columnTeam& team
 )
 :
     front_(front),
     spacing_(spacing),
     proposed_(proposed),
     controls_(controls),
+    team_(team),
     constraints_(constraints),
     smoother_(front.surface, front.addressing),
-    colours_(columnColours(front.surface.faces, front.addressing.pointFaces)),
+    colours_
+    (
+        columnColours
+        (
+            front.surface.faces, front.addressing.pointFaces, team
+        )
+    ),
+    nColours_(1 + max(team.gather(labelList(1, max(colours_))))),
     thickness_(proposed.maxThickness),
     causes_(proposed.causes),
     heights_(front.wallPoints.size()*(spacing.nLayers + 1)),

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layerEditor.H"
+#include "bitSet.H"
 #include "ListOps.H"
 
 namespace Foam
@@ -51,7 +52,89 @@ void layerEditor::touch(const label c)
 }
 
 
-labelList layerEditor::touchedSince(const label then) const
+void layerEditor::addStates
+(
+    const labelHashSet& changed,
+    const labelUList& sent,
+    message& toOther
+) const
+{
+    DynamicList<label> places;
+    DynamicList<point> points;
+    DynamicList<scalar> thickness;
+    DynamicList<squeezeCause> causes;
+
+    forAll(sent, i)
+    {
+        if (changed.found(sent[i]))
+        {
+            const columnState now(state(sent[i]));
+            places.append(i);
+            points.append(now.points);
+            thickness.append(now.thickness);
+            causes.append(now.cause);
+        }
+    }
+    toOther.addList(places);
+    toOther.addList(points);
+    toOther.addList(thickness);
+    toOther.addList(causes);
+}
+
+
+void layerEditor::setStates
+(
+    const message& fromOther,
+    const labelUList& received
+)
+{
+    messageReader reader(fromOther);
+    const labelList places(reader.list<label>());
+    const pointField points(reader.list<point>());
+    const scalarField thickness(reader.list<scalar>());
+    const List<squeezeCause> causes(reader.list<squeezeCause>());
+    const label n = spacing_.nLayers;
+
+    forAll(places, i)
+    {
+        const label c = received[places[i]];
+        restore
+        (
+            c,
+            columnState
+            {
+                pointField(SubList<point>(points, n, i*n)),
+                thickness[i], causes[i]
+            }
+        );
+        touch(c);
+    }
+}
+
+
+void layerEditor::publish(const labelUList& changed)
+{
+    if (team_.isAlone())
+    {
+        return;
+    }
+
+    const labelHashSet all(changed);
+    List<message> toOthers(team_.size());
+    forAll(toOthers, p)
+    {
+        addStates(all, team_.sent()[p], toOthers[p]);
+    }
+
+    const List<message> fromOthers(team_.exchange(toOthers));
+    forAll(fromOthers, p)
+    {
+        setStates(fromOthers[p], team_.received()[p]);
+    }
+}
+
+
+labelList layerEditor::allTouchedSince(const label then) const
 {
     const SubList<label> since(journal_, journal_.size() - then, then);
 
@@ -65,6 +148,12 @@ labelList layerEditor::touchedSince(const label then) const
     inplaceUniqueSort(faces);
 
     return faces;
+}
+
+
+labelList layerEditor::touchedSince(const label then) const
+{
+    return team_.withOwn(allTouchedSince(then), layers_.faces);
 }
 
 

@@ -157,16 +157,17 @@ bool limitHeightJumps(layerEditor& editor, const List<labelPair>& neighbours)
     (
         firstHeights(editor, neighbours).factors
         (
-            editor.front().wallPoints.size(), editor.controls()
+            editor.front().wallPoints.size(), editor.controls(),
+            editor.team()
         )
     );
-    bool any = false;
+    DynamicList<label> lowered;
 
     forAll(factors, c)
     {
-        if (factors[c] < 1 && !editor.isFixed(c))
+        if (factors[c] < 1 && editor.mayMove(c))
         {
-            any = true;
+            lowered.append(c);
             editor.remember(c);
             lowerFirst(editor, c, factors[c]);
 
@@ -178,7 +179,9 @@ bool limitHeightJumps(layerEditor& editor, const List<labelPair>& neighbours)
         }
     }
 
-    return any;
+    editor.publish(lowered);
+
+    return editor.team().any(lowered.size());
 }
 
 } // End namespace Foam

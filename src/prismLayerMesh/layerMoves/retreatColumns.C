@@ -11,6 +11,41 @@
 namespace Foam
 {
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Adds the columns that follow through the bound on the gradient, on all
+//  shares: the lowest thickness is the same in any order of steps
+static void addFollowing(const layerEditor& editor, Map<scalar>& thickness)
+{
+    const layerFront& front = editor.front();
+    bool anyLower = true;
+
+    while (anyLower)
+    {
+        followGradient
+        (
+            front.surface, front.addressing, layerColumns::maxSlope,
+            editor.thickness(), thickness
+        );
+
+        bool lower = false;
+        const Map<scalar> ofOwners(editor.team().fromOwners(thickness));
+        forAllConstIters(ofOwners, iter)
+        {
+            const label c = iter.key();
+            if (iter.val() < thickness.lookup(c, editor.thickness()[c]))
+            {
+                thickness.set(c, iter.val());
+                lower = true;
+            }
+        }
+        anyLower = editor.team().any(lower);
+    }
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
 void retreatColumns
 (
     layerEditor& editor,
@@ -18,25 +53,20 @@ void retreatColumns
     const squeezeCause cause
 )
 {
-    const layerFront& front = editor.front();
     const layerMoveControls& controls = editor.controls();
     Map<scalar> thickness;
 
     for (const label c : columns)
     {
-        if (!editor.isFixed(c))
+        if (editor.mayMove(c))
         {
             thickness.insert(c, controls.retreatFactor*editor.thickness()[c]);
         }
     }
     const labelHashSet retreating(thickness.toc());
-    followGradient
-    (
-        front.surface, front.addressing, layerColumns::maxSlope,
-        editor.thickness(), thickness
-    );
+    addFollowing(editor, thickness);
 
-    const labelList lowered(thickness.sortedToc());
+    const labelList lowered(editor.team().ownOf(thickness.sortedToc()));
     for (const label c : lowered)
     {
         editor.remember(c);
@@ -65,6 +95,7 @@ void retreatColumns
         }
         editor.touch(c);
     }
+    editor.publish(lowered);
 }
 
 

@@ -48,24 +48,28 @@ bool turnColumns
 )
 {
     const layerMoveControls& controls = editor.controls();
-    labelHashSet all(columns);
-    bool any = false;
-
-    for (const label c : columns)
+    const columnTeam& team = editor.team();
+    const labelList own(team.ownOf(columns));
+    boolList mayTurn(nTurns.size(), false);
+    for (const label c : own)
     {
-        if (nTurns[c] < controls.maxTurns)
-        {
-            any = true;
-            all.insert(editor.front().addressing.pointPoints[c]);
-        }
+        mayTurn[c] = nTurns[c] < controls.maxTurns;
     }
 
-    if (!any)
+    if (!team.any(mayTurn.found(true)))
     {
         return false;
     }
 
-    const labelList turning(all.sortedToc());
+    // With the neighbours of those that may, also of copies
+    team.update(mayTurn);
+    labelHashSet all(own);
+    for (const label c : findIndices(mayTurn, true))
+    {
+        all.insert(editor.front().addressing.pointPoints[c]);
+    }
+
+    const labelList turning(team.ownOf(all.sortedToc()));
     const List<vectorField> directions(turnedDirections(editor, turning));
 
     for (const label c : turning)
@@ -85,6 +89,7 @@ bool turnColumns
     {
         editor.touch(c);
     }
+    editor.publish(turning);
 
     return true;
 }
