@@ -15,42 +15,27 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- The columns of groups of faces that are nearly as tall as the tallest of
-//  their group
+//- The columns of stacks that are nearly as tall as what is tallest where they
+//  overlap, also of stacks on other shares
 static labelHashSet tallColumns
 (
     const layerEditor& editor,
-    const UList<labelPair>& groups
+    const UList<overlappingStack>& stacks
 )
 {
-    const faceList& faces = editor.layers().faces;
-    labelHashSet tall;
+    boolList tall(editor.thickness().size(), false);
 
-    for (const labelPair& group : groups)
+    for (const overlappingStack& stack : stacks)
     {
-        scalar tallest = 0;
-        for (const label facei : group)
+        const scalar least = editor.controls().tallShare*stack.tallest;
+        for (const label c : editor.layers().faces[stack.facei])
         {
-            for (const label c : faces[facei])
-            {
-                tallest = max(tallest, editor.thickness()[c]);
-            }
-        }
-
-        const scalar least = editor.controls().tallShare*tallest;
-        for (const label facei : group)
-        {
-            for (const label c : faces[facei])
-            {
-                if (editor.thickness()[c] >= least)
-                {
-                    tall.insert(c);
-                }
-            }
+            tall[c] = tall[c] || editor.thickness()[c] >= least;
         }
     }
+    editor.team().unite(tall);
 
-    return tall;
+    return labelHashSet(editor.team().ownOf(findIndices(tall, true)));
 }
 
 
@@ -82,7 +67,7 @@ static label columnInTheWay(layerEditor& editor, const label facei)
 }
 
 
-//- The columns in the way of stacks; the tall ones if no retreat helps
+//- The own columns in the way of stacks; the tall ones if no retreat helps
 static labelList columnsInTheWay
 (
     layerEditor& editor,
@@ -90,19 +75,23 @@ static labelList columnsInTheWay
 )
 {
     labelHashSet columns;
-    DynamicList<labelPair> others;
+    DynamicList<overlappingStack> others;
 
     for (const label facei : stacks)
     {
         const label c = columnInTheWay(editor, facei);
 
-        if (c >= 0)
+        if (c < 0)
+        {
+            const scalarField thickness
+            (
+                editor.thickness(), editor.layers().faces[facei]
+            );
+            others.append({facei, max(thickness)});
+        }
+        else if (editor.team().isOwn(c))
         {
             columns.insert(c);
-        }
-        else
-        {
-            others.append(labelPair(facei, facei));
         }
     }
 
@@ -185,10 +174,15 @@ bool layerCertifier::lean(const labelUList& columns)
         return judge_.penalty(facei, lowest, enough);
     };
 
-    return leanColumns
+    const labelList leaning
     (
-        editor_, columns, penalty, editor_.controls().maxLeans, nLeans_
-    ).size();
+        leanColumns
+        (
+            editor_, columns, penalty, editor_.controls().maxLeans, nLeans_
+        )
+    );
+
+    return editor_.team().any(leaning.size());
 }
 
 
@@ -198,8 +192,8 @@ bool layerCertifier::retreat
     const squeezeCause cause
 )
 {
-    const layerFront& front = editor_.front();
-    DynamicList<label> hopeless;
+    const columnTeam& team = editor_.team();
+    DynamicList<labelPair> hopeless;
 
     for (const label c : columns)
     {
@@ -208,13 +202,25 @@ bool layerCertifier::retreat
 
         if (editor_.isFixed(c) || editor_.thickness()[c] < least)
         {
-            hopeless.append(front.wallPoints[c]);
+            hopeless.append
+            (
+                labelPair
+                (
+                    team.wholeColumn(c),
+                    team.wholeColumn(editor_.front().wallPoints[c])
+                )
+            );
         }
     }
 
-    if (hopeless.size())
+    if (team.any(hopeless.size()))
     {
-        made_.pointsWithoutHeight = std::move(hopeless);
+        List<labelPair> all(team.gather(hopeless));
+        sort(all);
+        for (const labelPair& columnAndPoint : all)
+        {
+            made_.pointsWithoutHeight.append(columnAndPoint.second());
+        }
         made_.cause = cause;
 
         return false;
@@ -261,7 +267,7 @@ labelList layerCertifier::faultyStacks()
         below_.insert(stack.facei);
     }
 
-    if (below_.size())
+    if (editor_.team().any(below_.size()))
     {
         return below_.sortedToc();
     }
@@ -294,7 +300,7 @@ bool layerCertifier::makePositive()
     for
     (
         labelList faulty(faultyStacks());
-        faulty.size();
+        editor_.team().any(faulty.size());
         faulty = faultyStacks()
     )
     {
@@ -322,7 +328,10 @@ labelList layerCertifier::overlappingColumns()
     const labelList moved(editor_.touchedSince(overlapsJudged_));
     overlapsJudged_ = editor_.now();
 
-    return tallColumns(editor_, judge_.findOverlapping(moved)).sortedToc();
+    return tallColumns
+    (
+        editor_, judge_.findOverlapping(moved, editor_.thickness())
+    ).sortedToc();
 }
 
 
@@ -334,10 +343,12 @@ certification layerCertifier::run()
     {
         const labelList columns(overlappingColumns());
 
-        goesOn = columns.size()
+        goesOn = editor_.team().any(columns.size())
          && retreat(columns, squeezeCause::intersection)
          && makePositive();
     }
+
+    made_.nRetreats = editor_.team().sum(made_.nRetreats);
 
     return std::move(made_);
 }

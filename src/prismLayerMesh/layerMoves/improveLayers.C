@@ -5,6 +5,7 @@
 
 #include "improveLayers.H"
 #include "bendColumns.H"
+#include "faultRollBack.H"
 #include "fitHeights.H"
 #include "growColumns.H"
 #include "leanColumns.H"
@@ -31,29 +32,19 @@ struct improvement
 {
     layerEditor& editor;
     const layerJudge& judge;
-
-    //- Front faces with cells whose centres may be outside
-    const bitSet& tolerated;
-
-    //- Columns that had to be rolled back, and stay
-    boolList barred = boolList(editor.thickness().size(), false);
+    faultRollBack& moves;
 
     //- Columns that were bent with heights that give way
     labelHashSet gaveWay{};
 
-    //- Times of the journal: when the last round began, and up to which all is
-    //  judged
+    //- Time of the journal when the last round began
     label roundBegan = 0;
-    label judged = editor.now();
 
 
     //- Whether a stack has a fault that its own cells show
     bool isAtFault(const label facei) const
     {
-        return judge.faultOf
-        (
-            facei, stackFault::belowAttainable, stackFault::notPositive
-        ) != stackFault::none;
+        return moves.isAtFault(facei);
     }
 
     //- Front faces moved in the last round; now another one begins
@@ -65,42 +56,14 @@ struct improvement
         return moved;
     }
 
-    //- The columns of stacks that had not to be rolled back
-    labelList notBarredOf(const labelUList& stacks) const
-    {
-        return subsetList
-        (
-            editor.layers().columnsOf(stacks),
-            [&](const label c) { return !barred[c]; }
-        );
-    }
-
     //- Lean columns of stacks that are below their target
     void lean(const labelUList& faces);
 
     //- Give height back to columns of faces that retreated
     void grow(const labelUList& faces);
 
-    //- Front faces that cannot be certified, of those moved since the last look
-    //  first: earlier faults are not looked for
-    labelList faultyFaces(stackFault first);
-
-    //- Roll back a column, and those on its point
-    void rollBack(const label c)
-    {
-        for (const label q : editor.columnsBeside(c))
-        {
-            if (editor.isChanged(q))
-            {
-                editor.rollBack(q);
-                barred[q] = true;
-            }
-        }
-    }
-
-    //- Roll back columns until all can be certified. The first look is for
-    //  faults from 'first' on.
-    void settle(stackFault first = stackFault::belowAttainable);
+    //- Keep the targets around columns, which are about to bend, on all shares
+    void keepTargets(const labelUList& columns, bendTargets& targets) const;
 
     //- Bend columns of faces that are beyond bounds, of stacks that are looked
     //  at, and of stacks around columns that bend. Returns the columns that
@@ -125,10 +88,10 @@ struct improvement
             const labelList faces(beginRound());
             lean(faces);
             grow(faces);
-            settle(notAtFault);
+            moves.settle(notAtFault);
         }
         lean(beginRound());
-        settle(notAtFault);
+        moves.settle(notAtFault);
     }
 
     //- Fit columns to the first heights that are asked for, those that have to
@@ -141,7 +104,7 @@ struct improvement
     {
         tellProgress("fitting thicknesses");
         fitThickness(editor);
-        settle();
+        moves.settle();
     }
 
     //- Bend columns to where faces are better: with heights as they are, then
@@ -167,7 +130,7 @@ void improvement::lean(const labelUList& faces)
 
     const labelList leaning
     (
-        notBarredOf
+        moves.notBarredOf
         (
             judge.findBelowAttainable
             (
@@ -175,7 +138,7 @@ void improvement::lean(const labelUList& faces)
             )
         )
     );
-    labelList nTries(barred.size(), 0);
+    labelList nTries(moves.barred.size(), 0);
     leanColumns(editor, leaning, penalty, 1, nTries);
 }
 
@@ -187,7 +150,7 @@ void improvement::grow(const labelUList& faces)
         editor,
         subsetList
         (
-            notBarredOf(faces),
+            moves.notBarredOf(faces),
             [&](const label c) { return isLowered(editor, c); }
         ),
         [&](const label facei) { return isAtFault(facei); }
@@ -195,67 +158,37 @@ void improvement::grow(const labelUList& faces)
 }
 
 
-labelList improvement::faultyFaces(const stackFault first)
+void improvement::keepTargets
+(
+    const labelUList& columns,
+    bendTargets& targets
+) const
 {
-    const labelList moved(editor.touchedSince(judged));
-    judged = editor.now();
-    DynamicList<label> faulty;
-
-    for (const faultyStack& stack : judge.findFaults(moved, first))
+    if (editor.team().isAlone())
     {
-        const bool isOutside = stack.fault == stackFault::centreOutside;
-        if (!isOutside || !tolerated.test(stack.facei))
-        {
-            faulty.append(stack.facei);
-        }
-    }
-    for (const labelPair& pair : judge.findOverlapping(moved))
-    {
-        faulty.append(pair.first());
-        faulty.append(pair.second());
+        targets.keep(editor, columns);
+        return;
     }
 
-    return labelList(std::move(faulty));
-}
-
-
-void improvement::settle(const stackFault first)
-{
-    // What is rolled back may be in the way of what is not
-    for
-    (
-        labelList faulty(faultyFaces(first));
-        faulty.size();
-        faulty = faultyFaces(stackFault::belowAttainable)
-    )
-    {
-        for (const label facei : faulty)
-        {
-            for (const label c : editor.layers().faces[facei])
-            {
-                if (editor.isChanged(c))
-                {
-                    rollBack(c);
-                }
-            }
-        }
-    }
-
-    editor.keep();
+    boolList kept(moves.barred.size(), false);
+    UIndirectList<bool>(kept, columns) = true;
+    editor.team().update(kept);
+    targets.keep(editor, findIndices(kept, true));
 }
 
 
 void improvement::fitFirst()
 {
-    boolList wanted(barred.size(), true);
+    boolList wanted(moves.barred.size(), true);
 
     for (const scalar reach : editor.controls().reaches)
     {
         tellProgress("fitting first heights");
-        barred = false;
+        moves.barred = false;
         fitFirstHeights(editor, wanted, reach);
-        settle();
-        wanted = barred;
+        moves.settle();
+        editor.team().update(moves.barred);
+        wanted = moves.barred;
     }
 }
 
@@ -272,7 +205,7 @@ void improvement::limitJumps()
         ++i
     )
     {
-        settle();
+        moves.settle();
     }
 }
 
@@ -285,18 +218,27 @@ labelHashSet improvement::bendTo
     labelList looked
 )
 {
-    const layerMoveControls& controls = editor.controls();
+    const columnTeam& team = editor.team();
+    const label maxBends = editor.controls().maxBends;
     const auto atFault = [&](const label facei) { return isAtFault(facei); };
     labelHashSet bent;
-    barred = false;
+    moves.barred = false;
 
-    for (label round = 0; round < controls.maxBends && looked.size(); ++round)
+    for
+    (
+        label round = 0;
+        round < maxBends && team.any(looked.size());
+        ++round
+    )
     {
         const labelList columns
         (
-            notBarredOf(stacksMissingTargets(geometry.now(), looked, bounds))
+            moves.notBarredOf
+            (
+                stacksMissingTargets(geometry.now(), looked, bounds)
+            )
         );
-        targets.keep(editor, columns);
+        keepTargets(columns, targets);
         tellProgress("bending columns", columns.size());
 
         const label then = editor.now();
@@ -304,11 +246,11 @@ labelHashSet improvement::bendTo
         (
             bendColumns(editor, geometry, targets, columns, atFault)
         );
-        settle(notAtFault);
+        moves.settle(notAtFault);
 
         for (const label c : tried)
         {
-            if (!barred[c])
+            if (!moves.barred[c])
             {
                 bent.insert(c);
             }
@@ -328,7 +270,11 @@ void improvement::bend()
     bendTargets targets(bendTargets::withMargins(controls));
     editedGeometry geometry(editor);
     const label then = editor.now();
-    const labelList all(identity(editor.layers().faces.size()));
+    const faceList& faces = editor.layers().faces;
+    const labelList all
+    (
+        editor.team().withOwn(identity(faces.size()), faces)
+    );
     labelList stacks(stacksMissingTargets(geometry.now(), all, targets.faces));
     bendTo(targets.faces, targets, geometry, stacks);
 
@@ -342,9 +288,13 @@ void improvement::bend()
 
         const auto giveWay = [&]()
         {
+            const labelList moved(editor.allTouchedSince(then));
             stacks.append
             (
-                geometry.now().withNeighbours(editor.touchedSince(then))
+                editor.team().withOwn
+                (
+                    geometry.now().withNeighbours(moved), faces
+                )
             );
             inplaceUniqueSort(stacks);
             gaveWay |= bendTo(bounds, targets, geometry, stacks);
@@ -368,8 +318,9 @@ labelList improveLayers
     const bitSet& tolerated
 )
 {
-    improvement better{editor, judge, tolerated};
     editor.record();
+    faultRollBack moves(editor, judge, tolerated);
+    improvement better{editor, judge, moves};
     better.leanAndGrow();
 
     if (!editor.proposed().onLevelSets)

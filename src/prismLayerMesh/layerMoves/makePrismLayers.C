@@ -14,13 +14,17 @@ madeLayers makePrismLayers
     const layerFront& front,
     const layerSpacing& spacing,
     const layerColumns& columns,
-    const layerMoveControls& controls
+    const layerMoveControls& controls,
+    const columnTeam& team
 )
 {
-    layerEditor editor(front, spacing, columns, controls, front.constraints);
+    layerEditor editor
+    (
+        front, spacing, columns, controls, front.constraints, team
+    );
     const layerJudge judge
     (
-        editor.layers(), front.surface, front.visibility, controls
+        editor.layers(), front.surface, front.visibility, controls, team
     );
 
     madeLayers made;
@@ -49,6 +53,9 @@ madeLayers makePrismLayers
               ? squeezeCause::quality : made.causes[c];
         }
     }
+
+    team.update(made.thickness);
+    team.update(made.causes);
 
     return made;
 }

@@ -74,7 +74,7 @@ string sizesOf(const madeLayers& made)
 string sizesOf(const layerCertificate& certificate)
 {
     return text(certificate.nStacksNotPositive, " stacks not positive, ",
-        certificate.nIntersectingPairs, " intersecting pairs");
+        certificate.nOverlaps, " overlapping stacks");
 }
 
 

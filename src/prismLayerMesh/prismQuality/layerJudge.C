@@ -44,13 +44,15 @@ layerJudge::layerJudge
     const prismLayers& layers,
     const wallSurface& front,
     const wallVisibility& visibility,
-    const layerMoveControls& controls
+    const layerMoveControls& controls,
+    const columnTeam& team
 )
 :
     layers_(layers),
     controls_(controls),
+    team_(team),
     attainable_(attainableJacobians(front, visibility)),
-    bodies_(findBodies(layers))
+    bodies_(findBodies(layers, team))
 {}
 
 
@@ -160,22 +162,13 @@ labelList layerJudge::findBelowAttainable
 }
 
 
-List<labelPair> layerJudge::findOverlapping(const labelUList& faces) const
+List<overlappingStack> layerJudge::findOverlapping
+(
+    const labelUList& faces,
+    const scalarField& thickness
+) const
 {
-    const label nFaces = layers_.faces.size();
-    List<labelPair> pairs(findOverlaps(layers_, faces, bodies_));
-
-    for (labelPair& pair : pairs)
-    {
-        const label outer = max(pair.first(), pair.second());
-
-        for (label& f : pair)
-        {
-            f = (f < nFaces ? outer : f) - nFaces;
-        }
-    }
-
-    return pairs;
+    return findOverlaps(layers_, faces, bodies_, thickness, team_);
 }
 
 } // End namespace Foam

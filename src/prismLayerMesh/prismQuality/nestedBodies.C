@@ -9,7 +9,6 @@
 #include "prismQuality.H"
 #include "boundBox.H"
 #include "DynamicList.H"
-#include "Map.H"
 
 #include <algorithm>
 
@@ -137,26 +136,99 @@ static bool isInStack
 }
 
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
-layerBodies findBodies(const prismLayers& layers)
+namespace
 {
-    disjointSets columns(connectedPoints(layers.nColumns(), layers.faces));
-    Map<label> bodyOfColumn;
-    layerBodies bodies;
-    bodies.ofFaces.setSize(layers.faces.size());
-    DynamicList<label> firstFaces;
 
+struct firstFace
+{
+    label facei;
+    point middle;
+};
+
+}
+
+
+//- Returns for each column the first front face, in the whole front, of the
+//  body that the column is on
+static labelList firstFacesOfColumns
+(
+    const prismLayers& layers,
+    const columnTeam& team
+)
+{
+    disjointSets parts(connectedPoints(layers.nColumns(), layers.faces));
+    labelList ofParts(layers.nColumns(), labelMax);
     forAll(layers.faces, facei)
     {
-        const label c = columns.find(layers.faces[facei][0]);
-        if (bodyOfColumn.insert(c, firstFaces.size()))
-        {
-            firstFaces.append(facei);
-        }
-        bodies.ofFaces[facei] = bodyOfColumn[c];
+        label& first = ofParts[parts.find(layers.faces[facei][0])];
+        first = min(first, team.wholeFace(facei));
     }
-    bodies.firstFaces = std::move(firstFaces);
+
+    // A body may have a part on each share
+    labelList ofColumns(layers.nColumns());
+    bool anyLower = true;
+    while (anyLower)
+    {
+        forAll(ofColumns, c)
+        {
+            ofColumns[c] = ofParts[parts.find(c)];
+        }
+        labelList ofOwners(ofColumns);
+        team.update(ofOwners);
+
+        bool lower = false;
+        forAll(ofColumns, c)
+        {
+            label& first = ofParts[parts.find(c)];
+            lower = lower || ofOwners[c] < first;
+            first = min(first, ofOwners[c]);
+        }
+        anyLower = team.any(lower);
+    }
+
+    return ofColumns;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+layerBodies findBodies(const prismLayers& layers, const columnTeam& team)
+{
+    const labelList first(firstFacesOfColumns(layers, team));
+    DynamicList<firstFace> own;
+    forAll(layers.faces, facei)
+    {
+        const face& f = layers.faces[facei];
+        if (first[f[0]] == team.wholeFace(facei) && team.counts(f))
+        {
+            own.append({first[f[0]], middleOf(layers, facei)});
+        }
+    }
+
+    List<firstFace> all(team.gather(own));
+    std::sort
+    (
+        all.begin(), all.end(),
+        [](const firstFace& a, const firstFace& b) { return a.facei < b.facei; }
+    );
+
+    layerBodies bodies;
+    bodies.firstFaces.setSize(all.size());
+    bodies.middles.setSize(all.size());
+    forAll(all, i)
+    {
+        bodies.firstFaces[i] = all[i].facei;
+        bodies.middles[i] = all[i].middle;
+    }
+    bodies.ofFaces.setSize(layers.faces.size());
+    forAll(layers.faces, facei)
+    {
+        bodies.ofFaces[facei] = std::lower_bound
+        (
+            bodies.firstFaces.begin(), bodies.firstFaces.end(),
+            first[layers.faces[facei][0]]
+        ) - bodies.firstFaces.begin();
+    }
 
     return bodies;
 }
@@ -178,13 +250,8 @@ List<labelPair> findNestedBodies
     }
 
     // In ascending order of x
-    scalarField x(nBodies);
-    pointField middles(nBodies);
-    forAll(middles, i)
-    {
-        middles[i] = middleOf(layers, bodies.firstFaces[i]);
-        x[i] = middles[i].x();
-    }
+    const pointField& middles = bodies.middles;
+    scalarField x(middles.component(vector::X));
     const labelList order(sortedOrder(x));
     x = scalarField(x, order);
 

@@ -3,43 +3,34 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "nestedBodies.H"
-#include "labelledTriangle.H"
 #include "markedGrid.H"
 #include "prismQuality.H"
-#include "sideCrossings.H"
+#include "boundBox.H"
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Triangles of one level of a front face: 0 the wall, else the outer surface.
-//  Those that are degenerate are left out; true when there are such.
+//- Adds the triangles of one level of a front face, but for those that are
+//  degenerate. Returns whether there are such.
 static bool addTriangles
 (
     const prismLayers& layers,
     const label facei,
     const label level,
+    const columnTeam& team,
     std::vector<labelledTriangle>& triangles
 )
 {
     bool degenerate = false;
-    const face& f = layers.faces[facei];
 
-    for (label k = 1; k + 1 < f.size(); ++k)
+    for
+    (
+        const labelledTriangle& t
+      : trianglesOf(layers, facei, level, team)
+    )
     {
-        labelledTriangle t;
-        t.facei = facei + (level ? layers.faces.size() : 0);
-
-        const label columns[3] = {f[0], f[k], f[k + 1]};
-
-        for (int j = 0; j < 3; ++j)
-        {
-            t.labels[j] = layers.pointLabel(columns[j], level);
-            t.points[j] = layers(columns[j], level);
-        }
-
         if (t.degenerate())
         {
             degenerate = true;
@@ -71,6 +62,18 @@ static boundBox boxOf
 }
 
 
+static boundBox boxOf(const labelledTriangle& t)
+{
+    boundBox box(boundBox::invertedBox);
+    for (const point& x : t.points)
+    {
+        box.add(x);
+    }
+
+    return box;
+}
+
+
 //- Returns the bounding boxes of the outer faces of some front faces
 static std::vector<boundBox> boxesOf
 (
@@ -89,71 +92,28 @@ static std::vector<boundBox> boxesOf
 }
 
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
-List<labelPair> findIntersections(const prismLayers& layers)
-{
-    return findIntersections(layers, identity(layers.faces.size()));
-}
-
-
-List<labelPair> findOverlaps
+//- Adds the triangles that a process counts, on both levels, in marked cells of
+//  a grid, but for the outer ones of candidates
+static void addNear
 (
     const prismLayers& layers,
-    const labelUList& outerFaces,
-    const layerBodies& bodies
+    const boolList& candidates,
+    const markedGrid& grid,
+    const columnTeam& team,
+    std::vector<labelledTriangle>& triangles
 )
 {
-    if (outerFaces.empty())
-    {
-        return List<labelPair>();
-    }
-
-    List<labelPair> pairs(findIntersections(layers, outerFaces));
-
-    for (const label facei : findSideCrossings(layers, outerFaces))
-    {
-        const label outer = layers.faces.size() + facei;
-        pairs.append(labelPair(outer, outer));
-    }
-    pairs.append(findNestedBodies(layers, outerFaces, bodies));
-
-    return pairs;
-}
-
-
-List<labelPair> findIntersections
-(
-    const prismLayers& layers,
-    const labelUList& outerFaces
-)
-{
-    DynamicList<labelPair> pairs;
-    boolList candidates(layers.faces.size(), false);
-    UIndirectList<bool>(candidates, outerFaces) = true;
-
-    // Each pair has one of the first
-    std::vector<labelledTriangle> first, second;
-    forAll(candidates, facei)
-    {
-        if
-        (
-            candidates[facei]
-         && addTriangles(layers, facei, layers.nLayers, first)
-        )
-        {
-            const label outerFace = layers.faces.size() + facei;
-            pairs.append(labelPair(outerFace, outerFace));
-        }
-    }
-
-    const markedGrid grid(boxesOf(layers, outerFaces));
     List<FixedList<bool, 2>> near(layers.faces.size());
 
     #pragma omp parallel for schedule(static, 1024)
     forAll(near, facei)
     {
         const face& f = layers.faces[facei];
+        if (!team.counts(f))
+        {
+            near[facei] = false;
+            continue;
+        }
         near[facei][0] = grid.mayTouch(boxOf(layers, f, 0));
         near[facei][1] = !candidates[facei]
             && grid.mayTouch(boxOf(layers, f, layers.nLayers));
@@ -166,11 +126,102 @@ List<labelPair> findIntersections
         {
             if (near[facei][side])
             {
-                addTriangles(layers, facei, side*layers.nLayers, second);
+                addTriangles
+                (
+                    layers, facei, side*layers.nLayers, team, triangles
+                );
             }
         }
     }
+}
 
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+List<labelPair> findIntersections(const prismLayers& layers)
+{
+    return findIntersections(layers, identity(layers.faces.size()));
+}
+
+
+List<labelPair> findIntersections
+(
+    const prismLayers& layers,
+    const labelUList& outerFaces
+)
+{
+    return findIntersections
+    (
+        layers, outerFaces, std::vector<labelledTriangle>(),
+        columnTeam::alone()
+    );
+}
+
+
+std::vector<labelledTriangle> trianglesOf
+(
+    const prismLayers& layers,
+    const label facei,
+    const label level,
+    const columnTeam& team
+)
+{
+    std::vector<labelledTriangle> triangles;
+    const face& f = layers.faces[facei];
+
+    for (label k = 1; k + 1 < f.size(); ++k)
+    {
+        labelledTriangle t;
+        t.facei = facei + (level ? layers.faces.size() : 0);
+
+        const label columns[3] = {f[0], f[k], f[k + 1]};
+
+        for (int j = 0; j < 3; ++j)
+        {
+            const label c = level ? columns[j] : layers.root(columns[j]);
+            t.labels[j] = 2*team.wholeColumn(c) + (level > 0);
+            t.points[j] = layers(columns[j], level);
+        }
+        triangles.push_back(t);
+    }
+
+    return triangles;
+}
+
+
+List<labelPair> findIntersections
+(
+    const prismLayers& layers,
+    const labelUList& outerFaces,
+    const std::vector<labelledTriangle>& others,
+    const columnTeam& team
+)
+{
+    DynamicList<labelPair> pairs;
+    boolList candidates(layers.faces.size(), false);
+    UIndirectList<bool>(candidates, outerFaces) = true;
+
+    // Each pair has one of the first
+    std::vector<labelledTriangle> first(others), second;
+    forAll(candidates, facei)
+    {
+        if
+        (
+            candidates[facei]
+         && addTriangles(layers, facei, layers.nLayers, team, first)
+        )
+        {
+            const label outerFace = layers.faces.size() + facei;
+            pairs.append(labelPair(outerFace, outerFace));
+        }
+    }
+
+    std::vector<boundBox> boxes(boxesOf(layers, outerFaces));
+    for (const labelledTriangle& t : others)
+    {
+        boxes.push_back(boxOf(t));
+    }
+    addNear(layers, candidates, markedGrid(boxes), team, second);
     addIntersections(first, second, pairs);
 
     return List<labelPair>(std::move(pairs));

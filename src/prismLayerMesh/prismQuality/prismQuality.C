@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "prismQuality.H"
-#include "nestedBodies.H"
+#include "layerOverlaps.H"
 #include "scaledJacobian.H"
 #include "stackHeights.H"
 
@@ -33,28 +33,41 @@ bool isPositiveStack(const prismLayers& layers, const label facei)
 }
 
 
-layerCertificate certify(const prismLayers& layers)
+layerCertificate certify
+(
+    const prismLayers& layers,
+    const columnTeam& team
+)
 {
     const label nFaces = layers.faces.size();
     boolList outlying(nFaces, false);
-    label nNotPositive = 0;
+    label nCounted = 0, nNotPositive = 0;
 
     layerCertificate certificate;
-    certificate.nCells = nFaces*layers.nLayers;
-    certificate.worstJacobian.setSize(nFaces);
+    certificate.worstJacobian.setSize(nFaces, GREAT);
 
-    #pragma omp parallel for schedule(dynamic, 64) reduction(+: nNotPositive)
+    #pragma omp parallel for schedule(dynamic, 64) \
+        reduction(+: nCounted, nNotPositive)
     for (label facei = 0; facei < nFaces; ++facei)
     {
+        if (!team.counts(layers.faces[facei]))
+        {
+            continue;
+        }
+        ++nCounted;
         nNotPositive += !isPositiveStack(layers, facei);
         outlying[facei] = !hasPositivePyramids(layers, facei);
         certificate.worstJacobian[facei] = worstJacobian(layers, facei);
     }
 
+    certificate.nCells = nCounted*layers.nLayers;
     certificate.nStacksNotPositive = nNotPositive;
     certificate.outlyingCentres = findIndices(outlying, true);
-    certificate.nIntersectingPairs =
-        findOverlaps(layers, identity(nFaces), findBodies(layers)).size();
+    certificate.nOverlaps = findOverlaps
+    (
+        layers, team.withOwn(identity(nFaces), layers.faces),
+        findBodies(layers, team), scalarField(layers.nColumns(), 0), team
+    ).size();
 
     return certificate;
 }

@@ -43,15 +43,19 @@ static std::vector<labelledTriangle> withArea
 namespace
 {
 
+//- A side of a cell on a side patch
+struct sideOnPatch
+{
+    point corners[4];
+};
+
+
 //- A side patch and the columns that stand on it
 struct sideColumns
 {
     const prismLayers& layers;
     const sidePatch& side;
     labelHashSet columns;
-
-    //- Edges of the border of the wall that are on the side patch
-    DynamicList<edge> edges;
 
     //- A side patch of each column on one
     const Map<label>& sideOf;
@@ -67,7 +71,6 @@ struct sideColumns
             if (layers.border.edgeSides[i] == s)
             {
                 columns.insert(layers.border.edges[i]);
-                edges.append(layers.border.edges[i]);
             }
         }
     }
@@ -157,36 +160,22 @@ struct sideColumns
     }
 
 
-    //- Append the sides of the layers, which are not quite on a curved part
-    void appendSides(pointField& points, faceList& triangles) const;
-
-    //- Add the faces of a list whose outer faces intersect the part, but for
-    //  those that touch it
-    void addIntersecting(const labelUList& faces, labelHashSet& crossing) const;
+    //- Add the faces of a list whose outer faces intersect the part, or the
+    //  sides of the layers, which are not quite on a curved part, but for those
+    //  that touch it
+    void addIntersecting
+    (
+        const labelUList& faces,
+        const UList<sideOnPatch>& sides,
+        labelHashSet& crossing
+    ) const;
 };
-
-
-void sideColumns::appendSides(pointField& points, faceList& triangles) const
-{
-    for (const edge& e : edges)
-    {
-        for (label i = 0; i < layers.nLayers; ++i)
-        {
-            const label p = points.size();
-            points.append(layers(e.start(), i));
-            points.append(layers(e.end(), i));
-            points.append(layers(e.end(), i + 1));
-            points.append(layers(e.start(), i + 1));
-            triangles.append(face({p, p + 1, p + 2}));
-            triangles.append(face({p, p + 2, p + 3}));
-        }
-    }
-}
 
 
 void sideColumns::addIntersecting
 (
     const labelUList& faces,
+    const UList<sideOnPatch>& sides,
     labelHashSet& crossing
 ) const
 {
@@ -215,9 +204,12 @@ void sideColumns::addIntersecting
         }
     }
 
-    if (side.isCurved())
+    for (const sideOnPatch& s : sides)
     {
-        appendSides(points, triangles);
+        const label p = points.size();
+        points.append(UList<point>(const_cast<point*>(s.corners), 4));
+        triangles.append(face({p, p + 1, p + 2}));
+        triangles.append(face({p, p + 2, p + 3}));
     }
 
     DynamicList<labelPair> pairs;
@@ -240,12 +232,49 @@ void sideColumns::addIntersecting
 } // End anonymous namespace
 
 
+//- The sides of the layers of all processes on a side patch, if it is curved
+static List<sideOnPatch> sidesOn
+(
+    const prismLayers& layers,
+    const label s,
+    const columnTeam& team
+)
+{
+    const wallBorder& border = layers.border;
+    DynamicList<sideOnPatch> sides;
+
+    if (!border.sides[s].isCurved())
+    {
+        return List<sideOnPatch>();
+    }
+
+    forAll(border.edges, i)
+    {
+        const edge& e = border.edges[i];
+        if (border.edgeSides[i] == s && team.counts(labelList(e)))
+        {
+            for (label level = 0; level < layers.nLayers; ++level)
+            {
+                sides.append
+                ({{
+                    layers(e.start(), level), layers(e.end(), level),
+                    layers(e.end(), level + 1), layers(e.start(), level + 1)
+                }});
+            }
+        }
+    }
+
+    return team.gather(sides);
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 labelList findSideCrossings
 (
     const prismLayers& layers,
-    const labelUList& faces
+    const labelUList& faces,
+    const columnTeam& team
 )
 {
     labelHashSet crossing;
@@ -274,7 +303,10 @@ labelList findSideCrossings
 
         if (isPart)
         {
-            columns.addIntersecting(faces, crossing);
+            columns.addIntersecting
+            (
+                faces, sidesOn(layers, s, team), crossing
+            );
         }
     }
 

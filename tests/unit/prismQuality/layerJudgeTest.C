@@ -67,7 +67,11 @@ TEST(layerJudge, goodLayersHaveNoFault)
     EXPECT_TRUE(j.judge.findFaults(identity(j.layers.faces.size())).empty());
     EXPECT_TRUE
     (
-        j.judge.findOverlapping(identity(j.layers.faces.size())).empty()
+        j.judge.findOverlapping
+        (
+            identity(j.layers.faces.size()),
+            scalarField(j.layers.nColumns(), 0.1)
+        ).empty()
     );
 }
 
@@ -160,17 +164,33 @@ TEST(layerJudge, overlapsAreFoundFromEitherFace)
     const layerMoveControls controls;
     const layerJudge judge(layers, front.surface, front.visibility, controls);
     const label n = front.surface.faces.size();
-    const List<labelPair> all(judge.findOverlapping(identity(n)));
+    scalarField thickness(layers.nColumns(), 0.04);
+    thickness.last() = 0.05;
+    const auto stacksOf = [&](const labelUList& faces)
+    {
+        labelHashSet stacks;
+        for
+        (
+            const overlappingStack& stack
+          : judge.findOverlapping(faces, thickness)
+        )
+        {
+            EXPECT_GE(stack.tallest, 0.04);
+            stacks.insert(stack.facei);
+        }
+
+        return stacks;
+    };
+    const labelHashSet all(stacksOf(identity(n)));
     ASSERT_FALSE(all.empty());
 
-    for (const labelPair& pair : all)
+    for (const label facei : all)
     {
-        for (const label facei : pair)
-        {
-            EXPECT_TRUE(judge.findOverlapping(labelList(1, facei)).found(pair));
-        }
+        const labelHashSet with(stacksOf(labelList(1, facei)));
+        EXPECT_TRUE(with.found(facei));
+        EXPECT_GT(with.size(), 1);
     }
-    EXPECT_TRUE(judge.findOverlapping(labelList()).empty());
+    EXPECT_TRUE(stacksOf(labelList()).empty());
 }
 
 

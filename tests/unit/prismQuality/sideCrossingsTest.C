@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sideCrossings.H"
-#include "nestedBodies.H"
+#include "layerOverlaps.H"
 #include "openSurfaces.H"
 #include "prismQuality.H"
 #include "testLayers.H"
@@ -188,7 +188,14 @@ TEST(sideCrossings, layersThroughAnInletCrossIt)
         );
     }
     const labelList all(identity(layers.faces.size()));
-    EXPECT_EQ(findOverlaps(layers, all, findBodies(layers)).size(), 4);
+    EXPECT_EQ
+    (
+        findOverlaps
+        (
+            layers, all, findBodies(layers), scalarField(layers.nColumns(), 1)
+        ).size(),
+        4
+    );
 }
 
 
