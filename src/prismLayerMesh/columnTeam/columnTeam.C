@@ -84,6 +84,16 @@ label columnTeam::sum(const label n) const
 }
 
 
+string columnTeam::textOfMaster(const string& text) const
+{
+    List<char> characters(text.size());
+    std::copy(text.begin(), text.end(), characters.begin());
+    broadcast(characters);
+
+    return string(std::string(characters.cdata(), characters.size()));
+}
+
+
 void columnTeam::unite(boolList& columns) const
 {
     if (isAlone())

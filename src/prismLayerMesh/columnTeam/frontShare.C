@@ -287,6 +287,7 @@ frontShare makeFrontShare
 {
     const labelList rings(ringsOf(whole, owners, process));
     frontShare share;
+    share.owners = owners;
     shareBuilder builder{whole, rings, share};
     builder.choose();
     builder.addSurface();

@@ -7,6 +7,7 @@
 #include "columnControls.H"
 #include "limitGradient.H"
 #include "wallSmoother.H"
+#include "HashSet.H"
 
 #include <algorithm>
 
@@ -35,11 +36,51 @@ static vectorField lineDirections
 }
 
 
+//- Lower thicknesses until no slope along the wall is above the bound, on all
+//  shares: the lowest thickness is the same in any order of steps. Returns the
+//  columns that were lowered.
+static labelList limitSlope
+(
+    const layerFront& front,
+    const columnTeam& team,
+    scalarField& thickness
+)
+{
+    labelHashSet lowered;
+    bool anyLower = true;
+
+    while (anyLower)
+    {
+        lowered.insert
+        (
+            limitGradient
+            (
+                front.surface, front.addressing, layerColumns::maxSlope,
+                thickness
+            )
+        );
+        scalarField ofOwners(thickness);
+        team.update(ofOwners);
+
+        bool lower = false;
+        forAll(thickness, c)
+        {
+            lower = lower || ofOwners[c] < thickness[c];
+            thickness[c] = min(thickness[c], ofOwners[c]);
+        }
+        anyLower = team.any(lower);
+    }
+
+    return lowered.sortedToc();
+}
+
+
 static void setMaxThickness
 (
     const layerFront& front,
     const scalarField& clearance,
     const scalarField& asked,
+    const columnTeam& team,
     layerColumns& columns
 )
 {
@@ -60,22 +101,14 @@ static void setMaxThickness
         }
     }
 
-    const labelList lowered
-    (
-        limitGradient
-        (
-            front.surface, front.addressing, layerColumns::maxSlope,
-            columns.maxThickness
-        )
-    );
-
-    for (const label c : lowered)
+    for (const label c : limitSlope(front, team, columns.maxThickness))
     {
         if (columns.causes[c] == squeezeCause::none)
         {
             columns.causes[c] = squeezeCause::neighbour;
         }
     }
+    team.update(columns.causes);
 }
 
 
@@ -85,6 +118,7 @@ static void setOffsets
 (
     const layerFront& front,
     const gradientLines& lines,
+    const columnTeam& team,
     layerColumns& columns
 )
 {
@@ -98,7 +132,8 @@ static void setOffsets
 
     for (label i = 0; i < n; ++i)
     {
-        const vectorField directions(lineDirections(front.surface, lines, i));
+        vectorField directions(lineDirections(front.surface, lines, i));
+        team.update(directions);
         smoothed += directions - previous;
         previous = directions;
 
@@ -111,7 +146,7 @@ static void setOffsets
             previousHeights[c] = height;
         }
 
-        smoother.smooth(variances, columnControls::maxPasses, smoothed);
+        smoother.smooth(variances, columnControls::maxPasses, smoothed, team);
 
         #pragma omp parallel for schedule(static, 256)
         for (label c = 0; c < nColumns; ++c)
@@ -258,7 +293,8 @@ layerColumns makeLayerColumns
     const scalarField& clearance,
     const layerSpacing& spacing,
     const gradientLines& lines,
-    const layerControls& controls
+    const layerControls& controls,
+    const columnTeam& team
 )
 {
     layerColumns columns;
@@ -267,8 +303,9 @@ layerColumns makeLayerColumns
     columns.edgeLengths = meanEdges(front.surface, front.addressing);
     columns.maxStretch = controls.maxStretch;
     columns.onLevelSets = controls.onLevelSets;
-    setMaxThickness(front, clearance, spacing.thickness, columns);
-    setOffsets(front, lines, columns);
+    team.update(columns.edgeLengths);
+    setMaxThickness(front, clearance, spacing.thickness, team, columns);
+    setOffsets(front, lines, team, columns);
 
     return columns;
 }

@@ -16,7 +16,8 @@ scalarField straightShares
 (
     const layerFront& front,
     const scalarField& slopes,
-    const scalarField& thickness
+    const scalarField& thickness,
+    const columnTeam& team
 )
 {
     const scalar from = columnControls::concaveSlope;
@@ -27,7 +28,8 @@ scalarField straightShares
     (
         sqr(columnControls::slopeSmoothing*thickness),
         columnControls::maxScalarPasses,
-        shares
+        shares,
+        team
     );
 
     return shares;

@@ -25,15 +25,17 @@ static columnStarts startsOf
 }
 
 
+//- Straight lines of the columns that this process makes
 static gradientLines straightLines
 (
-    const layerFront& front,
-    const columnStarts& starts
+    const guidedColumns& columns,
+    const layerSpacing& spacing
 )
 {
     return makeStraightLines
     (
-        front.surface.points, starts.directions, starts.arcLengths
+        columns.own.surface.points, columns.own.visibility.axes(),
+        requestedHeights(spacing.at(columns.wallPoints()))
     );
 }
 
@@ -41,14 +43,14 @@ static gradientLines straightLines
 static columnGuide straightGuide
 (
     const wallHeights& heights,
-    const layerFront& front
+    const guidedColumns& columns
 )
 {
     columnGuide guide;
     guide.spacing = heights.graded;
     guide.noField = "marchingDirections axes needs none";
     guide.fields.failure = guide.noField;
-    guide.lines = straightLines(front, startsOf(front, guide.spacing));
+    guide.lines = straightLines(columns, guide.spacing);
 
     return guide;
 }
@@ -67,20 +69,67 @@ static labelListList blocksOf
 }
 
 
-//- Lines along a field, straightened where the columns of the front need none
+//- Lines along a field, straightened where the columns need none
 static gradientLines straightened
 (
-    const layerFront& front,
-    const gradientLines& straight,
+    const guidedColumns& columns,
     const layerSpacing& spacing,
     columnLines& along
 )
 {
-    const scalarField thickness(spacing.thickness, front.wallPoints);
-    const scalarField shares(straightShares(front, along.slopes, thickness));
+    const gradientLines straight(straightLines(columns, spacing));
+    const label n = straight.nSamples;
+    forAll(along.slopes, c)
+    {
+        if (!columns.team.isOwn(c))
+        {
+            along.slopes[c] = 0;
+            SubList<point>(along.lines.points, n, n*c) =
+                SubList<point>(straight.points, n, n*c);
+        }
+    }
+
+    const scalarField thickness(spacing.thickness, columns.wallPoints());
+    const scalarField shares
+    (
+        straightShares(columns.own, along.slopes, thickness, columns.team)
+    );
     straighten(straight, shares, along.lines);
 
     return std::move(along.lines);
+}
+
+
+//- The lines of one field for all of the wall, which the master makes.
+//  Collective
+static columnLines linesOfOneField
+(
+    const columnGuide& guide,
+    const guidedColumns& columns,
+    const lineDirections weighting = lineDirections::unit
+)
+{
+    columnLines all;
+    if (columns.team.isMaster())
+    {
+        all = makeColumnLines
+        (
+            guide.fields.background, guide.fields.isotropic,
+            startsOf(columns.whole, guide.spacing), weighting
+        );
+    }
+    if (columns.team.isAlone())
+    {
+        return all;
+    }
+
+    columnLines own;
+    own.lines.nSamples = guide.spacing.nLayers;
+    own.lines.points =
+        columns.team.fromMaster(all.lines.points, own.lines.nSamples);
+    own.slopes = columns.team.fromMaster(all.slopes);
+
+    return own;
 }
 
 
@@ -91,7 +140,7 @@ static columnGuide fieldGuide
 (
     const wallContext& context,
     const wallHeights& heights,
-    const layerFront& front,
+    const guidedColumns& columns,
     offsetEnvelope&& envelope,
     const prismLayerControls& controls,
     const stageObserver& observer,
@@ -102,15 +151,15 @@ static columnGuide fieldGuide
     guide.spacing = heights.graded;
     guide.envelope = std::move(envelope);
     guide.blocks = blocksOf(context.wall, guide.envelope);
-    const columnStarts starts(startsOf(front, guide.spacing));
     columnLines along;
 
-    if (guide.blocks.empty() || keepStages)
+    if ((guide.blocks.empty() || keepStages) && columns.team.isMaster())
     {
         guide.fields =
             makeFields(context, guide.envelope, controls.field, observer);
         guide.field = guide.fields.anisotropic;
     }
+    guide.fields.failure = columns.team.textOfMaster(guide.fields.failure);
 
     if (guide.blocks.size())
     {
@@ -120,38 +169,48 @@ static columnGuide fieldGuide
         };
         along = makeLinesOfBlocks
         (
-            divided, starts, controls.field, observer, guide.noField
+            divided, startsOf(columns.whole, guide.spacing), controls.field,
+            observer, guide.noField, columns.team
         );
     }
     else if (guide.fields.failure.empty())
     {
-        along = makeColumnLines
-        (
-            guide.fields.background, guide.fields.isotropic, starts
-        );
+        along = linesOfOneField(guide, columns);
     }
     else
     {
         guide.noField = guide.fields.failure;
-        guide.lines = straightLines(front, starts);
+        guide.lines = straightLines(columns, guide.spacing);
 
         return guide;
     }
 
-    guide.lines = straightened
-    (
-        front, straightLines(front, starts), guide.spacing, along
-    );
+    guide.lines = straightened(columns, guide.spacing, along);
 
     return guide;
 }
 
 
+//- Gives the spacing of the master to all
+static void broadcast(const columnTeam& team, layerSpacing& spacing)
+{
+    labelList n(1, spacing.nLayers);
+    team.broadcast(n);
+    spacing.nLayers = n[0];
+    team.broadcast(spacing.firstThickness);
+    team.broadcast(spacing.ratio);
+    team.broadcast(spacing.thickness);
+    team.broadcast(spacing.layersAsked);
+    team.broadcast(spacing.given);
+}
+
+
+//- The master makes the level sets
 static columnGuide levelSetGuide
 (
     const wallContext& context,
     const wallHeights& heights,
-    const layerFront& front,
+    const guidedColumns& columns,
     offsetEnvelope&& envelope,
     const prismLayerControls& controls,
     const stageObserver& observer
@@ -159,29 +218,42 @@ static columnGuide levelSetGuide
 {
     columnGuide guide;
     guide.envelope = std::move(envelope);
-    guide.fields =
-        makeFields(context, guide.envelope, controls.field, observer);
 
-    levelSetLayers onSets
-    (
-        makeLevelSets
+    if (columns.team.isMaster())
+    {
+        guide.fields =
+            makeFields(context, guide.envelope, controls.field, observer);
+        levelSetLayers onSets
         (
-            context, guide.fields, heights.graded, controls, observer
-        )
-    );
-    guide.field = std::move(onSets.field);
-    guide.spacing = std::move(onSets.spacing);
+            makeLevelSets
+            (
+                context, guide.fields, heights.graded, controls, observer
+            )
+        );
+        guide.field = std::move(onSets.field);
+        guide.spacing = std::move(onSets.spacing);
+    }
+    broadcast(columns.team, guide.spacing);
 
-    const columnStarts starts(startsOf(front, guide.spacing));
     guide.lines = controls.layers.alongField
-      ? makeColumnLines
-        (
-            guide.fields.background, guide.fields.isotropic, starts,
-            lineDirections::agreeing
-        ).lines
-      : straightLines(front, starts);
+      ? linesOfOneField(guide, columns, lineDirections::agreeing).lines
+      : straightLines(columns, guide.spacing);
 
     return guide;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+labelList guidedColumns::wallPoints() const
+{
+    labelList points(own.wallPoints);
+    for (label& p : points)
+    {
+        p = team.wholeColumn(p);
+    }
+
+    return points;
 }
 
 
@@ -191,7 +263,7 @@ columnGuide makeColumnGuide
 (
     wallContext& context,
     const wallHeights& heights,
-    const layerFront& front,
+    const guidedColumns& columns,
     const scalarField& clearance,
     const prismLayerControls& controls,
     const stageObserver& observer,
@@ -202,14 +274,16 @@ columnGuide makeColumnGuide
 
     if (!layers.alongField && !layers.onLevelSets)
     {
-        return straightGuide(heights, front);
+        return straightGuide(heights, columns);
     }
 
     offsetEnvelope envelope
     (
         makeEnvelope
         (
-            context, heights.room, front.smallest(clearance), controls, observer
+            context, heights.room,
+            columns.team.ofWholeWall(columns.own.smallest(clearance)),
+            controls, observer
         )
     );
 
@@ -222,12 +296,12 @@ columnGuide makeColumnGuide
     return layers.onLevelSets
       ? levelSetGuide
         (
-            context, heights, front, std::move(envelope), controls, observer
+            context, heights, columns, std::move(envelope), controls, observer
         )
       : fieldGuide
         (
-            context, heights, front, std::move(envelope), controls, observer,
-            keepStages
+            context, heights, columns, std::move(envelope), controls,
+            observer, keepStages
         );
 }
 

@@ -238,11 +238,15 @@ columnLines makeLinesOfBlocks
     const columnStarts& starts,
     const fieldControls& controls,
     const stageObserver& observer,
-    string& failure
+    string& failure,
+    const columnTeam& team
 )
 {
     observer.begin("columnLines");
-    const columnLines made(makeColumnLines(wall, starts, controls, failure));
+    const columnLines made
+    (
+        makeColumnLines(wall, starts, controls, failure, team)
+    );
     observer.end
     (
         failure.empty()

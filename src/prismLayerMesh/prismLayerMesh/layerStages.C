@@ -14,6 +14,26 @@
 namespace Foam
 {
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Kinds of the points under the columns that this process makes
+static List<pointKind> kindsHere
+(
+    const List<pointKind>& kinds,
+    const guidedColumns& front
+)
+{
+    const label nPoints =
+        front.own.wallPoints.size() - front.own.extraColumnPoints().size();
+    const labelList points(front.wallPoints());
+
+    return List<pointKind>
+    (
+        UIndirectList<pointKind>(kinds, SubList<label>(points, nPoints))
+    );
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 wallHeights makeHeights
@@ -74,22 +94,23 @@ scalarField makeClearance
 (
     const wallContext& context,
     const wallHeights& heights,
-    const layerFront& front,
+    const guidedColumns& front,
     const prismLayerControls& controls,
     const stageObserver& observer
 )
 {
     observer.begin("wallClearance");
+    const scalarField room(heights.room, front.wallPoints());
     const scalarField clearance
     (
         makeWallClearance
         (
-            front.surface, context.search(), front.visibility,
-            2*controls.envelope.scale*front.ofColumns(heights.room),
-            controls.layers.maxStretch
+            front.own.surface, context.search(), front.own.visibility,
+            2*controls.envelope.scale*room, controls.layers.maxStretch
         )
     );
-    observer.end(text("room from ", min(clearance), " m"));
+    const scalar least = min(front.team.gather(scalarList(1, min(clearance))));
+    observer.end(text("room from ", least, " m"));
 
     return clearance;
 }
@@ -97,7 +118,7 @@ scalarField makeClearance
 
 layerColumns makeColumns
 (
-    const layerFront& front,
+    const guidedColumns& front,
     const scalarField& clearance,
     const columnGuide& guide,
     const layerControls& controls,
@@ -109,11 +130,11 @@ layerColumns makeColumns
     (
         makeLayerColumns
         (
-            front, clearance, guide.spacing.at(front.wallPoints), guide.lines,
-            controls
+            front.own, clearance, guide.spacing.at(front.wallPoints()),
+            guide.lines, controls, front.team
         )
     );
-    observer.end(text(front.wallPoints.size(), " columns"));
+    observer.end(text(front.whole.wallPoints.size(), " columns"));
 
     return columns;
 }
@@ -123,7 +144,7 @@ madeLayers makeLayers
 (
     const wallContext& context,
     const wallHeights& heights,
-    const layerFront& front,
+    const guidedColumns& front,
     const layerSpacing& spacing,
     const layerColumns& columns,
     const qualityControls& quality,
@@ -133,17 +154,21 @@ madeLayers makeLayers
     observer.begin("prismLayers");
     layerMoveControls moves;
     moves.quality = quality;
-    madeLayers made(makePrismLayers(front, spacing, columns, moves));
+    madeLayers made
+    (
+        makePrismLayers(front.own, spacing, columns, moves, front.team)
+    );
 
     if (made.certified.pointsWithoutHeight.empty())
     {
+        const labelList points(front.wallPoints());
         nameCauses
         (
-            front, context.kinds, heights.request.at(front.wallPoints),
-            spacing, columns, made
+            front.own, kindsHere(context.kinds, front),
+            heights.request.at(points), spacing, columns, made
         );
     }
-    observer.end(sizesOf(made));
+    observer.end(sizesOf(made, front.whole.surface.faces.size()));
 
     return made;
 }
@@ -152,11 +177,15 @@ madeLayers makeLayers
 layerCertificate makeCertificate
 (
     const prismLayers& layers,
+    const columnTeam& team,
     const stageObserver& observer
 )
 {
     observer.begin("prismQuality");
-    const layerCertificate certificate(certify(layers));
+    layerCertificate certificate(certify(layers, team));
+    certificate.nCells = team.sum(certificate.nCells);
+    certificate.nStacksNotPositive = team.sum(certificate.nStacksNotPositive);
+    certificate.nOverlaps = team.sum(certificate.nOverlaps);
     observer.end(sizesOf(certificate));
 
     if (!certificate.valid())

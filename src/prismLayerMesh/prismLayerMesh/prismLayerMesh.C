@@ -8,10 +8,104 @@
 #include "returnMemory.H"
 #include "stageText.H"
 
+#include <memory>
+
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- A front, and what this process makes of it
+struct dividedFront
+{
+    const layerFront& whole;
+    const std::unique_ptr<const frontShare> share;
+    const columnTeam team;
+
+    dividedFront(const layerFront& front, const processTeam* processes)
+    :
+        whole(front),
+        share
+        (
+            processes
+          ? new frontShare
+            (
+                makeFrontShare
+                (
+                    front,
+                    ownersByRange(max(front.wallPoints) + 1, processes->size()),
+                    processes->size(), processes->rank()
+                )
+            )
+          : nullptr
+        ),
+        team(share ? columnTeam(*share, *processes) : columnTeam())
+    {}
+
+    guidedColumns columns() const
+    {
+        return guidedColumns{whole, share ? share->front : whole, team};
+    }
+};
+
+
+//- On the master the layers of all processes, in place of those of its share
+static void gatherLayers
+(
+    const dividedFront& front,
+    madeLayers& made,
+    layerCertificate& certificate
+)
+{
+    const columnTeam& team = front.team;
+    if (team.isAlone())
+    {
+        return;
+    }
+
+    prismLayers& layers = made.layers;
+    const faceList own(layers.faces);
+    layers.points = team.onMaster(layers.points, layers.nLayers + 1);
+    made.thickness = team.onMaster(made.thickness);
+    made.causes = team.onMaster(made.causes);
+    certificate.worstJacobian =
+        team.facesOnMaster(certificate.worstJacobian, own);
+    for (label& facei : certificate.outlyingCentres)
+    {
+        facei = team.wholeFace(facei);
+    }
+    certificate.outlyingCentres = team.gather(certificate.outlyingCentres);
+    sort(certificate.outlyingCentres);
+
+    const wallSurface& surface = front.whole.surface;
+    layers.faces = surface.faces;
+    layers.patchIDs =
+        SubList<label>(surface.patchIDs, front.whole.nWallFaces);
+    layers.border = surface.border;
+    layers.extraColumnPoints = front.whole.extraColumnPoints();
+}
+
+
+//- Certifies the layers of all processes, and gathers them on the master
+static void certifyAll
+(
+    const dividedFront& front,
+    const qualityControls& bounds,
+    const stageObserver& observer,
+    prismLayerMesh& mesh
+)
+{
+    const prismLayers& layers = mesh.made.layers;
+    mesh.certificate = makeCertificate(layers, front.team, observer);
+    mesh.bounds = bounds;
+    mesh.faces = faceQualityOfLayers
+    (
+        layers, layerGeometry(layers, front.columns().own.addressing), bounds,
+        front.team
+    );
+    gatherLayers(front, mesh.made, mesh.certificate);
+}
+
 
 //- The mesh on a front with multiple normals at angles below one [deg], as far
 //  as layers are possible there. Unless the stages are kept, the context is
@@ -23,7 +117,8 @@ static prismLayerMesh makeLayersOnFront
     const scalar angle,
     const prismLayerControls& controls,
     const stageObserver& observer,
-    const bool keepStages
+    const bool keepStages,
+    const processTeam* processes
 )
 {
     prismLayerMesh mesh;
@@ -35,44 +130,43 @@ static prismLayerMesh makeLayersOnFront
         return mesh;
     }
 
-    scalarField clearance
+    const dividedFront divided(mesh.front, processes);
+    const guidedColumns front(divided.columns());
+    mesh.clearance = makeClearance(context, heights, front, controls, observer);
+    mesh.guide = makeColumnGuide
     (
-        makeClearance(context, heights, mesh.front, controls, observer)
-    );
-    columnGuide guide
-    (
-        makeColumnGuide
-        (
-            context, heights, mesh.front, clearance, controls, observer,
-            keepStages
-        )
+        context, heights, front, mesh.clearance, controls, observer, keepStages
     );
     layerColumns columns
     (
-        makeColumns(mesh.front, clearance, guide, controls.layers, observer)
+        makeColumns
+        (
+            front, mesh.clearance, mesh.guide, controls.layers, observer
+        )
     );
-    const layerSpacing spacing(guide.spacing.at(mesh.front.wallPoints));
-    mesh.noField = guide.noField;
+    const layerSpacing spacing(mesh.guide.spacing.at(front.wallPoints()));
+    mesh.noField = mesh.guide.noField;
 
     if (keepStages)
     {
-        mesh.guide = std::move(guide);
-        mesh.clearance = std::move(clearance);
         mesh.columns = columns;
     }
     else
     {
-        guide = columnGuide();
-        clearance.clear();
+        mesh.guide = columnGuide();
+        mesh.clearance.clear();
         context.drop();
         returnMemory();
     }
 
     mesh.made = makeLayers
     (
-        context, heights, mesh.front, spacing, columns, controls.quality,
-        observer
+        context, heights, front, spacing, columns, controls.quality, observer
     );
+    if (mesh.made.certified.pointsWithoutHeight.empty())
+    {
+        certifyAll(divided, controls.quality, observer, mesh);
+    }
 
     return mesh;
 }
@@ -93,7 +187,8 @@ prismLayerMesh makePrismLayerMesh
     const prismLayerControls& controls,
     const localHeights& local,
     const stageObserver& observer,
-    const bool keepStages
+    const bool keepStages,
+    const processTeam* processes
 )
 {
     observer.begin("wallVisibility");
@@ -108,7 +203,7 @@ prismLayerMesh makePrismLayerMesh
     {
         return makeLayersOnFront
         (
-            context, heights, angle, controls, observer, keepStages
+            context, heights, angle, controls, observer, keepStages, processes
         );
     };
 
@@ -123,13 +218,6 @@ prismLayerMesh makePrismLayerMesh
         throw errorOfPoints(context, mesh.front, mesh.made.certified);
     }
 
-    mesh.certificate = makeCertificate(mesh.made.layers, observer);
-    mesh.bounds = controls.quality;
-    mesh.faces = faceQualityOfLayers
-    (
-        mesh.made.layers,
-        layerGeometry(mesh.made.layers, mesh.front.addressing), mesh.bounds
-    );
     mesh.pointKinds = context.kinds;
     mesh.heights = heights;
 

@@ -58,7 +58,7 @@ string sizesOf(const backgroundMesh& mesh, const monotoneField& field)
 }
 
 
-string sizesOf(const madeLayers& made)
+string sizesOf(const madeLayers& made, const label nFaces)
 {
     if (made.certified.pointsWithoutHeight.size())
     {
@@ -66,7 +66,7 @@ string sizesOf(const madeLayers& made)
             " points have no height left");
     }
 
-    return text(made.layers.faces.size()*made.layers.nLayers,
+    return text(nFaces*made.layers.nLayers,
         " cells; columns retreated ", made.certified.nRetreats, " times");
 }
 

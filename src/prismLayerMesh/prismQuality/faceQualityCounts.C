@@ -143,6 +143,7 @@ static void addStack
     const prismLayers& layers,
     const layerGeometry& geometry,
     const qualityControls& bounds,
+    const columnTeam& team,
     const label facei,
     faceQualityCounts& faces
 )
@@ -159,8 +160,8 @@ static void addStack
         {
             faces.add
             (
-                facei, faceGeometry(points), points, cell(facei, i), other,
-                bounds
+                team.wholeFace(facei), faceGeometry(points), points,
+                cell(facei, i), other, bounds
             );
         };
 
@@ -188,10 +189,11 @@ faceQualityCounts faceQualityOfLayers
 (
     const prismLayers& layers,
     const layerGeometry& geometry,
-    const qualityControls& bounds
+    const qualityControls& bounds,
+    const columnTeam& team
 )
 {
-    faceQualityCounts all;
+    faceQualityCounts own;
 
     #pragma omp parallel
     {
@@ -200,11 +202,24 @@ faceQualityCounts faceQualityOfLayers
         #pragma omp for schedule(static, 64)
         forAll(layers.faces, facei)
         {
-            addStack(layers, geometry, bounds, facei, ofThread);
+            if (team.counts(layers.faces[facei]))
+            {
+                addStack(layers, geometry, bounds, team, facei, ofThread);
+            }
         }
 
         #pragma omp critical
-        all += ofThread;
+        own += ofThread;
+    }
+
+    faceQualityCounts all;
+    for
+    (
+        const faceQualityCounts& ofProcess
+      : team.gather(List<faceQualityCounts>(1, own))
+    )
+    {
+        all += ofProcess;
     }
 
     return all;

@@ -1,0 +1,242 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
+
+template<class Type>
+List<message> columnTeam::toCopies(const UList<Type>& values) const
+{
+    List<message> all(size());
+    forAll(all, p)
+    {
+        all[p].addList
+        (
+            List<Type>(UIndirectList<Type>(values, share_->sent[p]))
+        );
+    }
+
+    return all;
+}
+
+
+template<class Type>
+void columnTeam::update(UList<Type>& values) const
+{
+    if (isAlone())
+    {
+        return;
+    }
+
+    const List<message> messages(exchange(toCopies(values)));
+    forAll(messages, p)
+    {
+        messageReader reader(messages[p]);
+        UIndirectList<Type>(values, share_->received[p]) =
+            reader.list<Type>();
+    }
+}
+
+
+template<class Type>
+List<Type> columnTeam::ofWholeWall(const UList<Type>& values) const
+{
+    if (isAlone())
+    {
+        return List<Type>(values);
+    }
+
+    DynamicList<label> points;
+    DynamicList<Type> own;
+    forAll(values, p)
+    {
+        if (share_->isOwn[p])
+        {
+            points.append(share_->columns[p]);
+            own.append(values[p]);
+        }
+    }
+    const labelList all(gather(points));
+    List<Type> result(all.size());
+    UIndirectList<Type>(result, all) = gather(own);
+
+    return result;
+}
+
+
+template<class Type>
+List<Type> columnTeam::some
+(
+    const UList<Type>& values,
+    const labelUList& which,
+    const label nEach
+)
+{
+    List<Type> result(which.size()*nEach);
+    forAll(which, i)
+    {
+        SubList<Type>(result, nEach, i*nEach) =
+            SubList<Type>(values, nEach, which[i]*nEach);
+    }
+
+    return result;
+}
+
+
+template<class Type>
+List<Type> columnTeam::fromMaster
+(
+    const UList<Type>& whole,
+    const label nEach
+) const
+{
+    if (isAlone())
+    {
+        return List<Type>(whole);
+    }
+
+    List<message> asked(size());
+    forAll(asked, p)
+    {
+        asked[p].addList(p == 0 ? share_->columns : labelList());
+    }
+    asked = exchange(asked);
+
+    List<message> answers(size());
+    forAll(answers, p)
+    {
+        messageReader reader(asked[p]);
+        const labelList columns(reader.list<label>());
+        answers[p].addList(some(whole, columns, nEach));
+    }
+    const List<message> received(exchange(answers));
+    messageReader reader(received[0]);
+
+    return reader.list<Type>();
+}
+
+
+template<class Type>
+List<Type> columnTeam::toMaster
+(
+    const UList<Type>& values,
+    const labelUList& which,
+    const labelUList& wholeLabels,
+    const label nWhole,
+    const label nEach
+) const
+{
+    List<message> sent(size());
+    forAll(sent, p)
+    {
+        const labelList own(p == 0 ? which : labelUList::null());
+        sent[p].addList(labelList(UIndirectList<label>(wholeLabels, own)));
+        sent[p].addList(some(values, own, nEach));
+    }
+
+    List<Type> result(isMaster() ? nWhole*nEach : 0);
+    for (const message& m : exchange(sent))
+    {
+        messageReader reader(m);
+        const labelList labels(reader.list<label>());
+        const List<Type> received(reader.list<Type>());
+        forAll(labels, i)
+        {
+            SubList<Type>(result, nEach, labels[i]*nEach) =
+                SubList<Type>(received, nEach, i*nEach);
+        }
+    }
+
+    return result;
+}
+
+
+template<class Type>
+List<Type> columnTeam::onMaster
+(
+    const UList<Type>& values,
+    const label nEach
+) const
+{
+    return isAlone() ? List<Type>(values) : toMaster
+    (
+        values, findIndices(share_->isOwn, true), share_->columns,
+        share_->nColumns, nEach
+    );
+}
+
+
+template<class Type>
+List<Type> columnTeam::facesOnMaster
+(
+    const UList<Type>& values,
+    const UList<face>& columns
+) const
+{
+    if (isAlone())
+    {
+        return List<Type>(values);
+    }
+
+    const labelList counted
+    (
+        subsetList
+        (
+            identity(columns.size()),
+            [&](const label facei) { return counts(columns[facei]); }
+        )
+    );
+
+    return toMaster(values, counted, share_->faces, share_->nFaces, 1);
+}
+
+
+template<class Type>
+Map<Type> columnTeam::fromOwners(const Map<Type>& values) const
+{
+    if (isAlone())
+    {
+        return Map<Type>();
+    }
+
+    List<message> toOthers(size());
+    forAll(toOthers, p)
+    {
+        DynamicList<label> places;
+        DynamicList<Type> some;
+        forAll(share_->sent[p], i)
+        {
+            const auto found = values.cfind(share_->sent[p][i]);
+            if (found.found())
+            {
+                places.append(i);
+                some.append(found.val());
+            }
+        }
+        toOthers[p].addList(places);
+        toOthers[p].addList(some);
+    }
+
+    Map<Type> result;
+    const List<message> fromOthers(exchange(toOthers));
+    forAll(fromOthers, p)
+    {
+        messageReader reader(fromOthers[p]);
+        const labelList places(reader.list<label>());
+        const List<Type> some(reader.list<Type>());
+        forAll(places, i)
+        {
+            result.set(share_->received[p][places[i]], some[i]);
+        }
+    }
+
+    return result;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

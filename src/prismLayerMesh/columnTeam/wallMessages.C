@@ -1,0 +1,177 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "wallMessages.H"
+#include "sideShape.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+static void addWords(message& m, const wordList& words)
+{
+    m.addValue(words.size());
+    for (const word& w : words)
+    {
+        addText(m, w);
+    }
+}
+
+
+static wordList takeWords(messageReader& reader)
+{
+    wordList words(reader.value<label>());
+    for (word& w : words)
+    {
+        w = word(takeText(reader), false);
+    }
+
+    return words;
+}
+
+
+static void addSide(message& m, const sidePatch& side)
+{
+    m.addValue(side.origin);
+    m.addValue(side.normal);
+    addText(m, side.name);
+    addText(m, side.type);
+    m.addList(side.points);
+    addFaces(m, side.faces);
+    m.addValue(side.isCurved());
+}
+
+
+static sidePatch takeSide(messageReader& reader)
+{
+    sidePatch side;
+    side.origin = reader.value<point>();
+    side.normal = reader.value<vector>();
+    side.name = word(takeText(reader), false);
+    side.type = word(takeText(reader), false);
+    side.points = reader.list<point>();
+    side.faces = takeFaces(reader);
+    if (reader.value<bool>())
+    {
+        side.shape.reset(new sideShape(side.points, side.faces));
+    }
+
+    return side;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void addText(message& m, const std::string& text)
+{
+    m.addList(UList<char>(const_cast<char*>(text.data()), text.size()));
+}
+
+
+std::string takeText(messageReader& reader)
+{
+    const List<char> text(reader.list<char>());
+
+    return std::string(text.cdata(), text.size());
+}
+
+
+void addFaces(message& m, const faceList& faces)
+{
+    labelList sizes(faces.size());
+    DynamicList<label> corners(4*faces.size());
+    forAll(faces, i)
+    {
+        sizes[i] = faces[i].size();
+        corners.append(faces[i]);
+    }
+    m.addList(sizes);
+    m.addList(corners);
+}
+
+
+faceList takeFaces(messageReader& reader)
+{
+    const labelList sizes(reader.list<label>());
+    const labelList corners(reader.list<label>());
+    faceList faces(sizes.size());
+    label start = 0;
+    forAll(sizes, i)
+    {
+        faces[i] = face(SubList<label>(corners, sizes[i], start));
+        start += sizes[i];
+    }
+
+    return faces;
+}
+
+
+void addWall(message& m, const wallSurface& wall)
+{
+    m.addList(wall.points);
+    addFaces(m, wall.faces);
+    m.addList(wall.patchIDs);
+    addWords(m, wall.patchNames);
+    addWords(m, wall.patchTypes);
+    m.addValue(wall.border.sides.size());
+    for (const sidePatch& side : wall.border.sides)
+    {
+        addSide(m, side);
+    }
+    m.addList(wall.border.edges);
+    m.addList(wall.border.edgeSides);
+}
+
+
+wallSurface takeWall(messageReader& reader)
+{
+    wallSurface wall;
+    wall.points = reader.list<point>();
+    wall.faces = takeFaces(reader);
+    wall.patchIDs = reader.list<label>();
+    wall.patchNames = takeWords(reader);
+    wall.patchTypes = takeWords(reader);
+    wall.border.sides.setSize(reader.value<label>());
+    for (sidePatch& side : wall.border.sides)
+    {
+        side = takeSide(reader);
+    }
+    wall.border.edges = reader.list<edge>();
+    wall.border.edgeSides = reader.list<label>();
+
+    return wall;
+}
+
+
+void addHeights(message& m, const localHeights& heights)
+{
+    m.addValue(heights.inRegion.size());
+    for (const boolList& inRegion : heights.inRegion)
+    {
+        m.addList(inRegion);
+    }
+    m.addList(heights.firstThickness);
+    m.addList(heights.thickness);
+}
+
+
+localHeights takeHeights(messageReader& reader)
+{
+    localHeights heights;
+    heights.inRegion.setSize(reader.value<label>());
+    for (boolList& inRegion : heights.inRegion)
+    {
+        inRegion = reader.list<bool>();
+    }
+    heights.firstThickness = reader.list<scalar>();
+    heights.thickness = reader.list<scalar>();
+
+    return heights;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
