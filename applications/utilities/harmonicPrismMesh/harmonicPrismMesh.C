@@ -64,9 +64,9 @@ Usage
 #include "replacedFiles.H"
 #include "returnMemory.H"
 #include "surfaceAdvice.H"
+#include "teamwork.H"
 #include "Time.H"
 #include "waitPassively.H"
-#include "wallPointsError.H"
 #include "writeStageFields.H"
 
 using namespace Foam;
@@ -140,40 +140,6 @@ static localHeights readLocal
 }
 
 
-//- Makes the layers.
-//  Errors: FatalError with the file of the points where no layers are possible
-static prismLayerMesh makeMesh
-(
-    const prismCase& files,
-    const wallSurface& wall,
-    const prismLayerControls& controls,
-    const localHeights& local,
-    const bool keepStages,
-    stageLog& log
-)
-{
-    try
-    {
-        return makePrismLayerMesh
-        (
-            wall, controls, local, log.observer(), keepStages
-        );
-    }
-    catch (const wallPointsError& failure)
-    {
-        mkDir(files.reportFolder());
-        writeFailedPoints(files.failedPointsFile(), failure);
-
-        FatalErrorInFunction
-            << failure.message().c_str() << nl
-            << "Their places are in " << files.failedPointsFile()
-            << exit(FatalError);
-    }
-
-    return prismLayerMesh();
-}
-
-
 //- Writes mesh, outer surface and report. The mesh of layers is consumed.
 static void writeCase
 (
@@ -231,6 +197,7 @@ static void writeCase
 static void meshWall
 (
     const prismCase& files,
+    const parallelRun& parallel,
     const caseWriter& writer,
     preparedWall& given,
     const fileName& preparedFile,
@@ -254,7 +221,7 @@ static void meshWall
     );
     prismLayerMesh made
     (
-        makeMesh(files, wall, controls, local, pictures, log)
+        makeLayers(files, parallel, wall, controls, local, pictures, log)
     );
     if (controls.farField.isWanted())
     {
@@ -357,7 +324,7 @@ int main(int argc, char *argv[])
 
     if (!parallel.isMaster())
     {
-        return writer.writeReceived() ? 0 : 1;
+        return helpMaster(parallel) && writer.writeReceived() ? 0 : 1;
     }
 
     const bool checkOnly = args.found("checkSurface");
@@ -385,7 +352,7 @@ int main(int argc, char *argv[])
         files.checkOverwrite(surfaces, controls.farField, nProcesses);
         meshWall
         (
-            files, writer, given, preparedFile, controls,
+            files, parallel, writer, given, preparedFile, controls,
             args.found("writeFields"), runTime, log
         );
     }

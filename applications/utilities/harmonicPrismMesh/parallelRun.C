@@ -10,6 +10,7 @@
 #include "IPstream.H"
 #include "OPstream.H"
 #include "pieceMessages.H"
+#include "pstreamTeam.H"
 #include "returnMemory.H"
 #include "Time.H"
 
@@ -28,16 +29,6 @@ static const unsigned lookInterval = 5000;
 enum class pieceKind : char { mesh, layers };
 
 static const auto blocking = UPstream::commsTypes::scheduled;
-
-
-static void setParallel(const bool on)
-{
-    #if OPENFOAM >= 2106
-    UPstream::parRun(on);
-    #else
-    UPstream::parRun() = on;
-    #endif
-}
 
 
 //- Means of the centres of the faces of cells. Centres of cells, and all else
@@ -70,13 +61,32 @@ static pointField centresOfFaces(const polyMesh& mesh)
 }
 
 
+static void sendByte(const char byte, const label process)
+{
+    UOPstream::write(blocking, process, &byte, 1);
+}
+
+
 //- Says which kind of piece comes next
 static void sendKind(const pieceKind kind, const label process)
 {
-    UOPstream::write
-    (
-        blocking, process, reinterpret_cast<const char*>(&kind), 1
-    );
+    sendByte(char(kind), process);
+}
+
+
+//- Sleeps until a byte of the master arrives
+static char awaitByte()
+{
+    char byte = 0;
+    const label request = UPstream::nRequests();
+    UIPstream::read(UPstream::commsTypes::nonBlocking, 0, &byte, 1);
+    while (!UPstream::finishedRequest(request))
+    {
+        usleep(lookInterval);
+    }
+    UPstream::resetRequests(request);
+
+    return byte;
 }
 
 
@@ -233,19 +243,24 @@ void parallelRun::requireWritten() const
 }
 
 
+bool parallelRun::sharesLayers(const bool saysMaster) const
+{
+    if (!isMaster())
+    {
+        return awaitByte();
+    }
+    for (label other = 1; other < nProcesses_; ++other)
+    {
+        sendByte(saysMaster, other);
+    }
+
+    return saysMaster && isParallel();
+}
+
+
 meshPiece parallelRun::receivePiece() const
 {
-    pieceKind kind = pieceKind::mesh;
-    const label request = UPstream::nRequests();
-    UIPstream::read
-    (
-        UPstream::commsTypes::nonBlocking, 0, reinterpret_cast<char*>(&kind), 1
-    );
-    while (!UPstream::finishedRequest(request))
-    {
-        usleep(lookInterval);
-    }
-    UPstream::resetRequests(request);
+    const pieceKind kind = pieceKind(awaitByte());
 
     return kind == pieceKind::mesh
       ? receiveMeshPiece(0)
