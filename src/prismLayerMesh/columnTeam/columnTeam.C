@@ -78,12 +78,6 @@ labelList columnTeam::withOwn
 }
 
 
-label columnTeam::sum(const label n) const
-{
-    return Foam::sum(gather(labelList(1, n)));
-}
-
-
 string columnTeam::textOfMaster(const string& text) const
 {
     List<char> characters(text.size());

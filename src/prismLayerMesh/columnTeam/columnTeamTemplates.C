@@ -42,6 +42,20 @@ void columnTeam::update(UList<Type>& values) const
 }
 
 
+template<class Type, class Operation>
+Type columnTeam::reduce(const Type& value, const Operation& op) const
+{
+    const List<Type> all(gather(List<Type>(1, value)));
+    Type result(all[0]);
+    for (label p = 1; p < all.size(); ++p)
+    {
+        result = op(result, all[p]);
+    }
+
+    return result;
+}
+
+
 template<class Type>
 List<Type> columnTeam::ofWholeWall(const UList<Type>& values) const
 {
@@ -117,6 +131,55 @@ List<Type> columnTeam::fromMaster
     messageReader reader(received[0]);
 
     return reader.list<Type>();
+}
+
+
+template<class Type>
+List<Type> columnTeam::valuesOf
+(
+    const labelUList& wholeColumns,
+    const labelUList& owners,
+    const UList<Type>& values,
+    const label nEach
+) const
+{
+    const labelListList places(invertOneToMany(size(), owners));
+    List<message> asked(size());
+    forAll(asked, p)
+    {
+        asked[p].addList
+        (
+            labelList(UIndirectList<label>(wholeColumns, places[p]))
+        );
+    }
+    asked = exchange(asked);
+
+    List<message> answers(size());
+    forAll(answers, p)
+    {
+        messageReader reader(asked[p]);
+        labelList columns(reader.list<label>());
+        for (label& c : columns)
+        {
+            c = columnHere(c);
+        }
+        answers[p].addList(some(values, columns, nEach));
+    }
+    answers = exchange(answers);
+
+    List<Type> result(wholeColumns.size()*nEach);
+    forAll(answers, p)
+    {
+        messageReader reader(answers[p]);
+        const List<Type> received(reader.list<Type>());
+        forAll(places[p], i)
+        {
+            SubList<Type>(result, nEach, places[p][i]*nEach) =
+                SubList<Type>(received, nEach, i*nEach);
+        }
+    }
+
+    return result;
 }
 
 

@@ -55,15 +55,15 @@ faceHeights makeFaceHeights
 
 scalarField changesOverEdges
 (
-    const wallAddressing& addressing,
+    const UList<labelPair>& edgeFaces,
     const scalarField& ofFaces
 )
 {
-    scalarField changes(addressing.edges.size());
+    scalarField changes(edgeFaces.size());
 
     forAll(changes, edgei)
     {
-        const labelPair& faces = addressing.edgeFaces[edgei];
+        const labelPair& faces = edgeFaces[edgei];
         const scalar a = ofFaces[faces.first()];
         const scalar b = faces.second() < 0 ? a : ofFaces[faces.second()];
 

@@ -204,7 +204,7 @@ static void addFaceFields
         "firstHeightChange", largestOfFaces
         (
             nFaces, mesh.addressing,
-            changesOverEdges(mesh.addressing, heights.first)
+            changesOverEdges(mesh.addressing.edgeFaces, heights.first)
         )
     );
     fields.add("layers", scalarField(nFaces, mesh.made.layers.nLayers));

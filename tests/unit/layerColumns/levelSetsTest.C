@@ -310,7 +310,7 @@ TEST(localConductivity, theChangeIsSmooth)
     (
         changesOverEdges
         (
-            ball.mesh.addressing,
+            ball.mesh.addressing.edgeFaces,
             makeFaceHeights
             (
                 ball.wall, ball.mesh.heights.request, ball.mesh.made.layers

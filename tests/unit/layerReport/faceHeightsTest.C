@@ -64,7 +64,7 @@ TEST(changesOverEdges, areTheLargerOverTheSmaller)
     values[5] = 0.25;
 
     label nChanges = 0;
-    for (const scalar change : changesOverEdges(addressing, values))
+    for (const scalar change : changesOverEdges(addressing.edgeFaces, values))
     {
         EXPECT_TRUE(change == 1 || change == 4);
         nChanges += change == 4;

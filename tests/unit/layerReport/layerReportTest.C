@@ -76,7 +76,7 @@ public:
         (
             makeLayerReport
             (
-                wall, makeWallAddressing(wall), spacing, layers,
+                wall, makeWallAddressing(wall).edgeFaces, spacing, layers,
                 certify(layers), causes
             )
         );
@@ -344,8 +344,8 @@ TEST(writeLayerReport, saysWhereCentresAreOutside)
     (
         makeLayerReport
         (
-            run.wall, makeWallAddressing(run.wall), run.spacing, run.layers,
-            certificate, run.causes
+            run.wall, makeWallAddressing(run.wall).edgeFaces, run.spacing,
+            run.layers, certificate, run.causes
         )
     );
     OStringStream os;
