@@ -158,25 +158,35 @@ Foam::label Foam::caseWriter::writeMesh
 ) const
 {
     label nFaces = 0;
-
-    if (parallel_.isParallel())
-    {
-        writePiece(dividePieces(layers, far), files);
-        parallel_.requireWritten();
-    }
-    else
-    {
-        writeMeshFolder
-        (
-            files,
-            [&](const IOobject& io)
-            {
-                nFaces = writePrismMesh(layers, far, io);
-            }
-        );
-    }
+    writeMeshFolder
+    (
+        files,
+        [&](const IOobject& io) { nFaces = writePrismMesh(layers, far, io); }
+    );
 
     return nFaces;
+}
+
+
+void Foam::caseWriter::writeOwn
+(
+    const meshPiece& piece,
+    replacedFiles& files
+) const
+{
+    writePiece(piece, files);
+    parallel_.requireWritten();
+}
+
+
+void Foam::caseWriter::writePieces
+(
+    prismLayers& layers,
+    farFieldMesh& far,
+    replacedFiles& files
+) const
+{
+    writeOwn(dividePieces(layers, far), files);
 }
 
 
@@ -186,11 +196,6 @@ Foam::meshPiece Foam::caseWriter::dividePieces
     farFieldMesh& far
 ) const
 {
-    if (far.empty())
-    {
-        return parallel_.sendPieces(layers);
-    }
-
     const label nStacks = layers.faces.size();
     const label nLayers = layers.nLayers;
     const autoPtr<polyMesh> mesh
@@ -205,9 +210,8 @@ Foam::meshPiece Foam::caseWriter::dividePieces
 }
 
 
-bool Foam::caseWriter::writeReceived() const
+bool Foam::caseWriter::writeOnOther(const meshPiece& piece) const
 {
-    const meshPiece piece(parallel_.receivePiece());
     replacedFiles files;
     string failure;
     const throwingErrors throwing(true);

@@ -51,8 +51,8 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "argList.H"
+#include "caseLayers.H"
 #include "caseWriter.H"
-#include "farFieldReport.H"
 #include "layerStages.H"
 #include "layerSurfaces.H"
 #include "OSspecific.H"
@@ -62,11 +62,11 @@ Usage
 #include "readPrismLayerControls.H"
 #include "readWall.H"
 #include "replacedFiles.H"
-#include "returnMemory.H"
 #include "surfaceAdvice.H"
-#include "teamwork.H"
 #include "Time.H"
 #include "waitPassively.H"
+#include "wallPointsError.H"
+#include "writeCase.H"
 #include "writeStageFields.H"
 
 using namespace Foam;
@@ -140,55 +140,68 @@ static localHeights readLocal
 }
 
 
-//- Writes mesh, outer surface and report. The mesh of layers is consumed.
-static void writeCase
+//- Makes the layers, in a parallel run with the other processes.
+//  Errors: FatalError with the file of the points where no layers are possible,
+//  or with the reason of another process
+static autoPtr<caseLayers> makeLayers
 (
     const prismCase& files,
-    const caseWriter& writer,
-    const preparedWall& given,
-    prismLayerMesh&& made,
-    stageLog& log,
-    replacedFiles& replaced
+    const parallelRun& parallel,
+    const wallSurface& wall,
+    const prismLayerControls& controls,
+    const localHeights& local,
+    const bool keepStages,
+    stageLog& log
 )
 {
-    log.begin("prismPolyMesh");
-    const bool hasFarField = !made.farField.empty();
-    writer.writeOuter(made.made.layers, hasFarField, replaced);
-    layerReport report(makeLayerReport(given.wall, made));
-    const farFieldReport far
-    (
-        hasFarField
-      ? makeFarFieldReport(made.made.layers, made.farField, made.bounds)
-      : farFieldReport()
-    );
-
-    prismLayers layers(std::move(made.made.layers));
-    farFieldMesh farField(std::move(made.farField));
-    made = prismLayerMesh();
-    returnMemory();
-
-    const label nCells = report.nCells + far.nCells;
-    const label nFaces = writer.writeMesh(layers, farField, replaced);
-    log.end
-    (
-        name(nCells) + " cells, "
-      + string(nFaces ? name(nFaces) + " faces" : "in parts for all processes")
-    );
-    report.stages = log.costs();
-
-    dictionary entries(toDictionary(report));
-    entries.add("surface", given.prepared.changes);
-    Foam::write(Info, report);
-
-    if (hasFarField)
+    try
     {
-        entries.add("farField", toDictionary(far));
-        Foam::write(Info, far);
+        sendOrder(parallel, files.dict(), wall, local);
+
+        return autoPtr<caseLayers>::New
+        (
+            parallel, wall, controls, local, log.observer(), keepStages
+        );
+    }
+    catch (const wallPointsError& failure)
+    {
+        mkDir(files.reportFolder());
+        writeFailedPoints(files.failedPointsFile(), failure);
+
+        FatalErrorInFunction
+            << failure.message().c_str() << nl
+            << "Their places are in " << files.failedPointsFile()
+            << exit(FatalError);
+    }
+    catch (Foam::error& failure)
+    {
+        failure.throwExceptions(false);
+        failure.exit();
     }
 
-    IOstream::defaultPrecision(6);
-    const fileName& file = files.reportFile();
-    writeReport(replaced.scratch(file, file.name())/file.name(), entries);
+    return nullptr;
+}
+
+
+//- Makes the far field around layers
+static void addFarField
+(
+    farFieldDomain&& domain,
+    const farFieldControls& controls,
+    stageLog& log,
+    caseLayers& made
+)
+{
+    prismLayerMesh& mesh = made.mesh();
+    const wallAddressing addressing
+    (
+        mesh.share
+      ? makeWallAddressing(mesh.front.surface) : mesh.front.addressing
+    );
+    mesh.farField = makeFarField
+    (
+        made.layers(), addressing, std::move(domain), controls, log.observer()
+    );
 }
 
 
@@ -219,31 +232,28 @@ static void meshWall
             time, log
         )
     );
-    prismLayerMesh made
+    autoPtr<caseLayers> made
     (
         makeLayers(files, parallel, wall, controls, local, pictures, log)
     );
     if (controls.farField.isWanted())
     {
-        made.farField = makeFarField
-        (
-            made.made.layers, made.front.addressing, std::move(domain),
-            controls.farField, log.observer()
-        );
+        addFarField(std::move(domain), controls.farField, log, made());
     }
     if (pictures)
     {
         Info<< "Writing VTK files to " << files.reportFolder() << endl;
-        writeStageFields(files.reportFolder(), wall, made);
+        writeStageFields(files.reportFolder(), wall, made->mesh());
     }
 
+    log.begin("prismPolyMesh");
     replaceFiles([&](replacedFiles& replaced)
     {
         if (isChanged)
         {
             writer.writeSurface(preparedFile, given.prepared.surface, replaced);
         }
-        writeCase(files, writer, given, std::move(made), log, replaced);
+        writeCase(files, parallel, writer, given, made, log, replaced);
     });
     rm(files.failedPointsFile());
 
@@ -282,7 +292,8 @@ static void requireOneProcess(const parallelRun& parallel, const bool isForOne)
     if (parallel.isParallel() && isForOne)
     {
         FatalErrorInFunction
-            << "-checkSurface and -prepareSurface run without -parallel"
+            << "-checkSurface, -prepareSurface and -writeFields run without"
+            << " -parallel"
             << exit(FatalError);
     }
 }
@@ -301,6 +312,21 @@ static void requireNoDefects
             << "The surface " << flatOutput(controls.files)
             << " cannot be meshed." << nl << given.defects.c_str()
             << exit(FatalError);
+    }
+}
+
+
+//- On a process other than the master: makes and writes its piece of the mesh.
+//  Returns whether all is well; the master says what is not.
+static bool helpMaster(const parallelRun& parallel, const caseWriter& writer)
+{
+    try
+    {
+        return writer.writeOnOther(makePieceForMaster(parallel));
+    }
+    catch (const Foam::error&)
+    {
+        return false;
     }
 }
 
@@ -324,12 +350,15 @@ int main(int argc, char *argv[])
 
     if (!parallel.isMaster())
     {
-        return helpMaster(parallel) && writer.writeReceived() ? 0 : 1;
+        return helpMaster(parallel, writer) ? 0 : 1;
     }
 
     const bool checkOnly = args.found("checkSurface");
     const bool prepareOnly = args.found("prepareSurface");
-    requireOneProcess(parallel, checkOnly || prepareOnly);
+    requireOneProcess
+    (
+        parallel, checkOnly || prepareOnly || args.found("writeFields")
+    );
     const prismLayerControls controls(readPrismLayerControls(files.dict()));
     const fileNameList surfaces(files.surfaceFiles(controls.surface));
     const fileName preparedFile(files.preparedFile(surfaces));

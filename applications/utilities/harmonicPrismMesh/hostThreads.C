@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "hostThreads.H"
+#include "HashSet.H"
 #include "labelList.H"
 #include "OSspecific.H"
 #include "Pstream.H"
@@ -38,45 +39,33 @@ static labelList ownProcessors()
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-label useThreadsOfHost()
+void useShareOfHost()
 {
-    const label n = UPstream::nProcs(), own = UPstream::myProcNo();
-    List<string> hosts(n);
-    labelListList processors(n);
-    labelList threads(n);
+    const label own = UPstream::myProcNo();
+    List<string> hosts(UPstream::nProcs());
+    labelListList processors(UPstream::nProcs());
     hosts[own] = hostName();
     processors[own] = ownProcessors();
-    threads[own] = omp_get_max_threads();
     Pstream::gatherList(hosts);
+    Pstream::scatterList(hosts);
     Pstream::gatherList(processors);
-    Pstream::gatherList(threads);
+    Pstream::scatterList(processors);
 
-    if (!UPstream::master())
-    {
-        return threads[own];
-    }
-
-    cpu_set_t all;
-    CPU_ZERO(&all);
-    label nThreads = 0;
-
+    labelHashSet ofHost;
+    label nProcesses = 0;
     forAll(hosts, i)
     {
         if (hosts[i] == hosts[own])
         {
-            nThreads += threads[i];
-            for (const label processor : processors[i])
-            {
-                CPU_SET(processor, &all);
-            }
+            ofHost.insert(processors[i]);
+            ++nProcesses;
         }
     }
 
-    nThreads = max(min(nThreads, label(CPU_COUNT(&all))), label(1));
-    sched_setaffinity(0, sizeof(all), &all);
-    omp_set_num_threads(nThreads);
-
-    return nThreads;
+    if (!env("OMP_NUM_THREADS"))
+    {
+        omp_set_num_threads(max(ofHost.size()/nProcesses, label(1)));
+    }
 }
 
 } // End namespace Foam

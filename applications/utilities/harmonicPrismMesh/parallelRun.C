@@ -10,10 +10,9 @@
 #include "IPstream.H"
 #include "OPstream.H"
 #include "pieceMessages.H"
-#include "pstreamTeam.H"
-#include "returnMemory.H"
 #include "Time.H"
 
+#include <omp.h>
 #include <unistd.h>
 
 namespace Foam
@@ -24,9 +23,6 @@ namespace Foam
 //- How often a process that waits looks for the master [microseconds]. Waiting
 //  messages of MPI keep a processor busy, which the master's threads need.
 static const unsigned lookInterval = 5000;
-
-//- What the master sends: a piece of a mesh, or of layers
-enum class pieceKind : char { mesh, layers };
 
 static const auto blocking = UPstream::commsTypes::scheduled;
 
@@ -61,21 +57,16 @@ static pointField centresOfFaces(const polyMesh& mesh)
 }
 
 
-static void sendByte(const char byte, const label process)
+//- Wakes a process that sleeps
+static void wake(const label process)
 {
+    const char byte = 0;
     UOPstream::write(blocking, process, &byte, 1);
 }
 
 
-//- Says which kind of piece comes next
-static void sendKind(const pieceKind kind, const label process)
-{
-    sendByte(char(kind), process);
-}
-
-
-//- Sleeps until a byte of the master arrives
-static char awaitByte()
+//- Sleeps until the master wakes this process
+static void sleep()
 {
     char byte = 0;
     const label request = UPstream::nRequests();
@@ -85,8 +76,6 @@ static char awaitByte()
         usleep(lookInterval);
     }
     UPstream::resetRequests(request);
-
-    return byte;
 }
 
 
@@ -125,11 +114,12 @@ parallelRun::parallelRun(const Time& time)
 :
     parallel_(UPstream::parRun()),
     nProcesses_(parallel_ ? UPstream::nProcs() : 1),
-    processor_(parallel_ ? UPstream::myProcNo() : 0)
+    processor_(parallel_ ? UPstream::myProcNo() : 0),
+    team_(nProcesses_, processor_)
 {
-    const label nThreads = parallel_ ? useThreadsOfHost() : 1;
     if (parallel_)
     {
+        useShareOfHost();
         decomposeParDict_ = IOdictionary
         (
             IOobject
@@ -153,8 +143,8 @@ parallelRun::parallelRun(const Time& time)
                 << exit(FatalError);
         }
         decomposition_ = decompositionMethod::New(decomposeParDict_);
-        Info<< "The master makes the mesh on " << nThreads << " threads" << nl
-            << endl;
+        Info<< nProcesses_ << " processes make the layers, this one on "
+            << omp_get_max_threads() << " threads" << nl << endl;
     }
 }
 
@@ -167,31 +157,16 @@ parallelRun::~parallelRun()
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-meshPiece parallelRun::sendPieces(prismLayers& layers) const
+labelList parallelRun::divide
+(
+    const labelListList& neighbours,
+    const pointField& centres
+) const
 {
-    layersPiece ofMaster;
-    {
-        const layersDivider divider(layers);
-        const pointField centres(divider.centres());
-        const labelList processors
-        (
-            decomposition_->decompose
-            (
-                divider.neighbours(), centres, scalarField(centres.size(), 1)
-            )
-        );
-
-        for (label other = 1; other < nProcesses_; ++other)
-        {
-            sendKind(pieceKind::layers, other);
-            sendPiece(divider.piece(processors, other), other);
-        }
-        ofMaster = divider.piece(processors, 0);
-    }
-    layers = prismLayers();
-    returnMemory();
-
-    return makeMeshPiece(ofMaster, 0);
+    return decomposition_->decompose
+    (
+        neighbours, centres, scalarField(centres.size(), 1)
+    );
 }
 
 
@@ -209,7 +184,7 @@ meshPiece parallelRun::sendPieces
 
     for (label other = 1; other < nProcesses_; ++other)
     {
-        sendKind(pieceKind::mesh, other);
+        wake(other);
         sendPiece(makeMeshPiece(mesh, processors, other), other);
     }
 
@@ -243,28 +218,24 @@ void parallelRun::requireWritten() const
 }
 
 
-bool parallelRun::sharesLayers(const bool saysMaster) const
+void parallelRun::begin() const
 {
     if (!isMaster())
     {
-        return awaitByte();
+        sleep();
     }
-    for (label other = 1; other < nProcesses_; ++other)
+    for (label other = 1; isMaster() && other < nProcesses_; ++other)
     {
-        sendByte(saysMaster, other);
+        wake(other);
     }
-
-    return saysMaster && isParallel();
 }
 
 
 meshPiece parallelRun::receivePiece() const
 {
-    const pieceKind kind = pieceKind(awaitByte());
+    sleep();
 
-    return kind == pieceKind::mesh
-      ? receiveMeshPiece(0)
-      : makeMeshPiece(receiveLayersPiece(0), processor_);
+    return Foam::receivePiece(0);
 }
 
 

@@ -78,33 +78,6 @@ static void receiveList(UList<Type>& list, const label other)
 }
 
 
-//- What a piece of layers has but its points, for visit(entry)
-template<class Piece, class Visit>
-static void visitEntries(Piece& piece, const Visit& visit)
-{
-    visit(piece.layers.nLayers);
-    visit(piece.layers.extraColumnPoints);
-    visit(piece.layers.faces);
-    visit(piece.layers.patchIDs);
-    visit(piece.layers.patchNames);
-    visit(piece.stacks);
-    visit(piece.columns);
-    visit(piece.nWallPoints);
-    visit(piece.patchNames);
-    visit(piece.patchTypes);
-    visit(piece.open);
-    visit(piece.faceNeighbours);
-    visit(piece.processors);
-    visit(piece.labels.nLayers);
-    visit(piece.labels.firstFaces);
-    visit(piece.labels.strides);
-    visit(piece.labels.wallFaces);
-    visit(piece.labels.outerFaces);
-    visit(piece.labels.firstSides);
-    visit(piece.labels.sideStrides);
-}
-
-
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 void sendPiece(const meshPiece& piece, const label other)
@@ -139,7 +112,7 @@ void sendPiece(const meshPiece& piece, const label other)
 }
 
 
-meshPiece receiveMeshPiece(const label other)
+meshPiece receivePiece(const label other)
 {
     meshPiece piece;
     labelList lengths;
@@ -176,31 +149,6 @@ meshPiece receiveMeshPiece(const label other)
         std::copy_n(corners.begin() + start, sizes[i], f.begin());
         start += sizes[i];
     }
-
-    return piece;
-}
-
-
-void sendPiece(const layersPiece& piece, const label other)
-{
-    {
-        OPstream stream(blocking, other);
-        visitEntries(piece, [&](const auto& entry) { stream << entry; });
-        stream << piece.layers.points.size();
-    }
-    sendList(piece.layers.points, other);
-}
-
-
-layersPiece receiveLayersPiece(const label other)
-{
-    layersPiece piece;
-    {
-        IPstream stream(blocking, other);
-        visitEntries(piece, [&](auto& entry) { stream >> entry; });
-        piece.layers.points.setSize(readLabel(stream));
-    }
-    receiveList(piece.layers.points, other);
 
     return piece;
 }

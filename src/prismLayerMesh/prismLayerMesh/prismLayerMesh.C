@@ -6,90 +6,18 @@
 #include "prismLayerMesh.H"
 #include "layerStages.H"
 #include "returnMemory.H"
+#include "sharedPiece.H"
 #include "stageText.H"
-
-#include <memory>
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- A front, and what this process makes of it
-struct dividedFront
-{
-    const layerFront& whole;
-    const std::unique_ptr<const frontShare> share;
-    const columnTeam team;
-
-    dividedFront(const layerFront& front, const processTeam* processes)
-    :
-        whole(front),
-        share
-        (
-            processes
-          ? new frontShare
-            (
-                makeFrontShare
-                (
-                    front,
-                    ownersByRange(max(front.wallPoints) + 1, processes->size()),
-                    processes->size(), processes->rank()
-                )
-            )
-          : nullptr
-        ),
-        team(share ? columnTeam(*share, *processes) : columnTeam())
-    {}
-
-    guidedColumns columns() const
-    {
-        return guidedColumns{whole, share ? share->front : whole, team};
-    }
-};
-
-
-//- On the master the layers of all processes, in place of those of its share
-static void gatherLayers
+//- Certifies the layers, and counts the faces beyond the bounds
+static void certifyMesh
 (
-    const dividedFront& front,
-    madeLayers& made,
-    layerCertificate& certificate
-)
-{
-    const columnTeam& team = front.team;
-    if (team.isAlone())
-    {
-        return;
-    }
-
-    prismLayers& layers = made.layers;
-    const faceList own(layers.faces);
-    layers.points = team.onMaster(layers.points, layers.nLayers + 1);
-    made.thickness = team.onMaster(made.thickness);
-    made.causes = team.onMaster(made.causes);
-    certificate.worstJacobian =
-        team.facesOnMaster(certificate.worstJacobian, own);
-    for (label& facei : certificate.outlyingCentres)
-    {
-        facei = team.wholeFace(facei);
-    }
-    certificate.outlyingCentres = team.gather(certificate.outlyingCentres);
-    sort(certificate.outlyingCentres);
-
-    const wallSurface& surface = front.whole.surface;
-    layers.faces = surface.faces;
-    layers.patchIDs =
-        SubList<label>(surface.patchIDs, front.whole.nWallFaces);
-    layers.border = surface.border;
-    layers.extraColumnPoints = front.whole.extraColumnPoints();
-}
-
-
-//- Certifies the layers of all processes, and gathers them on the master
-static void certifyAll
-(
-    const dividedFront& front,
+    const guidedColumns& front,
     const qualityControls& bounds,
     const stageObserver& observer,
     prismLayerMesh& mesh
@@ -100,10 +28,58 @@ static void certifyAll
     mesh.bounds = bounds;
     mesh.faces = faceQualityOfLayers
     (
-        layers, layerGeometry(layers, front.columns().own.addressing), bounds,
-        front.team
+        layers, layerGeometry(layers, front.own.addressing), bounds, front.team
     );
-    gatherLayers(front, mesh.made, mesh.certificate);
+}
+
+
+//- The share of this process in a front. Null without a team
+static std::shared_ptr<const frontShare> shareOf
+(
+    const layerFront& front,
+    const processTeam* processes
+)
+{
+    if (!processes)
+    {
+        return nullptr;
+    }
+
+    const label nPoints = max(front.wallPoints) + 1;
+    const label n = processes->size();
+
+    return std::make_shared<const frontShare>
+    (
+        makeFrontShare
+        (
+            front, ownersByRange(nPoints, n), n, processes->rank()
+        )
+    );
+}
+
+
+static columnTeam teamOf
+(
+    const std::shared_ptr<const frontShare>& share,
+    const processTeam* processes
+)
+{
+    return share ? columnTeam(*share, *processes) : columnTeam();
+}
+
+
+//- Drops what the layers do not need
+static void dropStages(wallContext& context, prismLayerMesh& mesh)
+{
+    mesh.guide = columnGuide();
+    mesh.clearance.clear();
+    context.drop();
+    if (mesh.share)
+    {
+        mesh.front.visibility = wallVisibility();
+        mesh.front.addressing = wallAddressing();
+    }
+    returnMemory();
 }
 
 
@@ -130,8 +106,12 @@ static prismLayerMesh makeLayersOnFront
         return mesh;
     }
 
-    const dividedFront divided(mesh.front, processes);
-    const guidedColumns front(divided.columns());
+    mesh.share = shareOf(mesh.front, processes);
+    const columnTeam team(teamOf(mesh.share, processes));
+    const guidedColumns front
+    {
+        mesh.front, processes ? mesh.share->front : mesh.front, team
+    };
     mesh.clearance = makeClearance(context, heights, front, controls, observer);
     mesh.guide = makeColumnGuide
     (
@@ -147,16 +127,10 @@ static prismLayerMesh makeLayersOnFront
     const layerSpacing spacing(mesh.guide.spacing.at(front.wallPoints()));
     mesh.noField = mesh.guide.noField;
 
-    if (keepStages)
+    mesh.columns = keepStages ? columns : layerColumns();
+    if (!keepStages)
     {
-        mesh.columns = columns;
-    }
-    else
-    {
-        mesh.guide = columnGuide();
-        mesh.clearance.clear();
-        context.drop();
-        returnMemory();
+        dropStages(context, mesh);
     }
 
     mesh.made = makeLayers
@@ -165,7 +139,7 @@ static prismLayerMesh makeLayersOnFront
     );
     if (mesh.made.certified.pointsWithoutHeight.empty())
     {
-        certifyAll(divided, controls.quality, observer, mesh);
+        certifyMesh(front, controls.quality, observer, mesh);
     }
 
     return mesh;
@@ -226,7 +200,7 @@ prismLayerMesh makePrismLayerMesh
         mesh.addressing = std::move(context.addressing);
         mesh.visibility = std::move(context.visibility);
     }
-    else
+    else if (!processes)
     {
         mesh.addressing = mesh.front.extraColumnPoints().empty()
           ? mesh.front.addressing : makeWallAddressing(wall);
@@ -234,6 +208,20 @@ prismLayerMesh makePrismLayerMesh
     }
 
     return mesh;
+}
+
+
+prismLayers gatherLayers(const prismLayerMesh& mesh, const columnTeam& team)
+{
+    const prismLayers& own = mesh.made.layers;
+    prismLayers layers(wholeLayers(mesh.front, own.nLayers));
+    const pointField points(team.onMaster(own.points, own.nLayers + 1));
+    if (team.isMaster())
+    {
+        layers.points = points;
+    }
+
+    return layers;
 }
 
 } // End namespace Foam

@@ -34,7 +34,7 @@ static labelList columnsWithRoots
 }
 
 
-//- The layers of some stacks, without a border
+//- The layers of some stacks, without a border. Points are not set.
 static prismLayers layersOf
 (
     const prismLayers& layers,
@@ -51,10 +51,6 @@ static prismLayers layersOf
     forAll(columns, c)
     {
         newColumns[columns[c]] = c;
-        for (label i = 0; i <= layers.nLayers; ++i)
-        {
-            result.points[result.index(c, i)] = layers(columns[c], i);
-        }
         if (columns[c] >= layers.nWallPoints())
         {
             roots.append(newColumns[layers.root(columns[c])]);
@@ -253,25 +249,6 @@ labelListList layersDivider::neighbours() const
 }
 
 
-pointField layersDivider::centres() const
-{
-    pointField centres(layers_.faces.size(), Zero);
-    const label n = layers_.nLayers + 1;
-
-    forAll(centres, facei)
-    {
-        const face& f = layers_.faces[facei];
-        for (const label c : f)
-        {
-            centres[facei] += sum(SubField<point>(layers_.points, n, c*n));
-        }
-        centres[facei] /= f.size()*n;
-    }
-
-    return centres;
-}
-
-
 layersPiece layersDivider::piece
 (
     const labelUList& processorOfStack,
@@ -316,6 +293,25 @@ layersPiece layersDivider::piece
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+pointField centresOfStacks(const prismLayers& layers)
+{
+    pointField centres(layers.faces.size(), Zero);
+    const label n = layers.nLayers + 1;
+
+    forAll(centres, facei)
+    {
+        const face& f = layers.faces[facei];
+        for (const label c : f)
+        {
+            centres[facei] += sum(SubField<point>(layers.points, n, c*n));
+        }
+        centres[facei] /= f.size()*n;
+    }
+
+    return centres;
+}
+
 
 meshPiece makeMeshPiece(const layersPiece& piece, const label processor)
 {

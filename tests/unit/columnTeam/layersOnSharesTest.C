@@ -4,10 +4,15 @@
 \*---------------------------------------------------------------------------*/
 
 #include "makePrismLayers.H"
+#include "layersPiece.H"
+#include "percentiles.H"
 #include "prismQuality.H"
+#include "sharedPiece.H"
+#include "testLayers.H"
 #include "testStages.H"
 #include "openSurfaces.H"
 #include "threadTeam.H"
+#include "Random.H"
 
 #include <gtest/gtest.h>
 
@@ -187,6 +192,108 @@ TEST(layersOnShares, heightsThatGiveWay)
     for (const label n : {2, 5})
     {
         expectSameLayers("wedge", mesh, n, controls);
+    }
+}
+
+
+TEST(layersOnShares, piecesHaveTheirStacks)
+{
+    const prismLayerMesh mesh(layeredMesh(testSurfaces::lBlock(4), 5, 0.1));
+    const prismLayers& all = mesh.made.layers;
+    const label n = 4;
+    const labelList owners(ownersByRange(all.nWallPoints(), n));
+    std::mutex reporting;
+    label nCells = 0;
+
+    // Stack by stack to another process than the one that made it
+    const auto divide = [&](const labelListList& neighbours, const pointField&)
+    {
+        labelList processors(neighbours.size());
+        forAll(processors, facei)
+        {
+            processors[facei] = facei % n;
+        }
+
+        return processors;
+    };
+
+    threadTeam::run(n, [&](const threadTeam& processes)
+    {
+        const label rank = processes.rank();
+        const frontShare share(makeFrontShare(mesh.front, owners, n, rank));
+        prismLayers own(all);
+        own.points.setSize(share.columns.size()*(all.nLayers + 1));
+        forAll(share.columns, c)
+        {
+            for (label i = 0; i <= all.nLayers; ++i)
+            {
+                own.points[own.index(c, i)] = all(share.columns[c], i);
+            }
+        }
+        own.faces = share.front.surface.faces;
+        const meshPiece piece
+        (
+            makeMeshPiece
+            (
+                wholeLayers(mesh.front, all.nLayers), own,
+                columnTeam(share, processes), divide
+            )
+        );
+
+        const std::lock_guard<std::mutex> lock(reporting);
+        const pointField points(all.meshPoints());
+        nCells += piece.cellAddressing.size();
+        forAll(piece.points, p)
+        {
+            EXPECT_EQ(piece.points[p], points[piece.pointAddressing[p]]);
+        }
+        for (const label celli : piece.cellAddressing)
+        {
+            EXPECT_EQ(celli/all.nLayers % n, rank);
+        }
+    });
+    EXPECT_EQ(nCells, all.faces.size()*all.nLayers);
+}
+
+
+TEST(layersOnShares, percentilesAreThoseOfAllValues)
+{
+    const layerFront front(testSurfaces::frontOf(testSurfaces::sphere(6), 0));
+    const label nPoints = front.wallPoints.size();
+    Random random(5);
+    scalarField all(nPoints);
+    for (scalar& x : all)
+    {
+        x = pow3(random.sample01<scalar>() - 0.4);
+    }
+    const percentiles one(makePercentiles(all));
+
+    for (const label n : {2, 7})
+    {
+        const labelList owners(ownersByRange(nPoints, n));
+        threadTeam::run(n, [&](const threadTeam& processes)
+        {
+            const frontShare share
+            (
+                makeFrontShare(front, owners, n, processes.rank())
+            );
+            const labelList own(findIndices(owners, processes.rank()));
+            const percentiles spread
+            (
+                makePercentiles
+                (
+                    scalarField(all, own), columnTeam(share, processes)
+                )
+            );
+            EXPECT_EQ(spread.min, one.min);
+            EXPECT_EQ(spread.p1, one.p1);
+            EXPECT_EQ(spread.p5, one.p5);
+            EXPECT_EQ(spread.p50, one.p50);
+            EXPECT_EQ(spread.p95, one.p95);
+            EXPECT_EQ(spread.p99, one.p99);
+            EXPECT_EQ(spread.max, one.max);
+            EXPECT_NEAR(spread.mean, one.mean, 1e-15);
+        });
     }
 }
 

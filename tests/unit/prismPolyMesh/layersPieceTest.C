@@ -41,6 +41,28 @@ static labelList processorsOf(const prismLayers& layers)
 }
 
 
+//- The piece of a process, with the points of the layers
+static layersPiece pieceOf
+(
+    const prismLayers& layers,
+    const labelList& processors,
+    const label processor
+)
+{
+    layersPiece piece(layersDivider(layers).piece(processors, processor));
+    forAll(piece.columns, c)
+    {
+        for (label i = 0; i <= layers.nLayers; ++i)
+        {
+            piece.layers.points[piece.layers.index(c, i)] =
+                layers(piece.columns[c], i);
+        }
+    }
+
+    return piece;
+}
+
+
 //- Pieces made of stacks are those of the whole mesh, list by list
 static void expectPiecesOfTheMesh(const prismLayers& layers)
 {
@@ -51,7 +73,6 @@ static void expectPiecesOfTheMesh(const prismLayers& layers)
     {
         processorOfCell[celli] = processorOfStack[celli/layers.nLayers];
     }
-    const layersDivider divider(layers);
 
     for (label processor = 0; processor < nProcessors; ++processor)
     {
@@ -63,7 +84,7 @@ static void expectPiecesOfTheMesh(const prismLayers& layers)
         (
             makeMeshPiece
             (
-                divider.piece(processorOfStack, processor), processor
+                pieceOf(layers, processorOfStack, processor), processor
             )
         );
 
@@ -112,10 +133,10 @@ TEST(layersDivider, aStackAtTheBorderHasFewerBesideIt)
 }
 
 
-TEST(layersDivider, centresAreInTheMiddleOfStacks)
+TEST(centresOfStacks, areInTheMiddle)
 {
     const prismLayers layers(onePolygon(5, {0, 0.1, 0.4}));
-    const pointField centres(layersDivider(layers).centres());
+    const pointField centres(centresOfStacks(layers));
 
     ASSERT_EQ(centres.size(), 1);
     EXPECT_NEAR(mag(centres[0] - point(0, 0, 0.5/3)), 0, 1e-15);
@@ -134,7 +155,7 @@ TEST(layersPiece, ofAProcessWithoutStacksIsEmpty)
     const labelList processors(layers.faces.size(), Zero);
     const meshPiece piece
     (
-        makeMeshPiece(layersDivider(layers).piece(processors, 1), 1)
+        makeMeshPiece(pieceOf(layers, processors, 1), 1)
     );
 
     EXPECT_TRUE(piece.points.empty());

@@ -1,0 +1,218 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "caseLayers.H"
+#include "layerSurfaces.H"
+#include "readPrismLayerControls.H"
+#include "returnMemory.H"
+#include "sharedPiece.H"
+#include "StringStream.H"
+#include "throwingErrors.H"
+#include "wallMessages.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Returns work(). If it fails, all processes of the team end what they do, and
+//  the error is thrown again.
+template<class Work>
+static auto inTeam(const parallelRun& parallel, const Work& work)
+{
+    if (!parallel.isParallel())
+    {
+        return work();
+    }
+
+    try
+    {
+        const throwingErrors throwing(true);
+
+        return work();
+    }
+    catch (const teamError& e)
+    {
+        const throwingErrors throwing;
+        FatalErrorInFunction
+            << "Another process has failed: " << e.what() << exit(FatalError);
+        throw;
+    }
+    catch (const Foam::error& e)
+    {
+        parallel.team().fail(e.message());
+        throw;
+    }
+    catch (const std::exception& e)
+    {
+        parallel.team().fail(e.what());
+        throw;
+    }
+}
+
+
+//- What the other processes need, for all of them
+static List<message> orders
+(
+    const processTeam& team,
+    const dictionary& dict,
+    const wallSurface& wall,
+    const localHeights& local
+)
+{
+    OStringStream text;
+    text.precision(17);
+    dict.write(text, false);
+
+    message order;
+    addText(order, text.str());
+    addWall(order, wall);
+    addHeights(order, local);
+
+    List<message> all(team.size(), order);
+    all[team.rank()].clear();
+
+    return all;
+}
+
+
+//- The layers of all processes as layers() of caseLayers has them
+static prismLayers gathered
+(
+    const prismLayerMesh& mesh,
+    const columnTeam& team,
+    const bool hasFarField
+)
+{
+    const prismLayers& own = mesh.made.layers;
+    if (hasFarField || endOnParts(own))
+    {
+        return gatherLayers(mesh, team);
+    }
+
+    pointField ends(2*own.nColumns());
+    for (label c = 0; c < own.nColumns(); ++c)
+    {
+        ends[2*c] = own(c, 0);
+        ends[2*c + 1] = own(c, own.nLayers);
+    }
+    prismLayers layers(wholeLayers(mesh.front, 1));
+    const pointField points(team.onMaster(ends, 2));
+    if (team.isMaster())
+    {
+        layers.points = points;
+    }
+
+    return layers;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+Foam::columnTeam Foam::caseLayers::team() const
+{
+    return mesh_.share
+      ? columnTeam(*mesh_.share, parallel_.team()) : columnTeam();
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::caseLayers::caseLayers
+(
+    const parallelRun& parallel,
+    const wallSurface& wall,
+    const prismLayerControls& controls,
+    const localHeights& local,
+    const stageObserver& observer,
+    const bool keepStages
+)
+:
+    parallel_(parallel)
+{
+    inTeam(parallel, [&]()
+    {
+        mesh_ = makePrismLayerMesh
+        (
+            wall, controls, local, observer, keepStages,
+            parallel.isParallel() ? &parallel.team() : nullptr
+        );
+        report_ = makeLayerReport(wall, mesh_, team());
+
+        if (mesh_.share)
+        {
+            whole_ = gathered(mesh_, team(), controls.farField.isWanted());
+        }
+
+        return true;
+    });
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::meshPiece Foam::caseLayers::makePiece()
+{
+    return inTeam(parallel_, [&]()
+    {
+        const prismLayers whole
+        (
+            wholeLayers(mesh_.front, mesh_.made.layers.nLayers)
+        );
+
+        return makeMeshPiece
+        (
+            whole, mesh_.made.layers, team(),
+            [&](const labelListList& neighbours, const pointField& centres)
+            {
+                return parallel_.divide(neighbours, centres);
+            }
+        );
+    });
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void Foam::sendOrder
+(
+    const parallelRun& parallel,
+    const dictionary& dict,
+    const wallSurface& wall,
+    const localHeights& local
+)
+{
+    if (parallel.isParallel())
+    {
+        parallel.begin();
+        parallel.team().exchange(orders(parallel.team(), dict, wall, local));
+    }
+}
+
+
+Foam::meshPiece Foam::makePieceForMaster(const parallelRun& parallel)
+{
+    const stageObserver silent{[](const word&) {}, [](const string&) {}};
+    const label n = parallel.size();
+    parallel.begin();
+    const List<message> received
+    (
+        parallel.team().exchange(List<message>(n))
+    );
+    messageReader reader(received[0]);
+    IStringStream text(takeText(reader));
+    const prismLayerControls controls(readPrismLayerControls(dictionary(text)));
+    const wallSurface wall(takeWall(reader));
+    const localHeights local(takeHeights(reader));
+    caseLayers layers(parallel, wall, controls, local, silent, false);
+
+    return controls.farField.isWanted()
+      ? parallel.receivePiece() : layers.makePiece();
+}
+
+
+// ************************************************************************* //
