@@ -74,8 +74,8 @@ static wallSurface alongCurve(wallSurface wall)
 }
 
 
-//- The bounds are 5 % above what was measured when the table of doc/method.md
-//  was made. There are no saddle points.
+//- The bounds are 5 % above the numbers that were measured with the table of
+//  verification/README.md. There are no saddle points.
 static void expectEven
 (
     const wallSurface& wall,
