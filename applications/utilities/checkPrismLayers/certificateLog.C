@@ -125,7 +125,7 @@ void Foam::writeIntersections
 
     if (outer.empty())
     {
-        Info<< "    no outer patch: intersections are not looked for" << nl;
+        Info<< "    no outer patch: not tested for intersections" << nl;
         return;
     }
 

@@ -61,8 +61,7 @@ static void addOptions()
     argList::noParallel();
     argList::addNote
     (
-        "Check the prism layers of a mesh, whoever made it, by exact"
-        " predicates:\n"
+        "Check the prism layers of any mesh by exact predicates:\n"
         "cells are positive, wall and outer surface do not intersect, layers"
         " are complete, the cells fill the boundary."
     );
@@ -72,14 +71,14 @@ static void addOptions()
         "walls",
         "wordRes",
         "Patches with layers, eg, '(body \"wing.*\")'."
-        " Default: those of type wall"
+        " Default: patches of type wall"
     );
     argList::addOption
     (
         "outer",
         "wordRes",
         "Patches of the outer surface of the layers."
-        " Default: layerOuter, where there is one"
+        " Default: layerOuter, if it exists"
     );
     argList::addOption
     (
@@ -135,7 +134,7 @@ static void checkApart
         {
             FatalErrorInFunction
                 << "Patch " << mesh.boundaryMesh()[patchi].name()
-                << " is a wall and an outer one" << exit(FatalError);
+                << " is in -walls and in -outer" << exit(FatalError);
         }
     }
 }

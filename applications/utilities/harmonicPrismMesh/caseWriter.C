@@ -39,9 +39,9 @@ static void refuseCoupled(const polyMesh& mesh)
     if (name.size())
     {
         FatalErrorInFunction
-            << "The mesh has the " << name.c_str() << ", and pieces of a mesh"
-            << " have none" << nl
-            << "Make it in one process, and decompose it then"
+            << "The mesh has the " << name.c_str() << ". A run in parallel"
+            << " cannot write it" << nl
+            << "Make the mesh in one process, and decompose it then"
             << exit(FatalError);
     }
 }

@@ -82,33 +82,31 @@ static void addOptions()
         " rest of the mesh.\n"
         "Reads system/harmonicPrismMeshDict and its surface. Writes\n"
         "  constant/polyMesh\n"
-        "  constant/triSurface/layerOuter.obj, and sides.obj where the wall"
-        " ends\n"
+        "  constant/triSurface/layerOuter.obj, and sides.obj if the wall ends\n"
         "  postProcessing/harmonicPrismMesh/report\n"
-        "Every key is described in"
-        " etc/caseDicts/annotated/harmonicPrismMeshDict."
+        "etc/caseDicts/annotated/harmonicPrismMeshDict describes every entry."
     );
     argList::addOption
     (
         "dict", "file", "Alternative to system/harmonicPrismMeshDict"
     );
     argList::addOption("region", "name", "Write the mesh of that region");
-    argList::addBoolOption("overwrite", "Replace a mesh that is there already");
+    argList::addBoolOption("overwrite", "Replace an existing mesh");
     argList::addBoolOption
     (
-        "checkSurface", "Say what is wrong with the surface, write nothing"
+        "checkSurface", "Name the defects of the surface, write nothing"
     );
     argList::addBoolOption
     (
         "prepareSurface",
-        "Repair and remesh the surface, write it, <name>.prepared.obj, and no"
-        " mesh"
+        "Repair and remesh the surface, write <name>.prepared.obj, no mesh"
     );
     argList::addBoolOption("version", "Print the version, do nothing else");
     argList::addBoolOption
     (
         "writeFields",
-        "Write VTK files of what the stages made, and heights of level sets"
+        "Write VTK files of each stage, and a script that shows them in"
+        " ParaView"
     );
 }
 

@@ -61,9 +61,9 @@ void Foam::prismCase::checkOverwrite
         if (surfaces.found(file))
         {
             FatalErrorInFunction
-                << "The surface " << file << " would be overwritten by what is"
-                << " written for other meshers; give it another name"
-                << exit(FatalError);
+                << "The run would overwrite the surface " << file << nl
+                << "It writes a surface of this name for other meshers. Rename"
+                << " the file" << exit(FatalError);
         }
     }
 
@@ -102,9 +102,9 @@ Foam::polyMeshParts Foam::prismCase::readCore(const word& region) const
     if (!isFile(time_.path()/time_.constant()/folder/"faces"))
     {
         FatalErrorInFunction
-            << "There is no mesh for the layers to go into: "
+            << "There is no mesh around the layers: "
             << time_.path()/time_.constant()/folder << nl
-            << "Make it, with blockMesh or snappyHexMesh, or name its region:"
+            << "Make it with blockMesh or snappyHexMesh, or name its region by"
             << " farField.region" << exit(FatalError);
     }
 

@@ -18,8 +18,8 @@ static void requireNotOf(const wallSurface& wall, const word& farPatch)
     if (prismPatchNames(wall.patchNames).found(farPatch))
     {
         FatalErrorInFunction
-            << "The far boundary has a patch " << farPatch << ", as the wall"
-            << " has; name one of them otherwise" << exit(FatalError);
+            << "The far boundary and the wall both have a patch " << farPatch
+            << ". Rename one of them" << exit(FatalError);
     }
 }
 

@@ -83,16 +83,15 @@ static void prepareFaces(wallSurface& wall)
     const label nFlips = flipCaps(wall);
     if (nFlips)
     {
-        Info<< "    edges flipped, of triangles whose normals are rounding "
-            << nFlips << endl;
+        Info<< "    triangles of almost no height, flipped " << nFlips << endl;
     }
 
     // Repair may have folded some
     const label nCut = cutReflexFaces(wall) + cutBlindFaces(wall);
     if (nCut)
     {
-        Info<< "    faces cut into triangles, for a direction in front of all"
-            << " faces at each point " << nCut << endl;
+        Info<< "    faces cut into triangles, because a point cannot see all"
+            << " its faces " << nCut << endl;
     }
 }
 
@@ -138,8 +137,9 @@ static wallSurface takeWall
         if (defects.size())
         {
             FatalErrorInFunction
-                << "With its border on the side patches the wall has defects"
-                << nl << describe(defects).c_str() << exit(FatalError);
+                << "The wall has defects after its border was put on the side"
+                << " patches" << nl << describe(defects).c_str()
+                << exit(FatalError);
         }
     }
 

@@ -121,8 +121,8 @@ string adviceOnDefects
     if (isMended(stitched.surface, stitching.sidePlanes, controls, layers))
     {
         OStringStream os;
-        os  << "surface.repair stitch mends this surface: all of it is then"
-            << " within "
+        os  << "surface.repair stitch mends this surface. It moves faces by at"
+            << " most "
             << max(stitched.distance.largest, stitched.distanceOfGiven.largest)
             << " m.";
 
@@ -132,8 +132,8 @@ string adviceOnDefects
     const List<sidePatch> planes(planesThatMend(surface, controls, layers));
     if (planes.size())
     {
-        return "With these side planes, on which its border is, the surface"
-            " has no defects:\n" + entriesOf(planes);
+        return "The border of the surface is on planes. With these entries the"
+            " surface has no defects:\n" + entriesOf(planes);
     }
 
     const List<sidePatch> more
@@ -142,12 +142,12 @@ string adviceOnDefects
     );
     if (more.size())
     {
-        return "surface.repair stitch mends this surface with these side"
-            " planes, on which its border is then:\n" + entriesOf(more);
+        return "surface.repair stitch mends this surface, with these side"
+            " planes for its border:\n" + entriesOf(more);
     }
 
-    return "surface.repair stitch does not mend this surface;"
-        " surface.repair wrap makes a closed surface of any.";
+    return "surface.repair stitch does not mend this surface. surface.repair"
+        " wrap does: it makes a closed surface around all faces.";
 }
 
 
@@ -165,8 +165,8 @@ string adviceOnAngles
 
     OStringStream os;
     os  << 100*share << " % of the faces have angles below "
-        << surfaceMeasures::smallAngle << " degrees, which make the layers"
-        << " non-orthogonal: surface.remesh gives it better triangles.";
+        << surfaceMeasures::smallAngle << " degrees. They make the layers"
+        << " non-orthogonal. surface.remesh makes better triangles.";
 
     return os.str();
 }

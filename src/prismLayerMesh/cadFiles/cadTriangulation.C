@@ -147,7 +147,7 @@ string describe
     add(made.nBetween, "faces between two solids, left out");
     add(made.nBare, "faces without triangles");
     add(made.nOpen, "open edges of solids");
-    add(made.nTwins, "triangles on the points of another");
+    add(made.nTwins, "triangles on each other");
 
     return os.str();
 }

@@ -102,7 +102,7 @@ polyMeshParts makeHexCore
         FatalErrorInFunction
             << "The far field needs more hexahedra than farField.maxCells "
             << maxCells << nl
-            << "Raise that, growthRate or the cell sizes, or make the wall"
+            << "Raise maxCells, growthRate or the cell sizes, or make the wall"
             << " coarser" << exit(FatalError);
     }
 

@@ -47,9 +47,9 @@ static void checkZones(const polyMesh& mesh)
     if (names.found("farField"))
     {
         FatalErrorInFunction
-            << "The mesh around the layers has a cellZone farField, which is"
-            << " the name of the zone of the tetrahedra" << nl
-            << "Name it otherwise" << exit(FatalError);
+            << "The mesh around the layers has a cellZone farField. The"
+            << " tetrahedra need this name" << nl
+            << "Rename the zone" << exit(FatalError);
     }
 }
 
@@ -85,8 +85,8 @@ static void checkOverlap(const polyMesh& mesh)
             << "Cells of the mesh around the layers overlap: cell "
             << cells.first() << " at " << mesh.cellCentres()[cells.first()]
             << " is in cell " << cells.second() << " of another region" << nl
-            << "It must be one mesh: take the cells out of one region where"
-            << " the other one is" << exit(FatalError);
+            << "Remove the cells of one region that are inside of the other"
+            << exit(FatalError);
     }
 }
 

@@ -48,8 +48,8 @@ static void addWidths
     const scalar middle = median(ratios);
     std::ostringstream text;
     text.precision(3);
-    text<< "cells at the cut " << ratios.size() << ", their width over the size"
-        << " that grows from the layers: median " << middle << ", largest "
+    text<< "cells at the cut " << ratios.size() << "; width over the size that"
+        << " grows from the layers: median " << middle << ", largest "
         << max(ratios);
     notes.append(text.str());
 
@@ -69,8 +69,8 @@ static void addWidths
         advice.precision(3);
         advice
             << "Advice: cells at the cut are up to " << flattest
-            << " times as long as they are wide; above 2 faces beside them are"
-            << " poor";
+            << " times as long as they are wide. Make them less than 2 times as"
+            << " long: faces beside longer cells are poor";
         notes.append(advice.str());
     }
 }
@@ -99,8 +99,8 @@ static void addPartZones
             notes.append
             (
                 "The cellZone " + zone.name + " has lost " + name(n)
-              + " cells to room that is not all in it: layers and tetrahedra"
-                " there are not in it"
+              + " cells. It had only a part of the room of these cells, so"
+                " that the new layers and tetrahedra are not in it"
             );
         }
     }

@@ -224,9 +224,9 @@ static void setPatches(const List<farPatch>& wanted, farBoundary& boundary)
         {
             FatalErrorInFunction
                 << "The patch " << wanted[i].name << " of the far boundary has"
-                << " no sides: patches after it take all of "
+                << " no sides: later patches take all of "
                 << wanted[i].sides << nl
-                << "A side is of the last patch that names it."
+                << "A side belongs to the last patch that names it."
                 << exit(FatalError);
         }
     }
@@ -237,7 +237,7 @@ static void setPatches(const List<farPatch>& wanted, farBoundary& boundary)
         {
             FatalErrorInFunction
                 << "The side " << sides[side] << " of the far boundary"
-                << " has the name of a patch that it is not part of"
+                << " is not in the patch of the same name. Rename the patch"
                 << exit(FatalError);
         }
 

@@ -46,8 +46,8 @@ static void refuse(const label nCells, const label maxCells)
         << "The far field needs "
         << (nCells ? "about " + name(nCells) : word("many more")).c_str()
         << " cells, more than farField.maxCells " << maxCells << nl
-        << "Raise that, growthRate or the cell sizes, or make the wall coarser"
-        << exit(FatalError);
+        << "Raise maxCells, growthRate or the cell sizes, or make the wall"
+        << " coarser" << exit(FatalError);
 }
 
 

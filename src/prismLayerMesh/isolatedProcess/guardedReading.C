@@ -76,7 +76,7 @@ void readGuarded(const fileName& file, const std::function<void()>& read)
     }
     catch (const std::bad_alloc&)
     {
-        what = "its sizes are beyond the memory; is it broken?";
+        what = "it asks for more memory than there is; is it broken?";
     }
     catch (const std::exception& e)
     {

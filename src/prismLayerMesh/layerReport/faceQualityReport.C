@@ -60,7 +60,7 @@ void write(Ostream& os, const char* where, const faceQualityCounts& faces)
             }
             if (k == 0 && faces.nOfWall)
             {
-                text<< " (" << faces.nOfWall << " by the wall's own faces)";
+                text<< " (" << faces.nOfWall << " because of the wall's faces)";
             }
         }
 

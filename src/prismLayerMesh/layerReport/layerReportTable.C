@@ -101,7 +101,7 @@ static void addCounts(std::ostream& os, const layerReport& report)
             << report.points[kind];
     }
 
-    os  << "; extra columns on them " << report.nExtraColumns << '\n';
+    os  << "; extra columns " << report.nExtraColumns << '\n';
 }
 
 
@@ -134,8 +134,8 @@ void write(Ostream& os, const layerReport& report)
     text<< std::defaultfloat << std::setprecision(6);
     for (const point& x : report.outlyingCentres)
     {
-        text<< "A cell's centre is outside of it, which checkMesh calls faces"
-            << " incorrectly oriented: on the wall at (" << x.x() << ' '
+        text<< "The centre of a cell is outside of the cell (checkMesh: faces"
+            << " incorrectly oriented), on the wall at (" << x.x() << ' '
             << x.y() << ' ' << x.z() << ")\n";
     }
 

@@ -68,8 +68,8 @@ levelSetReport makeLevelSetReport(const prismLayerMesh& mesh)
     if (!hasLevelSetReport(mesh))
     {
         FatalErrorInFunction
-            << "Level sets are reported of a field, and of one request for all"
-            << " of the wall" << exit(FatalError);
+            << "A report of level sets needs a field, and one request for the"
+            << " whole wall" << exit(FatalError);
     }
 
     const layerSpacing uniform(uniformSpacing(mesh.heights.request));

@@ -49,8 +49,9 @@ static std::string yPlusLine
 
     OStringStream os;
     os  << name.c_str() << ": y+ " << given.yPlus
-        << " of a turbulent flat plate at Re " << given.Re
-        << " is the first height " << given.firstLayerThickness << " m" << nl;
+        << " on a turbulent flat plate at Re " << given.Re
+        << " gives the first height " << given.firstLayerThickness << " m"
+        << nl;
 
     return os.str();
 }

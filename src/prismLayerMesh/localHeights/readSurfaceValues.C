@@ -232,9 +232,11 @@ surfaceValues readListValues
     if ((n == nPoints) == (n == nFaces) || (n == nPoints && separateFaces))
     {
         FatalErrorInFunction
-            << "The list " << file << " has " << n << " values, the surface "
+            << "The list " << file << " has " << n << " values. The surface "
             << surfaceFile << " has " << nPoints << " points and " << nFaces
-            << " faces: it is not clear what the values are of"
+            << " faces. The list needs a value for each "
+            << (separateFaces ? "face" : "point, or for each face; use a VTK"
+                " file if the surface has as many faces as points")
             << exit(FatalError);
     }
 

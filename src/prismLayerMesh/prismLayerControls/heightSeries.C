@@ -93,8 +93,8 @@ static void solve(const heightEntries& given, heightSeries& heights)
     {
         fail
         (
-            "expansionRatio", "Heights of ", n, " layers of expansionRatio ",
-            alpha, " are out of all bounds"
+            "expansionRatio", "Value of expansionRatio is ", alpha, "; with ",
+            n, " layers heights are out of all bounds"
         );
     }
 

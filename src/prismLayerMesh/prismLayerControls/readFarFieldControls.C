@@ -145,7 +145,7 @@ static void refuseOtherTypes(const dictionary& dict, const word& type)
         {
             entryError(dict, key)
                 << "The entry " << key << " is for a far field of type "
-                << types << ", and this one is of type " << type
+                << types << ", but farField.type is " << type
                 << exit(FatalIOError);
         }
     };

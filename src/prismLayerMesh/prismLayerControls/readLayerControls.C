@@ -85,8 +85,8 @@ static void readGeneralNumber(const dictionary& dict, layerControls& controls)
     if (hasAspect && !controls.automatic())
     {
         entryError(dict, "finalAspect")
-            << "finalAspect is for nSurfaceLayers auto, but there are to be "
-            << n << " layers" << exit(FatalIOError);
+            << "finalAspect is for nSurfaceLayers auto, but nSurfaceLayers is "
+            << n << exit(FatalIOError);
     }
 }
 

@@ -28,10 +28,10 @@ static void requireHomeomorphic
     if (!(levelSets == wall))
     {
         FatalErrorInFunction
-            << "Level sets near the wall are not homeomorphic to it: "
-            << levelSets.nComponents << " components for "
-            << wall.nComponents << ", Euler characteristic "
-            << levelSets.eulerCharacteristic << " for "
+            << "Level sets near the wall do not have its topology: "
+            << levelSets.nComponents << " components, the wall has "
+            << wall.nComponents << "; Euler characteristic "
+            << levelSets.eulerCharacteristic << ", the wall has "
             << wall.eulerCharacteristic << exit(FatalError);
     }
 }

@@ -26,9 +26,9 @@ static void accumulate(labelList& sizes)
         if (before > labelMax)
         {
             FatalErrorInFunction
-                << "The faces of the mesh have more points than labels of "
-                << label(8*sizeof(label)) << " bits count: fewer layers or"
-                << " cells, or an OpenFOAM with WM_LABEL_SIZE=64"
+                << "Labels of " << label(8*sizeof(label)) << " bits cannot"
+                << " count the corners of all faces of the mesh. Ask for fewer"
+                << " layers or cells, or use an OpenFOAM with WM_LABEL_SIZE=64"
                 << exit(FatalError);
         }
     }

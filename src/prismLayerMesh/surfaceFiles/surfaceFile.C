@@ -30,7 +30,7 @@ static fileName uncompressedName(const fileName& file)
     {
         failToRead
         (
-            file, "the file " + plain + " beside it would be read instead"
+            file, "OpenFOAM would read the file " + plain + " instead"
         );
     }
 
@@ -69,8 +69,8 @@ static void checkExtension(const fileName& file, const fileName& plain)
         (
             file,
             file != plain ? "CAD is not read compressed"
-          : "it is CAD, whose triangles have no numbers that are known before;"
-            " take " + plain.nameLessExt() + ".prepared.obj"
+          : "it is CAD: the labels of its triangles are unknown before gmsh"
+            " makes them. Use " + plain.nameLessExt() + ".prepared.obj"
         );
     }
 

@@ -106,11 +106,11 @@ static fileFormats::STLCore::STLFormat findFormat(const fileName& file)
     }
 
     FatalErrorInFunction
-        << "not an ascii STL, which begins with 'solid' and has only ascii"
-        << " characters (here the first " << int64_t(content.asciiSize)
-        << "), nor a binary STL, which by the number of its facets would have "
-        << int64_t(expected) << " bytes (here " << int64_t(content.size)
-        << "); is it truncated?" << exit(FatalError);
+        << "it is neither an ascii STL nor a binary STL. An ascii STL begins"
+        << " with 'solid' and has only ascii characters, here the first "
+        << int64_t(content.asciiSize) << ". A binary STL with this number of"
+        << " facets has " << int64_t(expected) << " bytes, here "
+        << int64_t(content.size) << ". Is it truncated?" << exit(FatalError);
 
     return fileFormats::STLCore::UNKNOWN;
 }

@@ -227,8 +227,8 @@ static void requireNone(const labelList& conflicts, const wallSurface& made)
     if (conflicts.size())
     {
         FatalErrorInFunction
-            << "With surface.remesh " << conflicts.size()
-            << " faces intersect, the first at "
+            << conflicts.size() << " faces intersect after surface.remesh,"
+            << " the first at "
             << made.faces[conflicts[0]].centre(made.points) << nl
             << "A smaller surface.remesh.deviation or minEdge may help."
             << exit(FatalError);

@@ -38,9 +38,10 @@ static void checkSize(const wallSurface& surface, const scalar size)
     {
         FatalErrorInFunction
             << "A wrap of the size " << size << " m would have about "
-            << nTriangles << " triangles; at most " << maxTriangles
-            << " are allowed, of a size of " << Foam::sqrt(2*area/maxTriangles)
-            << " m" << exit(FatalError);
+            << nTriangles << " triangles. At most " << maxTriangles
+            << " are allowed: set surface.wrapCoeffs.size to "
+            << Foam::sqrt(2*area/maxTriangles) << " or more"
+            << exit(FatalError);
     }
 }
 
@@ -73,14 +74,14 @@ wallSurface wrapSurface
     if (mesh.is_empty())
     {
         FatalErrorInFunction
-            << "There is no wrap of the size " << size << " m and the offset "
-            << offset << " m";
+            << "A wrap of the size " << size << " m and the offset " << offset
+            << " m is empty";
 
         if (seeds.size())
         {
             FatalError
-                << " that begins at the seeds " << seeds << ": around one"
-                << " there must be room of about twice the size";
+                << nl << "It begins at the seeds " << seeds << ". Around one of"
+                << " them there must be room of about twice the size";
         }
 
         FatalError << exit(FatalError);

@@ -233,9 +233,9 @@ static void refuseCurved(const wallSurface& surface, const label facei)
 {
     FatalErrorInFunction
         << "The side patch " << surface.patchNames[surface.patchIDs[facei]]
-        << " is curved so far that at "
+        << " curves too far: the face at "
         << surface.faces[facei].centre(surface.points)
-        << " it is not seen along its mean normal" << nl
+        << " is not visible along the mean normal of the patch" << nl
         << "Divide it into several patches" << exit(FatalError);
 }
 

@@ -101,7 +101,7 @@ TEST(farBoundary, sidesThatAreNotThereAreRefused)
         (
             []() { boxWith(patchOf("xMin", wordRe("xMax"))); }
         ),
-        {"side xMin", "has the name of a patch"}
+        {"side xMin", "not in the patch of the same name"}
     );
 }
 
@@ -114,7 +114,7 @@ TEST(farBoundary, patchesWhoseSidesLaterOnesTakeAreRefused)
     expectWords
     (
         thrownMessage<error>([&]() { boxWith({inlet, sides}); }),
-        {"patch inlet", "xMin", "patches after it"}
+        {"patch inlet", "xMin", "later patches"}
     );
     EXPECT_EQ
     (

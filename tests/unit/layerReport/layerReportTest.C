@@ -354,7 +354,7 @@ TEST(writeLayerReport, saysWhereCentresAreOutside)
     ASSERT_EQ(report.outlyingCentres.size(), 1);
     const point centre(run.wall.faces[7].centre(run.wall.points));
     EXPECT_NEAR(mag(report.outlyingCentres[0] - centre), 0, 1e-14);
-    EXPECT_NE(os.str().find("is outside of it"), std::string::npos);
+    EXPECT_NE(os.str().find("is outside of the cell"), std::string::npos);
     EXPECT_EQ
     (
         toDictionary(report).subDict("certificate")

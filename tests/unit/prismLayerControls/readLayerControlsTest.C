@@ -147,7 +147,7 @@ TEST(readLayerControls, automaticNumberOfLayers)
     expectWords
     (
         errorOfLayers("finalAspect 1;"),
-        {"finalAspect is for nSurfaceLayers auto", "20 layers"}
+        {"finalAspect is for nSurfaceLayers auto", "nSurfaceLayers is 20"}
     );
     expectWords
     (

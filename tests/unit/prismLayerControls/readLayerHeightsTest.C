@@ -182,7 +182,7 @@ TEST(readLayerHeights, heightsBeyondNumbersAreRefused)
     expectWords
     (
         errorOf("firstLayerThickness 1; expansionRatio 3;", 1000),
-        {"1000 layers", "expansionRatio 3", "out of all bounds"}
+        {"1000 layers", "expansionRatio is 3", "out of all bounds"}
     );
 }
 

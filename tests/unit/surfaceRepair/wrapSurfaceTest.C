@@ -69,7 +69,7 @@ TEST(wrapSurface, seedsOnTheSurfaceAreRefused)
         (
             [&]() { wrapSurface(cube(4), 0.2, 0.02, seeds); }
         ),
-        {"no wrap", "(1 0.5 0.5)", "room of about twice the size"}
+        {"is empty", "(1 0.5 0.5)", "room of about twice the size"}
     );
 }
 
