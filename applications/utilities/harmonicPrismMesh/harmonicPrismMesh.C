@@ -360,7 +360,7 @@ int main(int argc, char *argv[])
     const prismLayerControls controls(readPrismLayerControls(files.dict()));
     const fileNameList surfaces(files.surfaceFiles(controls.surface));
     const fileName preparedFile(files.preparedFile(surfaces));
-    stageLog log;
+    stageLog log(Info);
     preparedWall given(readWall(surfaces, controls, checkOnly, runTime, log));
 
     if (checkOnly)

@@ -26,6 +26,7 @@ struct progressState
     std::atomic<bool> isHeard{false};
     std::mutex lock;
     std::function<void(const progressStep&)> listener;
+    double interval = 0;
     progressStep last{"", 0, 0};
     progressClock::time_point heard;
 };
@@ -41,12 +42,14 @@ static progressState& state()
 }
 
 
-//- Calls the listener if a second has passed. The lock is held.
+//- Calls the listener if the interval has passed. The lock is held.
 static void pass(progressState& all)
 {
     const auto now = progressClock::now();
 
-    if (all.listener && now - all.heard >= std::chrono::seconds(1))
+    const std::chrono::duration<double> interval(all.interval);
+
+    if (all.listener && now - all.heard >= interval)
     {
         all.heard = now;
         all.listener(all.last);
@@ -56,12 +59,17 @@ static void pass(progressState& all)
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void listenToProgress(std::function<void(const progressStep&)> listener)
+void listenToProgress
+(
+    std::function<void(const progressStep&)> listener,
+    const double interval
+)
 {
     progressState& all = state();
     const std::lock_guard<std::mutex> guard(all.lock);
     all.isHeard = bool(listener);
     all.listener = std::move(listener);
+    all.interval = interval;
     all.last = progressStep{"", 0, 0};
     all.heard = progressClock::time_point();
 }

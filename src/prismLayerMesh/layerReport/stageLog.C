@@ -5,15 +5,10 @@
 
 #include "stageLog.H"
 #include "IOmanip.H"
-#include "IOstreams.H"
 
 #include <sstream>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- Seconds from one line of progress of a stage to the next
-static constexpr double progressInterval = 5;
-
 
 static std::string heading(const Foam::word& stage)
 {
@@ -23,9 +18,15 @@ static std::string heading(const Foam::word& stage)
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-Foam::stageLog::stageLog()
+Foam::stageLog::stageLog(Ostream& os, const double interval)
+:
+    os_(os),
+    interval_(interval)
 {
-    listenToProgress([this](const progressStep& step) { tell(step); });
+    listenToProgress
+    (
+        [this](const progressStep& step) { tell(step); }, interval/5
+    );
 }
 
 
@@ -44,7 +45,7 @@ void Foam::stageLog::tell(const progressStep& step)
     {
         return;
     }
-    nextProgress_ = seconds + progressInterval;
+    nextProgress_ = seconds + interval_;
 
     std::ostringstream line;
     line<< (isInterrupted_ ? "" : "\n") << "    " << step.what;
@@ -59,7 +60,7 @@ void Foam::stageLog::tell(const progressStep& step)
     }
     line<< (*step.what ? ", " : "") << label(seconds) << " s\n";
 
-    Info<< line.str().c_str() << flush;
+    os_ << line.str().c_str() << flush;
     isInterrupted_ = true;
 }
 
@@ -67,12 +68,12 @@ void Foam::stageLog::tell(const progressStep& step)
 void Foam::stageLog::begin(const word& stage)
 {
     // The line is visible while the stage runs
-    Info<< heading(stage).c_str() << flush;
+    os_ << heading(stage).c_str() << flush;
 
     costs_.append(stageCost());
     costs_.last().stage = stage;
     clock_.resetTime();
-    nextProgress_ = progressInterval;
+    nextProgress_ = interval_;
     isInterrupted_ = false;
     tellProgress("");
 }
@@ -86,13 +87,13 @@ void Foam::stageLog::end(const string& sizes)
 
     if (isInterrupted_)
     {
-        Info<< heading(cost.stage).c_str();
+        os_ << heading(cost.stage).c_str();
     }
 
     // The seconds are on the first line
     const auto lineEnd = sizes.find('\n');
 
-    Info<< sizes.substr(0, lineEnd).c_str() << "  "
+    os_ << sizes.substr(0, lineEnd).c_str() << "  "
         << setprecision(3) << cost.seconds << " s"
         << setprecision(IOstream::defaultPrecision()) << nl;
 
@@ -102,11 +103,11 @@ void Foam::stageLog::end(const string& sizes)
 
         for (std::string line; std::getline(lines, line);)
         {
-            Info<< "    " << line.c_str() << nl;
+            os_ << "    " << line.c_str() << nl;
         }
     }
 
-    Info<< flush;
+    os_ << flush;
 }
 
 

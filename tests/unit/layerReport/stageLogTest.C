@@ -1,0 +1,80 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "OStringStream.H"
+#include "stageLog.H"
+
+#include <algorithm>
+#include <chrono>
+#include <gtest/gtest.h>
+#include <regex>
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- The log of a stage that works for some seconds, and tells how far it is
+static std::string logOf(const double seconds, const double interval)
+{
+    OStringStream os;
+    {
+        stageLog log(os, interval);
+        log.begin("columns");
+
+        const auto start = std::chrono::steady_clock::now();
+        const std::chrono::duration<double> length(seconds);
+        do
+        {
+            tellProgress("bending columns", 12, 100);
+        }
+        while (std::chrono::steady_clock::now() - start < length);
+
+        log.end("100 columns\nretreated 3 times");
+    }
+    tellProgress("nobody hears this");
+
+    return os.str();
+}
+
+
+static const std::string end
+(
+    "columns +100 columns  [0-9.e-]+ s\n    retreated 3 times\n"
+);
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(stageLog, aShortStageIsOneLine)
+{
+    const std::string log(logOf(0, 1000));
+
+    EXPECT_TRUE(std::regex_match(log, std::regex(end))) << log;
+}
+
+
+TEST(stageLog, aLongStageSaysHowFarItIs)
+{
+    const std::string log(logOf(0.5, 0.1));
+    const std::string line("    bending columns 12 of 100, [0-9]+ s\n");
+
+    // Its line is begun, left for the lines of progress, and begun again
+    EXPECT_TRUE
+    (
+        std::regex_match(log, std::regex("columns +\n(" + line + ")+" + end))
+    ) << log;
+}
+
+
+TEST(stageLog, theIntervalIsKept)
+{
+    const std::string log(logOf(0.5, 0.2));
+    const auto nLines = std::count(log.begin(), log.end(), '\n') - 3;
+
+    EXPECT_GE(nLines, 1);
+    EXPECT_LE(nLines, 2);
+}
+
+
+// ************************************************************************* //
