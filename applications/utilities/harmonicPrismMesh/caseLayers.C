@@ -53,6 +53,19 @@ static auto inTeam(const parallelRun& parallel, const Work& work)
 }
 
 
+//- What writes a piece
+template<class Piece>
+static pieceWriter writerOf(Piece&& made)
+{
+    const auto piece = std::make_shared<const Piece>(std::move(made));
+
+    return [piece](const label processor, const IOobject& io)
+    {
+        writeMeshPiece(*piece, processor, io);
+    };
+}
+
+
 //- What the other processes need, for all of them
 static List<message> orders
 (
@@ -155,7 +168,7 @@ Foam::caseLayers::caseLayers
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::meshPiece Foam::caseLayers::makePiece()
+Foam::layersPiece Foam::caseLayers::makePiece()
 {
     return inTeam(parallel_, [&]()
     {
@@ -164,14 +177,18 @@ Foam::meshPiece Foam::caseLayers::makePiece()
             wholeLayers(mesh_.front, mesh_.made.layers.nLayers)
         );
 
-        return makeMeshPiece
+        layersPiece piece(makeLayersPiece
         (
             whole, mesh_.made.layers, team(),
             [&](const labelListList& neighbours, const pointField& centres)
             {
                 return parallel_.divide(neighbours, centres);
             }
-        );
+        ));
+        mesh_ = prismLayerMesh();
+        returnMemory();
+
+        return piece;
     });
 }
 
@@ -194,7 +211,7 @@ void Foam::sendOrder
 }
 
 
-Foam::meshPiece Foam::makePieceForMaster(const parallelRun& parallel)
+Foam::pieceWriter Foam::makePieceForMaster(const parallelRun& parallel)
 {
     const stageObserver silent{[](const word&) {}, [](const string&) {}};
     const label n = parallel.size();
@@ -210,8 +227,12 @@ Foam::meshPiece Foam::makePieceForMaster(const parallelRun& parallel)
     const localHeights local(takeHeights(reader));
     caseLayers layers(parallel, wall, controls, local, silent, false);
 
-    return controls.farField.isWanted()
-      ? parallel.receivePiece() : layers.makePiece();
+    if (controls.farField.isWanted())
+    {
+        return writerOf(parallel.receivePiece());
+    }
+
+    return writerOf(layers.makePiece());
 }
 
 

@@ -135,17 +135,14 @@ void Foam::caseWriter::writeMeshFolder
 
 void Foam::caseWriter::writePiece
 (
-    const meshPiece& piece,
+    const pieceWriter& write,
     replacedFiles& files
 ) const
 {
     writeMeshFolder
     (
         files,
-        [&](const IOobject& io)
-        {
-            writeMeshPiece(piece, parallel_.processor(), io);
-        }
+        [&](const IOobject& io) { write(parallel_.processor(), io); }
     );
 }
 
@@ -170,11 +167,11 @@ Foam::label Foam::caseWriter::writeMesh
 
 void Foam::caseWriter::writeOwn
 (
-    const meshPiece& piece,
+    const pieceWriter& write,
     replacedFiles& files
 ) const
 {
-    writePiece(piece, files);
+    writePiece(write, files);
     parallel_.requireWritten();
 }
 
@@ -186,7 +183,15 @@ void Foam::caseWriter::writePieces
     replacedFiles& files
 ) const
 {
-    writeOwn(dividePieces(layers, far), files);
+    const meshPiece piece(dividePieces(layers, far));
+    writeOwn
+    (
+        [&](const label processor, const IOobject& io)
+        {
+            writeMeshPiece(piece, processor, io);
+        },
+        files
+    );
 }
 
 
@@ -210,7 +215,7 @@ Foam::meshPiece Foam::caseWriter::dividePieces
 }
 
 
-bool Foam::caseWriter::writeOnOther(const meshPiece& piece) const
+bool Foam::caseWriter::writeOnOther(const pieceWriter& write) const
 {
     replacedFiles files;
     string failure;
@@ -219,7 +224,7 @@ bool Foam::caseWriter::writeOnOther(const meshPiece& piece) const
 
     try
     {
-        writePiece(piece, files);
+        writePiece(write, files);
     }
     catch (const Foam::error& e)
     {

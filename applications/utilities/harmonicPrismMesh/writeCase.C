@@ -11,6 +11,47 @@
 namespace Foam
 {
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Writes the mesh: in a parallel run the piece of layers, or with a far field
+//  all pieces. Returns what the log says.
+static string writeMesh
+(
+    const parallelRun& parallel,
+    const caseWriter& writer,
+    const layersPiece& piece,
+    prismLayers& layers,
+    farFieldMesh& farField,
+    replacedFiles& replaced
+)
+{
+    if (!parallel.isParallel())
+    {
+        return name(writer.writeMesh(layers, farField, replaced)) + " faces";
+    }
+
+    if (farField.empty())
+    {
+        writer.writeOwn
+        (
+            [&](const label processor, const IOobject& io)
+            {
+                writeMeshPiece(piece, processor, io);
+            },
+            replaced
+        );
+    }
+    else
+    {
+        writer.writePieces(layers, farField, replaced);
+    }
+
+    return "in parts for all processes";
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
 void writeCase
 (
     const prismCase& files,
@@ -33,27 +74,19 @@ void writeCase
       : farFieldReport()
     );
 
-    const meshPiece piece
+    const layersPiece piece
     (
         parallel.isParallel() && !hasFarField
-      ? made->makePiece() : meshPiece()
+      ? made->makePiece() : layersPiece()
     );
     prismLayers layers(std::move(made->layers()));
     made.clear();
     returnMemory();
 
-    string size(" faces");
-    if (!parallel.isParallel())
-    {
-        size = name(writer.writeMesh(layers, farField, replaced)) + size;
-    }
-    else
-    {
-        size = "in parts for all processes";
-        hasFarField
-          ? writer.writePieces(layers, farField, replaced)
-          : writer.writeOwn(piece, replaced);
-    }
+    const string size
+    (
+        writeMesh(parallel, writer, piece, layers, farField, replaced)
+    );
     log.end(name(report.nCells + far.nCells) + " cells, " + size);
     report.stages = log.costs();
 

@@ -68,6 +68,21 @@ static columnTeam teamOf
 }
 
 
+//- Drops what only the share needs: of the whole front its columns, faces and
+//  axes are left
+static void dropAround(prismLayerMesh& mesh)
+{
+    if (mesh.share)
+    {
+        wallVisibility axes;
+        axes.cones.transfer(mesh.front.visibility.cones);
+        mesh.front.visibility = std::move(axes);
+        mesh.front.addressing = wallAddressing();
+        returnMemory();
+    }
+}
+
+
 //- Drops what the layers do not need
 static void dropStages(wallContext& context, prismLayerMesh& mesh)
 {
@@ -77,7 +92,6 @@ static void dropStages(wallContext& context, prismLayerMesh& mesh)
     if (mesh.share)
     {
         mesh.front.visibility = wallVisibility();
-        mesh.front.addressing = wallAddressing();
     }
     returnMemory();
 }
@@ -107,6 +121,7 @@ static prismLayerMesh makeLayersOnFront
     }
 
     mesh.share = shareOf(mesh.front, processes);
+    dropAround(mesh);
     const columnTeam team(teamOf(mesh.share, processes));
     const guidedColumns front
     {

@@ -4,12 +4,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layersPiece.H"
+#include "pieceOrder.H"
 #include "bitSet.H"
 #include "findFaceNeighbours.H"
-#include "readWallSurface.H"
 #include "SubField.H"
-
-#include <tuple>
 
 namespace Foam
 {
@@ -72,154 +70,6 @@ static prismLayers layersOf
     result.patchNames = layers.patchNames;
 
     return result;
-}
-
-
-//- Labels of the points of the piece in the whole mesh, see pointLabel()
-static labelList pointAddressing(const layersPiece& piece)
-{
-    const prismLayers& layers = piece.layers;
-    const label n = layers.nLayers;
-    labelList addressing
-    (
-        layers.points.size() - layers.extraColumnPoints.size()
-    );
-
-    forAll(piece.columns, c)
-    {
-        const label whole = piece.columns[c];
-        const label nSkipped = max(whole - piece.nWallPoints + 1, label(0));
-        for (label i = nSkipped > 0; i <= n; ++i)
-        {
-            addressing[layers.pointLabel(c, i)] =
-                whole*(n + 1) + i - nSkipped;
-        }
-    }
-
-    return addressing;
-}
-
-
-//- Labels of the faces of the topology in the whole mesh, plus 1
-static DynamicList<label> faceAddressing
-(
-    const layersPiece& piece,
-    const labelListList& faceNeighbours,
-    const label nFaces
-)
-{
-    const prismLayers& layers = piece.layers;
-    DynamicList<label> addressing(nFaces);
-
-    forAll(faceNeighbours, facei)
-    {
-        visitInternalFaces
-        (
-            layers.nLayers, faceNeighbours[facei], facei,
-            [&](const label k, const label i, const label)
-            {
-                addressing.append(piece.labels(facei, k, i) + 1);
-            }
-        );
-    }
-    for (const auto& patch : boundaryFaces(layers, piece.open))
-    {
-        for (const prismFaceKey& f : patch)
-        {
-            addressing.append(piece.labels(f.front, f.edge, f.level) + 1);
-        }
-    }
-
-    return addressing;
-}
-
-
-//- A side face to another process: the process, the label in the whole mesh,
-//  front face, edge, layer
-typedef std::tuple<label, label, label, label, label> faceBetween;
-
-
-//- The faces to other processes, one process after the other, each in the order
-//  of the whole mesh
-static DynamicList<faceBetween> facesBetween
-(
-    const layersPiece& piece,
-    const label processor
-)
-{
-    DynamicList<faceBetween> faces;
-
-    forAll(piece.processors, facei)
-    {
-        forAll(piece.processors[facei], k)
-        {
-            const label other = piece.processors[facei][k];
-            if (other < 0 || other == processor)
-            {
-                continue;
-            }
-            for (label i = 1; i <= piece.layers.nLayers; ++i)
-            {
-                const label whole = piece.labels(facei, k, i);
-                faces.append(faceBetween(other, whole, facei, k, i));
-            }
-        }
-    }
-    std::sort(faces.begin(), faces.end());
-
-    return faces;
-}
-
-
-//- Append the faces to other processes
-static void addBetween
-(
-    const layersPiece& piece,
-    const label processor,
-    polyMeshTopology& mesh,
-    DynamicList<label>& addressing,
-    meshPiece& result
-)
-{
-    const prismLayers& layers = piece.layers;
-    DynamicList<label> processors, sizes;
-
-    for (const faceBetween& f : facesBetween(piece, processor))
-    {
-        const auto [other, whole, facei, k, i] = f;
-        if (processors.empty() || processors.last() != other)
-        {
-            processors.append(other);
-            sizes.append(0);
-            mesh.startPatch();
-        }
-        ++sizes.last();
-
-        // The face is of the stack with the lower label
-        const edge e(layers.faces[facei].faceEdge(k));
-        const bool turned =
-            piece.faceNeighbours[facei][k] < piece.stacks[facei];
-        mesh.append
-        (
-            turned
-          ? sideFace(layers, e.reverseEdge(), i).reverseFace()
-          : sideFace(layers, e, i),
-            cellLabel(layers, facei, i)
-        );
-        addressing.append(turned ? -(whole + 1) : whole + 1);
-    }
-    result.processors.transfer(processors);
-    result.processorSizes.transfer(sizes);
-}
-
-
-//- Drop the points that no face has
-static void dropUnused(meshPiece& piece)
-{
-    const labelList newPoints(removeUnusedPoints(piece.faces, piece.points));
-    const labelList used(invert(piece.points.size(), newPoints));
-    piece.pointAddressing =
-        labelList(UIndirectList<label>(piece.pointAddressing, used));
 }
 
 
@@ -315,40 +165,44 @@ pointField centresOfStacks(const prismLayers& layers)
 
 meshPiece makeMeshPiece(const layersPiece& piece, const label processor)
 {
-    const prismLayers& layers = piece.layers;
-    const labelListList faceNeighbours(findFaceNeighbours(layers));
-    polyMeshTopology mesh
-    (
-        makePrismTopology(layers, faceNeighbours, piece.open)
-    );
-    DynamicList<label> addressing
-    (
-        faceAddressing(piece, faceNeighbours, mesh.faces.size())
-    );
-
+    const pieceOrder order(piece, processor);
+    const meshBlocks& blocks = order.blocks();
     meshPiece result;
-    result.patchNames = piece.patchNames;
-    result.patchTypes = piece.patchTypes;
-    result.patchSizes = mesh.patchSizes;
-    addBetween(piece, processor, mesh, addressing, result);
+    static_cast<pieceParts&>(result) = order.parts();
+    DynamicList<face> faces;
+    DynamicList<label> owner, neighbour;
 
-    result.points = layers.meshPoints();
-    result.faces.transfer(mesh.faces);
-    result.owner.transfer(mesh.owner);
-    result.neighbour.transfer(mesh.neighbour);
-    result.faceAddressing.transfer(addressing);
-    result.pointAddressing = pointAddressing(piece);
-    dropUnused(result);
-
-    result.cellAddressing.setSize(layers.faces.size()*layers.nLayers);
-    forAll(result.cellAddressing, celli)
+    for (label i = 0; i < blocks.nPointBlocks; ++i)
     {
-        result.cellAddressing[celli] =
-            piece.stacks[celli/layers.nLayers]*layers.nLayers
-          + celli % layers.nLayers;
+        result.points.append(blocks.points(i));
     }
+    for (label i = 0; i < blocks.nFaceBlocks; ++i)
+    {
+        const faceBlock block(blocks.faces(i));
+        owner.append(block.owner);
+        neighbour.append(block.neighbour);
+        forAll(block.owner, k)
+        {
+            faces.append(face(block.face(k)));
+        }
+    }
+    result.faces.transfer(faces);
+    result.owner.transfer(owner);
+    result.neighbour.transfer(neighbour);
 
     return result;
+}
+
+
+void writeMeshPiece
+(
+    const layersPiece& piece,
+    const label processor,
+    const IOobject& io
+)
+{
+    const pieceOrder order(piece, processor);
+    writeMeshPiece(order.parts(), order.blocks(), processor, io);
 }
 
 } // End namespace Foam

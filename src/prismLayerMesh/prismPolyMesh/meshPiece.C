@@ -172,14 +172,14 @@ struct pieceMaker
 static void addPatches
 (
     const label processor,
-    const meshPiece& piece,
+    const pieceParts& piece,
+    label start,
     polyMesh& mesh
 )
 {
     const label nWhole = piece.patchNames.size();
     const polyBoundaryMesh& boundary = mesh.boundaryMesh();
     PtrList<polyPatch> patches(nWhole + piece.processors.size());
-    label start = piece.neighbour.size();
 
     forAll(piece.patchNames, i)
     {
@@ -213,7 +213,7 @@ static void addPatches
 }
 
 
-static void addZones(const meshPiece& piece, polyMesh& mesh)
+static void addZones(const pieceParts& piece, polyMesh& mesh)
 {
     List<cellZone*> zones;
     forAll(piece.zones, i)
@@ -275,7 +275,7 @@ static meshBlocks blocksOf(const meshPiece& piece)
 }
 
 
-static void writeAddressing(const polyMesh& frame, const meshPiece& piece)
+static void writeAddressing(const polyMesh& frame, const pieceParts& piece)
 {
     const auto write = [&](const char* name, const labelUList& labels)
     {
@@ -296,7 +296,7 @@ static void writeAddressing(const polyMesh& frame, const meshPiece& piece)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-labelList meshPiece::boundaryAddressing() const
+labelList pieceParts::boundaryAddressing() const
 {
     labelList addressing(identity(patchNames.size()));
     addressing.append(labelList(processors.size(), -1));
@@ -325,15 +325,27 @@ void writeMeshPiece
     const IOobject& io
 )
 {
+    writeMeshPiece(piece, blocksOf(piece), processor, io);
+}
+
+
+void writeMeshPiece
+(
+    const pieceParts& parts,
+    const meshBlocks& blocks,
+    const label processor,
+    const IOobject& io
+)
+{
     polyMesh frame
     (
         io, pointField(), faceList(), labelList(), labelList(), false
     );
-    addPatches(processor, piece, frame);
-    addZones(piece, frame);
+    addPatches(processor, parts, blocks.nInternalFaces(), frame);
+    addZones(parts, frame);
 
-    writeMeshFiles(frame, blocksOf(piece));
-    writeAddressing(frame, piece);
+    writeMeshFiles(frame, blocks);
+    writeAddressing(frame, parts);
 }
 
 } // End namespace Foam

@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sharedPiece.H"
-#include "layersPiece.H"
 
 namespace Foam
 {
@@ -74,7 +73,7 @@ prismLayers wholeLayers(const layerFront& whole, const label nLayers)
 }
 
 
-meshPiece makeMeshPiece
+layersPiece makeLayersPiece
 (
     const prismLayers& whole,
     const prismLayers& own,
@@ -92,7 +91,7 @@ meshPiece makeMeshPiece
     }
     setPoints(whole, own, team, piece);
 
-    return makeMeshPiece(piece, team.rank());
+    return piece;
 }
 
 } // End namespace Foam

@@ -196,6 +196,24 @@ TEST(layersOnShares, heightsThatGiveWay)
 }
 
 
+//- Layers of the whole front on a share
+static prismLayers layersOn(const frontShare& share, const prismLayers& all)
+{
+    prismLayers own(all);
+    own.points.setSize(share.columns.size()*(all.nLayers + 1));
+    forAll(share.columns, c)
+    {
+        for (label i = 0; i <= all.nLayers; ++i)
+        {
+            own.points[own.index(c, i)] = all(share.columns[c], i);
+        }
+    }
+    own.faces = share.front.surface.faces;
+
+    return own;
+}
+
+
 TEST(layersOnShares, piecesHaveTheirStacks)
 {
     const prismLayerMesh mesh(layeredMesh(testSurfaces::lBlock(4), 5, 0.1));
@@ -221,22 +239,17 @@ TEST(layersOnShares, piecesHaveTheirStacks)
     {
         const label rank = processes.rank();
         const frontShare share(makeFrontShare(mesh.front, owners, n, rank));
-        prismLayers own(all);
-        own.points.setSize(share.columns.size()*(all.nLayers + 1));
-        forAll(share.columns, c)
-        {
-            for (label i = 0; i <= all.nLayers; ++i)
-            {
-                own.points[own.index(c, i)] = all(share.columns[c], i);
-            }
-        }
-        own.faces = share.front.surface.faces;
+        const prismLayers own(layersOn(share, all));
         const meshPiece piece
         (
             makeMeshPiece
             (
-                wholeLayers(mesh.front, all.nLayers), own,
-                columnTeam(share, processes), divide
+                makeLayersPiece
+                (
+                    wholeLayers(mesh.front, all.nLayers), own,
+                    columnTeam(share, processes), divide
+                ),
+                rank
             )
         );
 
