@@ -27,27 +27,15 @@ static auto inTeam(const parallelRun& parallel, const Work& work)
         return work();
     }
 
+    const throwingErrors throwing(true);
     try
     {
-        const throwingErrors throwing(true);
-
-        return work();
+        return parallel.team().guard(work);
     }
     catch (const teamError& e)
     {
-        const throwingErrors throwing;
         FatalErrorInFunction
             << "Another process has failed: " << e.what() << exit(FatalError);
-        throw;
-    }
-    catch (const Foam::error& e)
-    {
-        parallel.team().fail(e.message());
-        throw;
-    }
-    catch (const std::exception& e)
-    {
-        parallel.team().fail(e.what());
         throw;
     }
 }
@@ -133,6 +121,21 @@ Foam::columnTeam Foam::caseLayers::team() const
 }
 
 
+void Foam::caseLayers::setCosts()
+{
+    const processTeam& team = parallel_.team();
+    const scalarList peaks(team.gather(scalarList(1, peakMemory())));
+    const scalarList sent
+    (
+        team.gather(scalarList(1, 1e-6*team.nBytesSent()))
+    );
+    costs_.add("number", team.size());
+    costs_.add("exchanges", team.nCalls());
+    costs_.add("sentMB", sent);
+    costs_.add("peakMemoryMB", peaks);
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::caseLayers::caseLayers
@@ -187,6 +190,7 @@ Foam::layersPiece Foam::caseLayers::makePiece()
         ));
         mesh_ = prismLayerMesh();
         returnMemory();
+        setCosts();
 
         return piece;
     });

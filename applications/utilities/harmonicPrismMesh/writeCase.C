@@ -79,6 +79,7 @@ void writeCase
         parallel.isParallel() && !hasFarField
       ? made->makePiece() : layersPiece()
     );
+    const dictionary processes(made->costs());
     prismLayers layers(std::move(made->layers()));
     made.clear();
     returnMemory();
@@ -92,6 +93,10 @@ void writeCase
 
     dictionary entries(toDictionary(report));
     entries.add("surface", given.prepared.changes);
+    if (processes.size())
+    {
+        entries.add("processes", processes);
+    }
     Foam::write(Info, report);
 
     if (hasFarField)

@@ -60,6 +60,7 @@ bool processTeam::any(const bool isSo) const
 {
     const labelList said(exchangeLabels(labelList(size(), label(isSo))));
     requireNoFailure(said);
+    ++nCalls_;
 
     return said.found(label(true));
 }
@@ -71,7 +72,9 @@ List<message> processTeam::exchange(const List<message>& sent) const
     forAll(sizes, p)
     {
         sizes[p] = sent[p].size();
+        nBytesSent_ += p == rank() ? 0 : sizes[p];
     }
+    ++nCalls_;
     sizes = exchangeLabels(sizes);
     requireNoFailure(sizes);
 
