@@ -48,6 +48,25 @@ static pointField rimOf(const gapMesh& mesh, const gapMesh::Halfedge_index h)
 }
 
 
+//- Whether all of the faces beside a hole are one triangle
+static bool isAroundTriangle
+(
+    const gapMesh& mesh,
+    const gapMesh::Halfedge_index h
+)
+{
+    const auto beside = [&](const gapMesh::Halfedge_index side)
+    {
+        return mesh.face(mesh.opposite(side));
+    };
+    const auto next = mesh.next(h);
+
+    return
+        mesh.next(mesh.next(next)) == h
+     && beside(next) == beside(h) && beside(mesh.next(next)) == beside(h);
+}
+
+
 static bool isOnPlane
 (
     const pointField& rim,
@@ -70,6 +89,59 @@ static bool isOnPlane
     }
 
     return false;
+}
+
+
+//- Fills holes smaller than a length [m], except on side planes, and removes
+//  single triangles
+static void fillHoles
+(
+    const scalar hole,
+    const UList<sidePatch>& planes,
+    const scalar tolerance,
+    gapMesh& mesh,
+    repairSteps& steps
+)
+{
+    std::vector<gapMesh::Halfedge_index> holes;
+    PMP::extract_boundary_cycles(mesh, std::back_inserter(holes));
+    DynamicList<point> places;
+    label nFilled = 0;
+    label nSingle = 0;
+
+    for (const auto h : holes)
+    {
+        const pointField rim(rimOf(mesh, h));
+
+        if
+        (
+            boundBox(rim, false).mag() >= hole
+         || isOnPlane(rim, planes, tolerance)
+        )
+        {
+            continue;
+        }
+
+        // With another triangle it would enclose nothing
+        if (isAroundTriangle(mesh, h))
+        {
+            CGAL::Euler::remove_face(mesh.opposite(h), mesh);
+            ++nSingle;
+            continue;
+        }
+
+        std::vector<gapMesh::Face_index> patch;
+        PMP::triangulate_hole(mesh, h, std::back_inserter(patch));
+        nFilled += !patch.empty();
+
+        if (places.size() < 10)
+        {
+            places.append(average(rim));
+        }
+    }
+
+    addStep(steps, "single triangles removed", nSingle);
+    addStep(steps, "holes filled", nFilled, places);
 }
 
 
@@ -100,33 +172,7 @@ void closeGaps
     );
     PMP::remove_degenerate_faces(mesh);
 
-    std::vector<gapMesh::Halfedge_index> holes;
-    PMP::extract_boundary_cycles(mesh, std::back_inserter(holes));
-    DynamicList<point> places;
-    label nFilled = 0;
-
-    for (const auto h : holes)
-    {
-        const pointField rim(rimOf(mesh, h));
-
-        if
-        (
-            boundBox(rim, false).mag() < hole
-         && !isOnPlane(rim, planes, tolerance)
-        )
-        {
-            std::vector<gapMesh::Face_index> patch;
-            PMP::triangulate_hole(mesh, h, std::back_inserter(patch));
-            nFilled += !patch.empty();
-
-            if (places.size() < 10)
-            {
-                places.append(average(rim));
-            }
-        }
-    }
-
-    addStep(steps, "holes filled", nFilled, places);
+    fillHoles(hole, planes, tolerance, mesh, steps);
     mesh.collect_garbage();
     setFaces(mesh, surface);
 }

@@ -132,6 +132,9 @@ public:
                 removeNeedles(step_, both);
                 bodies_[i] = both;
                 boxes_[i] = PMP::bbox(both);
+
+                // Rounded points may make its faces intersect
+                sound_[i] = isBody(both);
                 bodies_.erase(bodies_.begin() + j);
                 boxes_.erase(boxes_.begin() + j);
                 sound_.erase(sound_.begin() + j);

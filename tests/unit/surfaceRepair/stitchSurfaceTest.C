@@ -158,6 +158,25 @@ TEST(closeGaps, smallHolesAreFilledAndLargeOnesAreLeft)
 }
 
 
+TEST(closeGaps, singleTrianglesAreRemoved)
+{
+    wallSurface surface(cube(2));
+    const label n = surface.points.size();
+    for (const point& x : {point(0, 0, 2), point(0.3, 0, 2), point(0, 0.3, 2)})
+    {
+        surface.points.append(x);
+    }
+    surface.faces.append(face({n, n + 1, n + 2}));
+    repairSteps steps;
+    close(surface, steps);
+
+    EXPECT_EQ(countOf(steps, "single triangles"), 1);
+    EXPECT_EQ(countOf(steps, "holes filled"), 0);
+    EXPECT_EQ(surface.faces.size(), 48);
+    EXPECT_EQ(surface.points.size(), n);
+}
+
+
 TEST(closeGaps, bordersOnSidePlanesStayOpen)
 {
     wallSurface surface(halfSphere(4));
