@@ -69,6 +69,17 @@ class surfaceRepairer
 
     void stitch();
 
+    //- Replaces the repaired surface by the exact union of the bodies of a
+    //  surface, if the latter is balanced and the union comes to its end.
+    //  Returns whether it did.
+    //  steps: those that made the surface
+    bool stitchUnion
+    (
+        wallSurface surface,
+        repairSteps steps,
+        scalar gap
+    );
+
     //- Returns the faces of patches that are to have no layers
     bitSet facesOnSides() const;
 
@@ -131,26 +142,50 @@ void surfaceRepairer::stitch()
         return;
     }
 
-    string failure = uniteBodies(surface, fluidOutside_, gap, steps);
+    const wallSurface closed(surface);
+    const repairSteps closedSteps(steps);
+    const string failure = uniteBodies(surface, fluidOutside_, gap, steps);
 
-    if (fluidOutside_ && (!failure.empty() || !isSound()))
+    if (failure.empty() && (isSound() || !fluidOutside_))
     {
-        wallSurface united(original_);
-        repairSteps unitedSteps;
-        mergeEqualPoints(united, unitedSteps);
-
-        if (isBalanced(united))
-        {
-            failure = uniteBalanced(united, gap, unitedSteps);
-            surface = united;
-            steps = unitedSteps;
-            orientWallSurface(surface, true);
-        }
+        return;
     }
-    if (!failure.empty())
+
+    const bool isUnited =
+        fluidOutside_
+     && (
+            stitchUnion(original_, repairSteps(), gap)
+         || stitchUnion(closed, closedSteps, gap)
+        );
+    if (!isUnited && !failure.empty())
     {
         refuseBodies(failure);
     }
+}
+
+
+bool surfaceRepairer::stitchUnion
+(
+    wallSurface surface,
+    repairSteps steps,
+    const scalar gap
+)
+{
+    mergeEqualPoints(surface, steps);
+
+    if
+    (
+        !isBalanced(surface)
+     || !uniteBalanced(surface, gap, steps).empty()
+    )
+    {
+        return false;
+    }
+    repaired_.surface = surface;
+    repaired_.steps = steps;
+    orientWallSurface(repaired_.surface, true);
+
+    return true;
 }
 
 

@@ -86,6 +86,20 @@ TEST(repairSurface, stitchingKeepsPatchesAndTheSideOfTheFluid)
 }
 
 
+TEST(repairSurface, bodiesThatTouchInAnEdgeAreUnitedOnceClosed)
+{
+    wallSurface surface(merge(cube(2), translated(cube(2), vector(1, 1, 0))));
+    surface.faces.setSize(surface.faces.size() - 1);
+    surface.patchIDs.setSize(surface.faces.size());
+    wallSurfaceControls controls(by(method::stitch));
+    controls.repair.hole = 1;
+    const repairedSurface r(repairSurface(surface, controls));
+
+    EXPECT_TRUE(findWallDefects(r.surface).empty());
+    EXPECT_NEAR(testSurfaces::enclosedVolume(r.surface), 2, 1e-3);
+}
+
+
 TEST(repairSurface, wrapsWhatStitchingCannotClose)
 {
     wallSurface surface(cube(3));
