@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "stitchSurface.H"
+#include "cutSurface.H"
 #include "isolatedProcess.H"
 #include "exactUnion.H"
 #include "fillContacts.H"
@@ -16,8 +17,8 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Contacts of bodies are filled so many times at most
-static constexpr label maxFills = 5;
+//- Bodies are united so many times more at most
+static constexpr label maxUnions = 10;
 
 
 static void send(const char tag, const OStringStream& text, std::FILE* out)
@@ -119,19 +120,23 @@ static void sendUnion(wallSurface surface, const scalar step, std::FILE* out)
     repairSteps made;
     uniteExactly(surface, made);
 
-    // A filler may touch other bodies
-    for (label n = 0; n < maxFills; ++n)
+    // A filler may touch other bodies, and rounded faces may intersect or lose
+    // their area
+    for (label n = 0; n < maxUnions; ++n)
     {
         const surfaceContacts contacts(findContacts(surface));
-        if (contacts.empty())
+        repairSteps untold;
+
+        if (!contacts.empty())
+        {
+            addContacts(contacts, surface.points, made);
+            addContactFillers(contacts, surface);
+            mergeEqualPoints(surface, untold);
+        }
+        else if (facesInConflict(surface).empty())
         {
             break;
         }
-
-        addContacts(contacts, surface.points, made);
-        repairSteps untold;
-        addContactFillers(contacts, surface);
-        mergeEqualPoints(surface, untold);
         uniteExactly(surface, untold);
     }
 

@@ -5,6 +5,7 @@
 
 #include "exactUnion.H"
 #include "fillContacts.H"
+#include "mathematicalConstants.H"
 #include "stitchSurface.H"
 #include "testSurfaces.H"
 #include "wallDefects.H"
@@ -223,6 +224,39 @@ TEST(exactUnion, cornerOnAFaceIsFilled)
 
     EXPECT_TRUE(findContacts(surface).empty());
     EXPECT_GT(volume(surface), 1);
+}
+
+
+TEST(exactUnion, roundedFacesDoNotIntersect)
+{
+    // A cylinder whose rim touches an edge of a cube in a point; another body
+    // sets the size of what fills the contact
+    using constant::mathematical::twoPi;
+    const label n = 12;
+    List<vector2D> circle(n);
+    forAll(circle, i)
+    {
+        const scalar angle = twoPi*i/n;
+        circle[i] = 0.5*vector2D(Foam::cos(angle), Foam::sin(angle));
+    }
+    circle[3*n/4] = vector2D(0, -0.5);
+
+    const vector half(vector::uniform(0.5));
+    wallSurface surface
+    (
+        merge
+        (
+            translated(translated(cube(3), -half), vector(0, 1, 1)),
+            translated
+            (
+                testSurfaces::extruded(circle, 1, 0.5), vector(0, 2, -0.5)
+            )
+        )
+    );
+    unitedAndFilled
+    (
+        merge(surface, translated(cube(1, 0.5), vector(1, 0.6, -0.5)))
+    );
 }
 
 // ************************************************************************* //
