@@ -200,6 +200,7 @@ bool sliverRemover::flip(const label facei)
     (
         v == w || isTouched_[w] || !facesOn(v, w).empty()
      || !mayBecome(g, left) || !mayBecome(g, right)
+     || min(height(left), height(right)) <= min(height(f), height(g))
     )
     {
         return false;
