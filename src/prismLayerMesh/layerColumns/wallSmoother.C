@@ -34,8 +34,9 @@ wallSmoother::wallSmoother
             nOthers += lengthSqr > 0;
         }
 
-        weights_[p] = weights/sum(weights);
-        spread_[p] = 0.5*nOthers/sum(weights);
+        // At the rim of a share there are columns without known neighbours
+        weights_[p] = nOthers ? scalarField(weights/sum(weights)) : weights;
+        spread_[p] = nOthers ? 0.5*nOthers/sum(weights) : GREAT;
     }
 }
 

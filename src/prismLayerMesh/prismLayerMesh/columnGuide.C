@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "columnGuide.H"
+#include "fieldIslands.H"
 #include "straightShares.H"
 
 namespace Foam
@@ -69,19 +70,45 @@ static labelListList blocksOf
 }
 
 
+//- Whether each column that this process makes, on an own point, has a line in a
+//  field
+static boolList haveLines
+(
+    const guidedColumns& columns,
+    const columnGuide& guide
+)
+{
+    boolList onPoints(max(columns.whole.wallPoints) + 1, !guide.isDivided);
+    for (const labelList& block : guide.blocks)
+    {
+        UIndirectList<bool>(onPoints, block) = true;
+    }
+
+    boolList have(UIndirectList<bool>(onPoints, columns.wallPoints()));
+    forAll(have, c)
+    {
+        have[c] = have[c] && columns.team.isOwn(c);
+    }
+
+    return have;
+}
+
+
 //- Lines along a field, straightened where the columns need none
 static gradientLines straightened
 (
     const guidedColumns& columns,
-    const layerSpacing& spacing,
+    const columnGuide& guide,
     columnLines& along
 )
 {
+    const layerSpacing& spacing = guide.spacing;
     const gradientLines straight(straightLines(columns, spacing));
+    const boolList have(haveLines(columns, guide));
     const label n = straight.nSamples;
     forAll(along.slopes, c)
     {
-        if (!columns.team.isOwn(c))
+        if (!have[c])
         {
             along.slopes[c] = 0;
             SubList<point>(along.lines.points, n, n*c) =
@@ -142,6 +169,7 @@ static columnGuide fieldGuide
     const wallHeights& heights,
     const guidedColumns& columns,
     offsetEnvelope&& envelope,
+    const labelUList& islands,
     const prismLayerControls& controls,
     const stageObserver& observer,
     const bool keepStages
@@ -150,10 +178,12 @@ static columnGuide fieldGuide
     columnGuide guide;
     guide.spacing = heights.graded;
     guide.envelope = std::move(envelope);
-    guide.blocks = blocksOf(context.wall, guide.envelope);
+    const labelListList all(blocksOf(context.wall, guide.envelope));
+    guide.isDivided = all.size();
+    guide.blocks = partsWith(all, islands);
     columnLines along;
 
-    if ((guide.blocks.empty() || keepStages) && columns.team.isMaster())
+    if ((!guide.isDivided || keepStages) && columns.team.isMaster())
     {
         guide.fields =
             makeFields(context, guide.envelope, controls.field, observer);
@@ -161,7 +191,7 @@ static columnGuide fieldGuide
     }
     guide.fields.failure = columns.team.textOfMaster(guide.fields.failure);
 
-    if (guide.blocks.size())
+    if (guide.isDivided)
     {
         const dividedWall divided
         {
@@ -185,7 +215,7 @@ static columnGuide fieldGuide
         return guide;
     }
 
-    guide.lines = straightened(columns, guide.spacing, along);
+    guide.lines = straightened(columns, guide, along);
 
     return guide;
 }
@@ -287,6 +317,13 @@ columnGuide makeColumnGuide
         )
     );
 
+    const labelList islands
+    (
+        findFieldIslands
+        (
+            context, envelope.radius, controls.envelope.scale*heights.room
+        )
+    );
     if (!keepStages && !layers.onLevelSets)
     {
         // Not for the processes that make lines
@@ -300,7 +337,7 @@ columnGuide makeColumnGuide
         )
       : fieldGuide
         (
-            context, heights, columns, std::move(envelope), controls,
+            context, heights, columns, std::move(envelope), islands, controls,
             observer, keepStages
         );
 }

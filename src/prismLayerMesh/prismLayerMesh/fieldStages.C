@@ -232,6 +232,18 @@ wallFields makeFields
 }
 
 
+static label nPointsOf(const labelListList& parts)
+{
+    label n = 0;
+    for (const labelList& part : parts)
+    {
+        n += part.size();
+    }
+
+    return n;
+}
+
+
 columnLines makeLinesOfBlocks
 (
     const dividedWall& wall,
@@ -250,7 +262,8 @@ columnLines makeLinesOfBlocks
     observer.end
     (
         failure.empty()
-      ? text(wall.parts.size(), " blocks")
+      ? text(wall.parts.size(), " blocks for ", nPointsOf(wall.parts), " of ",
+            wall.context.wall.points.size(), " points")
       : "no field in front of " + failure
     );
 

@@ -6,6 +6,7 @@
 #include "frontShare.H"
 #include "openSurfaces.H"
 #include "testLayers.H"
+#include "wallSmoother.H"
 #include "HashSet.H"
 
 #include <gtest/gtest.h>
@@ -139,6 +140,34 @@ TEST(frontShare, ownersKnowTheCopiesOfTheirColumns)
             }
         }
     }
+}
+
+
+TEST(frontShare, columnsWithoutNeighboursHaveNoMean)
+{
+    const layerFront front
+    (
+        testSurfaces::frontOf(testSurfaces::bladeOnEdge(0.5), 0)
+    );
+    label nWithout = 0;
+
+    for (const frontShare& share : sharesOf(front, 6))
+    {
+        const wallSmoother smoother
+        (
+            share.front.surface, share.front.addressing
+        );
+        const scalarField ones(share.columns.size(), 1);
+
+        forAll(ones, c)
+        {
+            const scalar mean = smoother.mean(ones, c);
+            nWithout += mean == 0;
+            EXPECT_TRUE(mean == 0 || mag(mean - 1) < 1e-14);
+            EXPECT_TRUE(mean > 0 || !share.isOwn[c]);
+        }
+    }
+    EXPECT_GT(nWithout, 0);
 }
 
 

@@ -1,0 +1,164 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "fieldIslands.H"
+#include "ListOps.H"
+
+#include <queue>
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Whether the wall is curved inwards at a point that is on no sharp edge: the
+//  normals of a neighbour and of the point come together within a length of
+//  'radius/curvature'
+static bool isCurvedInwards
+(
+    const wallContext& context,
+    const label p,
+    const scalar radius,
+    const scalar curvature
+)
+{
+    const pointField& points = context.wall.points;
+    const vectorField& normals = context.visibility.meanNormals;
+
+    for (const label q : context.addressing.pointPoints[p])
+    {
+        const vector d(points[q] - points[p]);
+        const scalar turn = (normals[q] - normals[p]) & d;
+        const bool isFlat = context.kinds[q] == pointKind::flat;
+
+        if (isFlat && -turn*radius > curvature*magSqr(d))
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+
+//- Whether a point disturbs the field
+static boolList disturbingPoints
+(
+    const wallContext& context,
+    const scalarField& radius,
+    const scalarField& wanted,
+    const islandControls& controls
+)
+{
+    boolList disturbs(radius.size());
+
+    #pragma omp parallel for schedule(static, 256)
+    forAll(disturbs, p)
+    {
+        disturbs[p] = isOnConcaveEdge(context.kinds[p])
+         || context.kinds[p] == pointKind::empty
+         || radius[p] < sheetControls::limitedShare*wanted[p]
+         || (
+                context.kinds[p] == pointKind::flat
+             && isCurvedInwards(context, p, radius[p], controls.curvature)
+            );
+    }
+
+    return disturbs;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+labelList findFieldIslands
+(
+    const wallContext& context,
+    const scalarField& radius,
+    const scalarField& wanted,
+    const islandControls& controls
+)
+{
+    const boolList disturbs
+    (
+        disturbingPoints(context, radius, wanted, controls)
+    );
+
+    // Dijkstra: the longest way that is left at each point, the longest first
+    typedef std::pair<scalar, label> entry;
+    std::priority_queue<entry> front;
+    scalarField left(radius.size(), -1);
+    forAll(disturbs, p)
+    {
+        if (disturbs[p])
+        {
+            left[p] = controls.reach*radius[p];
+            front.push(entry(left[p], p));
+        }
+    }
+
+    while (!front.empty())
+    {
+        const entry longest = front.top();
+        front.pop();
+        const label p = longest.second;
+
+        if (longest.first < left[p])
+        {
+            continue;
+        }
+
+        for (const label q : context.addressing.pointPoints[p])
+        {
+            const scalar rest =
+                left[p] - mag(context.wall.points[q] - context.wall.points[p]);
+
+            if (rest > left[q] && rest >= 0)
+            {
+                left[q] = rest;
+                front.push(entry(rest, q));
+            }
+        }
+    }
+
+    return subsetList
+    (
+        identity(left.size()), [&](const label p) { return left[p] >= 0; }
+    );
+}
+
+
+labelListList partsWith
+(
+    const labelListList& parts,
+    const labelUList& points
+)
+{
+    label nPoints = 0;
+    for (const labelList& part : parts)
+    {
+        nPoints += part.size();
+    }
+    boolList isWanted(nPoints, false);
+    UIndirectList<bool>(isWanted, points) = true;
+
+    DynamicList<labelList> result;
+    for (const labelList& part : parts)
+    {
+        labelList wanted
+        (
+            subsetList(part, [&](const label p) { return isWanted[p]; })
+        );
+        if (wanted.size())
+        {
+            result.append(std::move(wanted));
+        }
+    }
+
+    return labelListList(std::move(result));
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
