@@ -70,7 +70,7 @@ static labelListList blocksOf
 }
 
 
-//- Whether each column that this process makes, on an own point, has a line in a
+//- Whether each column that this process makes is an own one with a line in a
 //  field
 static boolList haveLines
 (
