@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "fieldIslands.H"
+#include "bitSet.H"
 #include "ListOps.H"
 
 #include <queue>
@@ -135,20 +136,14 @@ labelListList partsWith
     const labelUList& points
 )
 {
-    label nPoints = 0;
-    for (const labelList& part : parts)
-    {
-        nPoints += part.size();
-    }
-    boolList isWanted(nPoints, false);
-    UIndirectList<bool>(isWanted, points) = true;
+    const bitSet isWanted(points);
 
     DynamicList<labelList> result;
     for (const labelList& part : parts)
     {
         labelList wanted
         (
-            subsetList(part, [&](const label p) { return isWanted[p]; })
+            subsetList(part, [&](const label p) { return isWanted.test(p); })
         );
         if (wanted.size())
         {

@@ -110,6 +110,7 @@ TEST(partsWith, haveTheirPointsOnly)
         labelListList({{2, 4}, {6}})
     );
     EXPECT_TRUE(partsWith(parts, labelList()).empty());
+    EXPECT_TRUE(partsWith(labelListList(), labelList({2, 4, 6})).empty());
 }
 
 
