@@ -14,19 +14,50 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
+//- Normals of points, smoothed: a crease between coarse triangles that were
+//  divided is no curve
+static vectorField smoothedNormals
+(
+    const wallContext& context,
+    const label nPasses
+)
+{
+    const labelListList& neighbours = context.addressing.pointPoints;
+    vectorField normals(context.visibility.meanNormals);
+
+    for (label pass = 0; pass < nPasses; ++pass)
+    {
+        const vectorField old(normals);
+
+        #pragma omp parallel for schedule(static, 256)
+        forAll(normals, p)
+        {
+            vector mean(Zero);
+            for (const label q : neighbours[p])
+            {
+                mean += old[q]/neighbours[p].size();
+            }
+            normals[p] = 0.5*(old[p] + mean);
+        }
+    }
+
+    return normals;
+}
+
+
 //- Whether the wall is curved inwards at a point that is on no sharp edge: the
 //  normals of a neighbour and of the point come together within a length of
 //  'radius/curvature'
 static bool isCurvedInwards
 (
     const wallContext& context,
+    const vectorField& normals,
     const label p,
     const scalar radius,
     const scalar curvature
 )
 {
     const pointField& points = context.wall.points;
-    const vectorField& normals = context.visibility.meanNormals;
 
     for (const label q : context.addressing.pointPoints[p])
     {
@@ -53,6 +84,7 @@ static boolList disturbingPoints
     const islandControls& controls
 )
 {
+    const vectorField normals(smoothedNormals(context, controls.nPasses));
     boolList disturbs(radius.size());
 
     #pragma omp parallel for schedule(static, 256)
@@ -63,7 +95,10 @@ static boolList disturbingPoints
          || radius[p] < sheetControls::limitedShare*wanted[p]
          || (
                 context.kinds[p] == pointKind::flat
-             && isCurvedInwards(context, p, radius[p], controls.curvature)
+             && isCurvedInwards
+                (
+                    context, normals, p, radius[p], controls.curvature
+                )
             );
     }
 
