@@ -14,8 +14,8 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Normals of points, smoothed: a crease between coarse triangles that were
-//  divided is no curve
+//- Normals of points, smoothed between points that are on no sharp edge: a
+//  crease between coarse triangles that were divided is no curve
 static vectorField smoothedNormals
 (
     const wallContext& context,
@@ -32,12 +32,15 @@ static vectorField smoothedNormals
         #pragma omp parallel for schedule(static, 256)
         forAll(normals, p)
         {
-            vector mean(Zero);
+            vector sum(Zero);
+            label nFlat = 0;
             for (const label q : neighbours[p])
             {
-                mean += old[q]/neighbours[p].size();
+                const bool isFlat = context.kinds[q] == pointKind::flat;
+                sum += isFlat ? old[q] : vector(Zero);
+                nFlat += isFlat;
             }
-            normals[p] = 0.5*(old[p] + mean);
+            normals[p] = nFlat ? 0.5*(old[p] + sum/nFlat) : old[p];
         }
     }
 
