@@ -68,7 +68,7 @@ static List<message> orders
     dict.write(text, false);
 
     message order;
-    addText(order, text.str());
+    order.addText(text.str());
     addWall(order, wall);
     addHeights(order, local);
 
@@ -99,14 +99,8 @@ static prismLayers gathered
         ends[2*c] = own(c, 0);
         ends[2*c + 1] = own(c, own.nLayers);
     }
-    prismLayers layers(wholeLayers(mesh.front, 1));
-    const pointField points(team.onMaster(ends, 2));
-    if (team.isMaster())
-    {
-        layers.points = points;
-    }
 
-    return layers;
+    return gatherLayers(mesh.front, ends, 1, team);
 }
 
 } // End namespace Foam
@@ -116,8 +110,7 @@ static prismLayers gathered
 
 Foam::columnTeam Foam::caseLayers::team() const
 {
-    return mesh_.share
-      ? columnTeam(*mesh_.share, parallel_.team()) : columnTeam();
+    return columnTeam(mesh_.share.get(), &parallel_.team());
 }
 
 
@@ -225,7 +218,7 @@ Foam::pieceWriter Foam::makePieceForMaster(const parallelRun& parallel)
         parallel.team().exchange(List<message>(n))
     );
     messageReader reader(received[0]);
-    IStringStream text(takeText(reader));
+    IStringStream text(reader.text());
     const prismLayerControls controls(readPrismLayerControls(dictionary(text)));
     const wallSurface wall(takeWall(reader));
     const localHeights local(takeHeights(reader));

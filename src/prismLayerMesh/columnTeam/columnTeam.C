@@ -49,12 +49,6 @@ label columnTeam::columnHere(const label whole) const
 }
 
 
-label columnTeam::faceHere(const label whole) const
-{
-    return share_ ? indexOf(share_->faces, whole) : whole;
-}
-
-
 labelList columnTeam::ownOf(const labelUList& columns) const
 {
     return share_

@@ -42,6 +42,28 @@ void columnTeam::update(UList<Type>& values) const
 }
 
 
+template<class Type>
+bool columnTeam::lowerToOwners(UList<Type>& values) const
+{
+    if (isAlone())
+    {
+        return false;
+    }
+
+    List<Type> ofOwners(values);
+    update(ofOwners);
+
+    bool lower = false;
+    forAll(values, c)
+    {
+        lower = lower || ofOwners[c] < values[c];
+        values[c] = min(values[c], ofOwners[c]);
+    }
+
+    return any(lower);
+}
+
+
 template<class Type, class Operation>
 Type columnTeam::reduce(const Type& value, const Operation& op) const
 {

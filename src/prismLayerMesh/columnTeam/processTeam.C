@@ -19,7 +19,7 @@ static const label failed = -1;
 std::string processTeam::firstReason(const std::string& own) const
 {
     message reason;
-    reason.addList(UList<char>(const_cast<char*>(own.data()), own.size()));
+    reason.addText(own);
     const List<message> sent(size(), reason);
     List<message> received(size());
 
@@ -34,10 +34,10 @@ std::string processTeam::firstReason(const std::string& own) const
     for (const message& m : received)
     {
         messageReader reader(m);
-        const List<char> text(reader.list<char>());
+        const std::string text(reader.text());
         if (text.size())
         {
-            return std::string(text.cdata(), text.size());
+            return text;
         }
     }
 

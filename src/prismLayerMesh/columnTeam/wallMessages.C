@@ -16,7 +16,7 @@ static void addWords(message& m, const wordList& words)
     m.addValue(words.size());
     for (const word& w : words)
     {
-        addText(m, w);
+        m.addText(w);
     }
 }
 
@@ -26,7 +26,7 @@ static wordList takeWords(messageReader& reader)
     wordList words(reader.value<label>());
     for (word& w : words)
     {
-        w = word(takeText(reader), false);
+        w = word(reader.text(), false);
     }
 
     return words;
@@ -37,8 +37,8 @@ static void addSide(message& m, const sidePatch& side)
 {
     m.addValue(side.origin);
     m.addValue(side.normal);
-    addText(m, side.name);
-    addText(m, side.type);
+    m.addText(side.name);
+    m.addText(side.type);
     m.addList(side.points);
     addFaces(m, side.faces);
     m.addValue(side.isCurved());
@@ -50,8 +50,8 @@ static sidePatch takeSide(messageReader& reader)
     sidePatch side;
     side.origin = reader.value<point>();
     side.normal = reader.value<vector>();
-    side.name = word(takeText(reader), false);
-    side.type = word(takeText(reader), false);
+    side.name = word(reader.text(), false);
+    side.type = word(reader.text(), false);
     side.points = reader.list<point>();
     side.faces = takeFaces(reader);
     if (reader.value<bool>())
@@ -64,20 +64,6 @@ static sidePatch takeSide(messageReader& reader)
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
-void addText(message& m, const std::string& text)
-{
-    m.addList(UList<char>(const_cast<char*>(text.data()), text.size()));
-}
-
-
-std::string takeText(messageReader& reader)
-{
-    const List<char> text(reader.list<char>());
-
-    return std::string(text.cdata(), text.size());
-}
-
 
 void addFaces(message& m, const faceList& faces)
 {

@@ -62,10 +62,7 @@ static List<string> failuresOfAll
         if (own[i].size())
         {
             reasons.addValue(i);
-            reasons.addList
-            (
-                UList<char>(const_cast<char*>(own[i].data()), own[i].size())
-            );
+            reasons.addText(own[i]);
         }
     }
 
@@ -76,8 +73,7 @@ static List<string> failuresOfAll
         while (!reader.atEnd())
         {
             const label i = reader.value<label>();
-            const List<char> reason(reader.list<char>());
-            all[i] = string(std::string(reason.cdata(), reason.size()));
+            all[i] = reader.text();
         }
     }
 

@@ -47,9 +47,8 @@ static labelList limitSlope
 )
 {
     labelHashSet lowered;
-    bool anyLower = true;
 
-    while (anyLower)
+    do
     {
         lowered.insert
         (
@@ -59,17 +58,8 @@ static labelList limitSlope
                 thickness
             )
         );
-        scalarField ofOwners(thickness);
-        team.update(ofOwners);
-
-        bool lower = false;
-        forAll(thickness, c)
-        {
-            lower = lower || ofOwners[c] < thickness[c];
-            thickness[c] = min(thickness[c], ofOwners[c]);
-        }
-        anyLower = team.any(lower);
     }
+    while (team.lowerToOwners(thickness));
 
     return lowered.sortedToc();
 }

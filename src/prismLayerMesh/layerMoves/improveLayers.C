@@ -164,12 +164,6 @@ void improvement::keepTargets
     bendTargets& targets
 ) const
 {
-    if (editor.team().isAlone())
-    {
-        targets.keep(editor, columns);
-        return;
-    }
-
     boolList kept(moves.barred.size(), false);
     UIndirectList<bool>(kept, columns) = true;
     editor.team().update(kept);

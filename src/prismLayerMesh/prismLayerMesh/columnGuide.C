@@ -57,8 +57,8 @@ static columnGuide straightGuide
 }
 
 
-//- The points of the blocks of a closed wall that is large
-static labelListList blocksOf
+//- The points of the parts of a closed wall that is large
+static labelListList partsOf
 (
     const wallSurface& wall,
     const offsetEnvelope& envelope
@@ -163,12 +163,15 @@ static columnLines linesOfOneField
 //- The lines of the isotropic field, the exact and the smooth one: on the lines
 //  of the others columns beside concave edges cross. They are straight on
 //  convex parts, and everywhere if there is no field.
+//  parts: of a large wall, see divideWall
+//  islands: see findFieldIslands
 static columnGuide fieldGuide
 (
     const wallContext& context,
     const wallHeights& heights,
     const guidedColumns& columns,
     offsetEnvelope&& envelope,
+    const labelListList& parts,
     const labelUList& islands,
     const prismLayerControls& controls,
     const stageObserver& observer,
@@ -178,9 +181,8 @@ static columnGuide fieldGuide
     columnGuide guide;
     guide.spacing = heights.graded;
     guide.envelope = std::move(envelope);
-    const labelListList all(blocksOf(context.wall, guide.envelope));
-    guide.isDivided = all.size();
-    guide.blocks = partsWith(all, islands);
+    guide.isDivided = parts.size();
+    guide.blocks = partsWith(parts, islands);
     columnLines along;
 
     if ((!guide.isDivided || keepStages) && columns.team.isMaster())
@@ -317,12 +319,19 @@ columnGuide makeColumnGuide
         )
     );
 
+    const labelListList parts
+    (
+        layers.onLevelSets
+      ? labelListList() : partsOf(context.wall, envelope)
+    );
     const labelList islands
     (
-        findFieldIslands
+        parts.size()
+      ? findFieldIslands
         (
             context, envelope.radius, controls.envelope.scale*heights.room
         )
+      : labelList()
     );
     if (!keepStages && !layers.onLevelSets)
     {
@@ -337,8 +346,8 @@ columnGuide makeColumnGuide
         )
       : fieldGuide
         (
-            context, heights, columns, std::move(envelope), islands, controls,
-            observer, keepStages
+            context, heights, columns, std::move(envelope), parts, islands,
+            controls, observer, keepStages
         );
 }
 

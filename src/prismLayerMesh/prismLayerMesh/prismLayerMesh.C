@@ -58,16 +58,6 @@ static std::shared_ptr<const frontShare> shareOf
 }
 
 
-static columnTeam teamOf
-(
-    const std::shared_ptr<const frontShare>& share,
-    const processTeam* processes
-)
-{
-    return share ? columnTeam(*share, *processes) : columnTeam();
-}
-
-
 //- Drops what only the share needs: of the whole front its columns, faces and
 //  axes are left
 static void dropAround(prismLayerMesh& mesh)
@@ -122,7 +112,7 @@ static prismLayerMesh makeLayersOnFront
 
     mesh.share = shareOf(mesh.front, processes);
     dropAround(mesh);
-    const columnTeam team(teamOf(mesh.share, processes));
+    const columnTeam team(mesh.share.get(), processes);
     const guidedColumns front
     {
         mesh.front, processes ? mesh.share->front : mesh.front, team
@@ -229,11 +219,25 @@ prismLayerMesh makePrismLayerMesh
 prismLayers gatherLayers(const prismLayerMesh& mesh, const columnTeam& team)
 {
     const prismLayers& own = mesh.made.layers;
-    prismLayers layers(wholeLayers(mesh.front, own.nLayers));
-    const pointField points(team.onMaster(own.points, own.nLayers + 1));
+
+    return gatherLayers(mesh.front, own.points, own.nLayers, team);
+}
+
+
+prismLayers gatherLayers
+(
+    const layerFront& front,
+    const pointField& points,
+    const label nLayers,
+    const columnTeam& team
+)
+{
+    const pointField all(team.onMaster(points, nLayers + 1));
+    prismLayers layers;
     if (team.isMaster())
     {
-        layers.points = points;
+        layers = wholeLayers(front, nLayers);
+        layers.points = all;
     }
 
     return layers;

@@ -165,26 +165,20 @@ static labelList firstFacesOfColumns
     }
 
     // A body may have a part on each share
-    labelList ofColumns(layers.nColumns());
-    bool anyLower = true;
-    while (anyLower)
+    labelList ofColumns(layers.nColumns(), labelMax);
+    do
     {
+        forAll(ofColumns, c)
+        {
+            label& first = ofParts[parts.find(c)];
+            first = min(first, ofColumns[c]);
+        }
         forAll(ofColumns, c)
         {
             ofColumns[c] = ofParts[parts.find(c)];
         }
-        labelList ofOwners(ofColumns);
-        team.update(ofOwners);
-
-        bool lower = false;
-        forAll(ofColumns, c)
-        {
-            label& first = ofParts[parts.find(c)];
-            lower = lower || ofOwners[c] < first;
-            first = min(first, ofOwners[c]);
-        }
-        anyLower = team.any(lower);
     }
+    while (team.lowerToOwners(ofColumns));
 
     return ofColumns;
 }
