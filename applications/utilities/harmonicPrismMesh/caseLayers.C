@@ -41,19 +41,6 @@ static auto inTeam(const parallelRun& parallel, const Work& work)
 }
 
 
-//- What writes a piece
-template<class Piece>
-static pieceWriter writerOf(Piece&& made)
-{
-    const auto piece = std::make_shared<const Piece>(std::move(made));
-
-    return [piece](const label processor, const IOobject& io)
-    {
-        writeMeshPiece(*piece, processor, io);
-    };
-}
-
-
 //- What the other processes need, for all of them
 static List<message> orders
 (

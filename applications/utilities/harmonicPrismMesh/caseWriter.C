@@ -183,15 +183,7 @@ void Foam::caseWriter::writePieces
     replacedFiles& files
 ) const
 {
-    const meshPiece piece(dividePieces(layers, far));
-    writeOwn
-    (
-        [&](const label processor, const IOobject& io)
-        {
-            writeMeshPiece(piece, processor, io);
-        },
-        files
-    );
+    writeOwn(writerOf(dividePieces(layers, far)), files);
 }
 
 

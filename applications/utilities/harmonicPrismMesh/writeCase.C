@@ -19,7 +19,7 @@ static string writeMesh
 (
     const parallelRun& parallel,
     const caseWriter& writer,
-    const layersPiece& piece,
+    layersPiece&& piece,
     prismLayers& layers,
     farFieldMesh& farField,
     replacedFiles& replaced
@@ -32,14 +32,7 @@ static string writeMesh
 
     if (farField.empty())
     {
-        writer.writeOwn
-        (
-            [&](const label processor, const IOobject& io)
-            {
-                writeMeshPiece(piece, processor, io);
-            },
-            replaced
-        );
+        writer.writeOwn(writerOf(std::move(piece)), replaced);
     }
     else
     {
@@ -74,7 +67,7 @@ void writeCase
       : farFieldReport()
     );
 
-    const layersPiece piece
+    layersPiece piece
     (
         parallel.isParallel() && !hasFarField
       ? made->makePiece() : layersPiece()
@@ -86,7 +79,10 @@ void writeCase
 
     const string size
     (
-        writeMesh(parallel, writer, piece, layers, farField, replaced)
+        writeMesh
+        (
+            parallel, writer, std::move(piece), layers, farField, replaced
+        )
     );
     log.end(name(report.nCells + far.nCells) + " cells, " + size);
     report.stages = log.costs();

@@ -163,37 +163,6 @@ pointField centresOfStacks(const prismLayers& layers)
 }
 
 
-meshPiece makeMeshPiece(const layersPiece& piece, const label processor)
-{
-    const pieceOrder order(piece, processor);
-    const meshBlocks& blocks = order.blocks();
-    meshPiece result;
-    static_cast<pieceParts&>(result) = order.parts();
-    DynamicList<face> faces;
-    DynamicList<label> owner, neighbour;
-
-    for (label i = 0; i < blocks.nPointBlocks; ++i)
-    {
-        result.points.append(blocks.points(i));
-    }
-    for (label i = 0; i < blocks.nFaceBlocks; ++i)
-    {
-        const faceBlock block(blocks.faces(i));
-        owner.append(block.owner);
-        neighbour.append(block.neighbour);
-        forAll(block.owner, k)
-        {
-            faces.append(face(block.face(k)));
-        }
-    }
-    result.faces.transfer(faces);
-    result.owner.transfer(owner);
-    result.neighbour.transfer(neighbour);
-
-    return result;
-}
-
-
 void writeMeshPiece
 (
     const layersPiece& piece,

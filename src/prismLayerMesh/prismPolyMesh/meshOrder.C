@@ -4,17 +4,12 @@
 \*---------------------------------------------------------------------------*/
 
 #include "meshOrder.H"
+#include "layerBlocks.H"
 #include "prismPolyMesh.H"
 #include "UIndirectList.H"
 
 namespace Foam
 {
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- Number of faces in a block, about, and of points
-static constexpr label blockSize = 8192;
-
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
@@ -25,9 +20,8 @@ void meshOrder::addRanges
     const labelRange& items
 )
 {
-    // A closed front of triangles has 2.5 faces for each cell
     const label perBlock = kind == faceKind::stacks
-      ? max(label(1), label(blockSize/(2.5*layers_.nLayers))) : blockSize;
+      ? stacksPerBlock(layers_.nLayers) : meshBlocks::blockSize;
 
     for (label i = 0; i < numberOfBlocks(items.size(), perBlock); ++i)
     {
@@ -103,19 +97,7 @@ void meshOrder::addFarPoints
 
 void meshOrder::addStack(const label fronti, faceBlock& block) const
 {
-    visitInternalFaces
-    (
-        layers_.nLayers, faceNeighbours_[fronti], fronti,
-        [&](const label k, const label i, const label other)
-        {
-            const label celli = cellLabel(layers_, fronti, i);
-            appendFace(layers_, prismFaceKey{fronti, k, i}, block.points);
-            block.endFace
-            (
-                celli, k < 0 ? celli + 1 : cellLabel(layers_, other, i)
-            );
-        }
-    );
+    appendStack(layers_, faceNeighbours_, fronti, block);
     addFacesToFar(fronti, block);
 }
 
@@ -180,12 +162,7 @@ faceBlock meshOrder::faces(const label blocki) const
         }
         else
         {
-            const prismFaceKey& key = boundary_[range.patch][i];
-            appendFace(layers_, key, block.points);
-            block.endFace
-            (
-                cellLabel(layers_, key.front, max(key.level, label(1)))
-            );
+            appendPatchFace(layers_, boundary_[range.patch][i], block);
         }
     }
 
@@ -198,9 +175,13 @@ pointField meshOrder::points(const label blocki) const
     const label n = layers_.nLayers + 1;
     const label nWall = layers_.nWallPoints()*n;
     const label nLayers = layers_.points.size();
-    DynamicList<point> points(blockSize);
+    DynamicList<point> points(meshBlocks::blockSize);
 
-    for (const label i : rangeOfBlock(nAllPoints(), blockSize, blocki))
+    const labelRange range
+    (
+        rangeOfBlock(nAllPoints(), meshBlocks::blockSize, blocki)
+    );
+    for (const label i : range)
     {
         if (i >= nLayers)
         {
@@ -255,7 +236,7 @@ meshOrder::meshOrder
 
     blocks_.nCells = layers.faces.size()*layers.nLayers + far.nCells;
     blocks_.nPoints = nAllPoints() - layers.extraColumnPoints.size();
-    blocks_.nPointBlocks = numberOfBlocks(nAllPoints(), blockSize);
+    blocks_.nPointBlocks = numberOfBlocks(nAllPoints(), meshBlocks::blockSize);
     blocks_.points = [this](const label i) { return points(i); };
     blocks_.nFaceBlocks = ranges_.size();
     blocks_.faces = [this](const label i) { return faces(i); };

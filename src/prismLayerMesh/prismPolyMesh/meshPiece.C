@@ -236,7 +236,7 @@ static void addZones(const pieceParts& piece, polyMesh& mesh)
 //- The piece in blocks, at least one of faces and one of points
 static meshBlocks blocksOf(const meshPiece& piece)
 {
-    static constexpr label blockSize = 8192;
+    static constexpr label blockSize = meshBlocks::blockSize;
 
     const label nPoints = piece.points.size();
     const label nFaces = piece.faces.size();

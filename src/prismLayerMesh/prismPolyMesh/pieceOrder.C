@@ -6,17 +6,12 @@
 #include "pieceOrder.H"
 #include "bitSet.H"
 #include "findFaceNeighbours.H"
+#include "layerBlocks.H"
 
 #include <tuple>
 
 namespace Foam
 {
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- Number of faces in a block, about, and of points
-static constexpr label blockSize = 8192;
-
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
@@ -91,10 +86,8 @@ void pieceOrder::addRanges
     const label nItems
 )
 {
-    // A closed front of triangles has 2.5 faces for each cell
     const label perBlock = kind == faceKind::stacks
-      ? max(label(1), label(blockSize/(2.5*piece_.layers.nLayers)))
-      : blockSize;
+      ? stacksPerBlock(piece_.layers.nLayers) : meshBlocks::blockSize;
 
     for (label i = 0; i < numberOfBlocks(nItems, perBlock); ++i)
     {
@@ -200,26 +193,6 @@ labelList pieceOrder::faceAddressing() const
 }
 
 
-void pieceOrder::addStack(const label fronti, faceBlock& block) const
-{
-    const prismLayers& layers = piece_.layers;
-
-    visitInternalFaces
-    (
-        layers.nLayers, faceNeighbours_[fronti], fronti,
-        [&](const label k, const label i, const label other)
-        {
-            const label celli = cellLabel(layers, fronti, i);
-            appendFace(layers, prismFaceKey{fronti, k, i}, block.points);
-            block.endFace
-            (
-                celli, k < 0 ? celli + 1 : cellLabel(layers, other, i)
-            );
-        }
-    );
-}
-
-
 void pieceOrder::addSide(const sideBetween& side, faceBlock& block) const
 {
     // The face is of the stack with the lower label
@@ -245,7 +218,7 @@ faceBlock pieceOrder::faces(const label blocki) const
     {
         if (range.kind == faceKind::stacks)
         {
-            addStack(i, block);
+            appendStack(layers, faceNeighbours_, i, block);
         }
         else if (range.kind == faceKind::between)
         {
@@ -253,9 +226,7 @@ faceBlock pieceOrder::faces(const label blocki) const
         }
         else
         {
-            const prismFaceKey& key = boundary_[range.patch][i];
-            appendFace(layers, key, block.points);
-            block.endFace(cellLabel(layers, key.front, max(key.level, 1)));
+            appendPatchFace(layers, boundary_[range.patch][i], block);
         }
     }
     if (newPoints_.size())
@@ -272,9 +243,13 @@ pointField pieceOrder::points(const label blocki) const
     const prismLayers& layers = piece_.layers;
     const label n = layers.nLayers + 1;
     const label nPoints = layers.points.size();
-    DynamicList<point> points(blockSize);
+    DynamicList<point> points(meshBlocks::blockSize);
 
-    for (const label i : rangeOfBlock(nPoints, blockSize, blocki))
+    const labelRange range
+    (
+        rangeOfBlock(nPoints, meshBlocks::blockSize, blocki)
+    );
+    for (const label i : range)
     {
         const label c = i/n;
         const bool isOwn = c < layers.nWallPoints() || i % n;
@@ -322,7 +297,8 @@ pieceOrder::pieceOrder(const layersPiece& piece, const label processor)
     blocks_.nPoints = parts_.pointAddressing.size();
     blocks_.nPointBlocks = max
     (
-        label(1), numberOfBlocks(piece.layers.points.size(), blockSize)
+        label(1),
+        numberOfBlocks(piece.layers.points.size(), meshBlocks::blockSize)
     );
     blocks_.points = [this](const label i) { return points(i); };
     blocks_.nFaceBlocks = ranges_.size();

@@ -6,6 +6,7 @@
 #include "makePrismLayers.H"
 #include "layersPiece.H"
 #include "percentiles.H"
+#include "pieceInLists.H"
 #include "prismQuality.H"
 #include "sharedPiece.H"
 #include "testLayers.H"
@@ -243,7 +244,7 @@ TEST(layersOnShares, piecesHaveTheirStacks)
         const prismLayers own(layersOn(share, all));
         const meshPiece piece
         (
-            makeMeshPiece
+            pieceInLists
             (
                 makeLayersPiece
                 (

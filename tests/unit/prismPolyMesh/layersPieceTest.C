@@ -6,6 +6,7 @@
 #include "layersPiece.H"
 #include "memoryMesh.H"
 #include "openSurfaces.H"
+#include "pieceInLists.H"
 #include "testLayers.H"
 #include "testStages.H"
 #include "testSurfaces.H"
@@ -82,7 +83,7 @@ static void expectPiecesOfTheMesh(const prismLayers& layers)
         );
         const meshPiece own
         (
-            makeMeshPiece
+            pieceInLists
             (
                 pieceOf(layers, processorOfStack, processor), processor
             )
@@ -155,7 +156,7 @@ TEST(layersPiece, ofAProcessWithoutStacksIsEmpty)
     const labelList processors(layers.faces.size(), Zero);
     const meshPiece piece
     (
-        makeMeshPiece(pieceOf(layers, processors, 1), 1)
+        pieceInLists(pieceOf(layers, processors, 1), 1)
     );
 
     EXPECT_TRUE(piece.points.empty());
