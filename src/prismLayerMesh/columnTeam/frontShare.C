@@ -81,6 +81,7 @@ namespace
 struct shareBuilder
 {
     const layerFront& whole;
+    const wallAddressing& around;
     const labelList& rings;
     frontShare& share;
 
@@ -158,11 +159,11 @@ struct shareBuilder
         DynamicList<edge> edges;
         DynamicList<labelPair> edgeFaces;
 
-        forAll(whole.addressing.edges, i)
+        forAll(around.edges, i)
         {
-            const edge& e = whole.addressing.edges[i];
+            const edge& e = around.edges[i];
             labelPair two(-1, -1);
-            for (const label facei : whole.addressing.edgeFaces[i])
+            for (const label facei : around.edgeFaces[i])
             {
                 if (facei >= 0 && newFaces[facei] >= 0)
                 {
@@ -190,8 +191,8 @@ struct shareBuilder
     {
         wallAddressing& addressing = share.front.addressing;
         const label from = share.columns[c];
-        const labelList& faces = whole.addressing.pointFaces[from];
-        const labelList& points = whole.addressing.pointPoints[from];
+        const labelList& faces = around.pointFaces[from];
+        const labelList& points = around.pointPoints[from];
         DynamicList<label> ownFaces, ownPoints;
 
         forAll(points, i)
@@ -222,18 +223,17 @@ struct shareBuilder
         {
             addAround(c);
         }
-        if (whole.addressing.pointSides.size())
+        if (around.pointSides.size())
         {
             addressing.pointSides =
-                some(whole.addressing.pointSides, share.columns);
+                some(around.pointSides, share.columns);
         }
         addEdges();
     }
 
 
-    void addVisibility()
+    void addVisibility(const wallVisibility& from)
     {
-        const wallVisibility& from = whole.visibility;
         wallVisibility& visibility = share.front.visibility;
         visibility.cornerNormals = some(from.cornerNormals, share.columns);
         visibility.meanNormals = some(from.meanNormals, share.columns);
@@ -280,6 +280,8 @@ labelList frontShare::wallPoints() const
 frontShare makeFrontShare
 (
     const layerFront& whole,
+    const wallAddressing& addressing,
+    const wallVisibility& visibility,
     const labelUList& owners,
     const label nProcesses,
     const label process
@@ -288,11 +290,11 @@ frontShare makeFrontShare
     const labelList rings(ringsOf(whole, owners, process));
     frontShare share;
     share.owners = owners;
-    shareBuilder builder{whole, rings, share};
+    shareBuilder builder{whole, addressing, rings, share};
     builder.choose();
     builder.addSurface();
     builder.addAddressing();
-    builder.addVisibility();
+    builder.addVisibility(visibility);
     builder.addWallPoints();
 
     share.isOwn.setSize(share.columns.size());

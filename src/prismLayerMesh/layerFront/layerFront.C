@@ -86,10 +86,14 @@ labelList layerFront::extraColumnPoints() const
 }
 
 
-void layerFront::setConstraints()
+void layerFront::setConstraints
+(
+    const wallAddressing& around,
+    const vectorField& sideLines
+)
 {
     constraints.clear();
-    if (addressing.pointSides.empty())
+    if (around.pointSides.empty())
     {
         return;
     }
@@ -100,14 +104,13 @@ void layerFront::setConstraints()
     forAll(constraints, c)
     {
         const point& x = surface.points[c];
-        const labelList own(addressing.sidesOf(c));
-        const vectorField& lines = visibility.sideLines;
+        const labelList own(around.sidesOf(c));
 
-        if (lines.size() && mag(lines[c]) > 0)
+        if (sideLines.size() && mag(sideLines[c]) > 0)
         {
             constraints[c] = onBothSides
             (
-                sides[own[0]], sides[own[1]], x, lines[c]
+                sides[own[0]], sides[own[1]], x, sideLines[c]
             );
         }
         else if (own.size())

@@ -203,7 +203,7 @@ struct frontBuilder
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-layerFront makeLayerFront
+layerFront makeBareFront
 (
     const wallSurface& wall,
     const wallAddressing& addressing,
@@ -213,8 +213,6 @@ layerFront makeLayerFront
 {
     layerFront front;
     front.surface = wall;
-    front.addressing = addressing;
-    front.visibility = visibility;
     front.wallPoints = identity(wall.points.size());
     front.nWallFaces = wall.faces.size();
 
@@ -234,7 +232,33 @@ layerFront makeLayerFront
         }
     }
 
-    front.setConstraints();
+    front.setConstraints
+    (
+        front.isBare() ? addressing : front.addressing,
+        front.isBare() ? visibility.sideLines : front.visibility.sideLines
+    );
+
+    return front;
+}
+
+
+layerFront makeLayerFront
+(
+    const wallSurface& wall,
+    const wallAddressing& addressing,
+    const wallVisibility& visibility,
+    const scalar smallestAngle
+)
+{
+    layerFront front
+    (
+        makeBareFront(wall, addressing, visibility, smallestAngle)
+    );
+    if (front.isBare())
+    {
+        front.addressing = addressing;
+        front.visibility = visibility;
+    }
 
     return front;
 }

@@ -78,7 +78,7 @@ layerFront makeFront
     observer.begin("layerFront");
     const layerFront front
     (
-        makeLayerFront
+        makeBareFront
         (
             context.wall, context.addressing, context.visibility,
             degToRad(multipleNormalsAngle)

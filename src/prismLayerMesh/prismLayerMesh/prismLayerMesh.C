@@ -33,42 +33,53 @@ static void certifyMesh
 }
 
 
-//- The share of this process in a front. Null without a team
+//- The share of this process in a front
 static std::shared_ptr<const frontShare> shareOf
 (
+    const wallContext& context,
     const layerFront& front,
-    const processTeam* processes
+    const processTeam& processes
 )
 {
-    if (!processes)
-    {
-        return nullptr;
-    }
-
-    const label nPoints = max(front.wallPoints) + 1;
-    const label n = processes->size();
+    const label n = processes.size();
 
     return std::make_shared<const frontShare>
     (
         makeFrontShare
         (
-            front, ownersByRange(nPoints, n), n, processes->rank()
+            front,
+            front.isBare() ? context.addressing : front.addressing,
+            front.isBare() ? context.visibility : front.visibility,
+            ownersByRange(context.wall.points.size(), n), n, processes.rank()
         )
     );
 }
 
 
-//- Drops what only the share needs: of the whole front its columns, faces and
-//  axes are left
-static void dropAround(prismLayerMesh& mesh)
+//- Completes a front that may be bare. In a team the share has all that is
+//  around its columns, and the whole front the axes of the columns alone.
+static void complete
+(
+    const wallContext& context,
+    const processTeam* processes,
+    prismLayerMesh& mesh
+)
 {
-    if (mesh.share)
+    layerFront& front = mesh.front;
+    if (processes)
     {
+        mesh.share = shareOf(context, front, *processes);
         wallVisibility axes;
-        axes.cones.transfer(mesh.front.visibility.cones);
-        mesh.front.visibility = std::move(axes);
-        mesh.front.addressing = wallAddressing();
+        axes.cones =
+            front.isBare() ? context.visibility.cones : front.visibility.cones;
+        front.visibility = std::move(axes);
+        front.addressing = wallAddressing();
         returnMemory();
+    }
+    else if (front.isBare())
+    {
+        front.addressing = context.addressing;
+        front.visibility = context.visibility;
     }
 }
 
@@ -110,8 +121,7 @@ static prismLayerMesh makeLayersOnFront
         return mesh;
     }
 
-    mesh.share = shareOf(mesh.front, processes);
-    dropAround(mesh);
+    complete(context, processes, mesh);
     const columnTeam team(mesh.share.get(), processes);
     const guidedColumns front
     {

@@ -31,7 +31,7 @@ static void onShares
     {
         const frontShare share
         (
-            makeFrontShare(front, owners, n, processes.rank())
+            shareOf(front, owners, n, processes.rank())
         );
         work(columnTeam(share, processes), share);
     });

@@ -6,6 +6,7 @@
 #include "frontShare.H"
 #include "openSurfaces.H"
 #include "testLayers.H"
+#include "threadTeam.H"
 #include "wallSmoother.H"
 #include "HashSet.H"
 
@@ -40,7 +41,7 @@ static List<frontShare> sharesOf(const layerFront& front, const label n)
     List<frontShare> shares(n);
     forAll(shares, p)
     {
-        shares[p] = makeFrontShare(front, ownersByRange(nPoints, n), n, p);
+        shares[p] = shareOf(front, ownersByRange(nPoints, n), n, p);
     }
 
     return shares;

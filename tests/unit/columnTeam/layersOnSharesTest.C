@@ -81,7 +81,7 @@ static void expectSameLayers
     {
         const frontShare share
         (
-            makeFrontShare(front, owners, n, processes.rank())
+            shareOf(front, owners, n, processes.rank())
         );
         const columnTeam team(share, processes);
         const madeLayers made
@@ -240,7 +240,7 @@ TEST(layersOnShares, piecesHaveTheirStacks)
     threadTeam::run(n, [&](const threadTeam& processes)
     {
         const label rank = processes.rank();
-        const frontShare share(makeFrontShare(mesh.front, owners, n, rank));
+        const frontShare share(shareOf(mesh.front, owners, n, rank));
         const prismLayers own(layersOn(share, all));
         const meshPiece piece
         (
@@ -290,7 +290,7 @@ TEST(layersOnShares, percentilesAreThoseOfAllValues)
         {
             const frontShare share
             (
-                makeFrontShare(front, owners, n, processes.rank())
+                shareOf(front, owners, n, processes.rank())
             );
             const labelList own(findIndices(owners, processes.rank()));
             const percentiles spread
