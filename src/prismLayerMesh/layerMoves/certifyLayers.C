@@ -330,7 +330,11 @@ labelList layerCertifier::overlappingColumns()
 
     return tallColumns
     (
-        editor_, judge_.findOverlapping(moved, editor_.thickness())
+        editor_,
+        judge_.findOverlapping
+        (
+            moved, editor_.stackGroups(), editor_.thickness()
+        )
     ).sortedToc();
 }
 

@@ -27,7 +27,10 @@ labelList faultRollBack::faultyFaces(const stackFault first)
     for
     (
         const overlappingStack& stack
-      : judge_.findOverlapping(moved, editor_.thickness())
+      : judge_.findOverlapping
+        (
+            moved, editor_.stackGroups(), editor_.thickness()
+        )
     )
     {
         faulty.append(stack.facei);

@@ -157,6 +157,22 @@ labelList layerEditor::touchedSince(const label then) const
 }
 
 
+const stackBoxes& layerEditor::stackGroups()
+{
+    if (groups_)
+    {
+        groups_->update(touchedSince(grouped_));
+    }
+    else
+    {
+        groups_.reset(new stackBoxes(layers_));
+    }
+    grouped_ = now();
+
+    return groups_();
+}
+
+
 void layerEditor::record()
 {
     recording_ = true;

@@ -165,10 +165,11 @@ labelList layerJudge::findBelowAttainable
 List<overlappingStack> layerJudge::findOverlapping
 (
     const labelUList& faces,
+    const stackBoxes& groups,
     const scalarField& thickness
 ) const
 {
-    return findOverlaps(layers_, faces, bodies_, thickness, team_);
+    return findOverlaps(layers_, faces, bodies_, groups, thickness, team_);
 }
 
 } // End namespace Foam

@@ -14,19 +14,8 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Number of stacks of a box that processes tell each other of
-static const label stacksPerBox = 256;
-
-
 namespace
 {
-
-struct boxCorners
-{
-    point min;
-    point max;
-};
-
 
 //- The outer faces that other processes have sent
 struct foreignStacks
@@ -54,6 +43,7 @@ struct overlapReply
 class overlapSearch
 {
     const prismLayers& layers_;
+    const stackBoxes& groups_;
     const scalarField& thickness_;
     const columnTeam& team_;
 
@@ -70,10 +60,8 @@ class overlapSearch
         return max(scalarField(thickness_, layers_.faces[facei]));
     }
 
-    boundBox boxOf(label facei, label lowest) const;
-
-    //- Boxes of the stacks that this process counts
-    List<boxCorners> boxes() const;
+    //- Corners of the boxes of the stacks of this process
+    pointField boxCorners() const;
 
     //- Outer faces near to the boxes of process p
     message facesFor(label p, const message& boxesOf);
@@ -95,6 +83,7 @@ public:
     (
         const prismLayers& layers,
         const labelUList& outerFaces,
+        const stackBoxes& groups,
         const scalarField& thickness,
         const columnTeam& team
     );
@@ -119,11 +108,13 @@ overlapSearch::overlapSearch
 (
     const prismLayers& layers,
     const labelUList& outerFaces,
+    const stackBoxes& groups,
     const scalarField& thickness,
     const columnTeam& team
 )
 :
     layers_(layers),
+    groups_(groups),
     thickness_(thickness),
     team_(team),
     own_
@@ -138,41 +129,16 @@ overlapSearch::overlapSearch
 {}
 
 
-boundBox overlapSearch::boxOf(const label facei, const label lowest) const
+pointField overlapSearch::boxCorners() const
 {
-    boundBox box(boundBox::invertedBox);
-    for (const label c : layers_.faces[facei])
+    pointField corners(2*groups_.all().size());
+    forAll(groups_.all(), group)
     {
-        box.add(layers_(c, lowest));
-        box.add(layers_(c, layers_.nLayers));
+        corners[2*group] = groups_.all()[group].min();
+        corners[2*group + 1] = groups_.all()[group].max();
     }
 
-    return box;
-}
-
-
-List<boxCorners> overlapSearch::boxes() const
-{
-    DynamicList<boxCorners> all;
-    boundBox box(boundBox::invertedBox);
-    label n = 0;
-
-    forAll(layers_.faces, facei)
-    {
-        if (team_.counts(layers_.faces[facei]))
-        {
-            box.add(boxOf(facei, 0));
-            ++n;
-        }
-        if (n == stacksPerBox || (n && facei == layers_.faces.size() - 1))
-        {
-            all.append(boxCorners{box.min(), box.max()});
-            box = boundBox(boundBox::invertedBox);
-            n = 0;
-        }
-    }
-
-    return List<boxCorners>(std::move(all));
+    return corners;
 }
 
 
@@ -180,9 +146,10 @@ message overlapSearch::facesFor(const label p, const message& boxesOf)
 {
     std::vector<boundBox> near;
     messageReader reader(boxesOf);
-    for (const boxCorners& box : reader.list<boxCorners>())
+    const List<point> corners(reader.list<point>());
+    for (label i = 0; i < corners.size(); i += 2)
     {
-        near.push_back(boundBox(box.min, box.max));
+        near.push_back(boundBox(corners[i], corners[i + 1]));
     }
 
     const markedGrid grid(near);
@@ -191,7 +158,11 @@ message overlapSearch::facesFor(const label p, const message& boxesOf)
 
     for (const label facei : own_)
     {
-        if (near.size() && grid.mayTouch(boxOf(facei, layers_.nLayers)))
+        if
+        (
+            near.size()
+         && grid.mayTouch(boxOf(layers_, facei, layers_.nLayers))
+        )
         {
             for
             (
@@ -224,8 +195,8 @@ foreignStacks overlapSearch::exchange()
     }
 
     message noBoxes, ownBoxes;
-    noBoxes.addList(List<boxCorners>());
-    ownBoxes.addList(boxes());
+    noBoxes.addList(pointField());
+    ownBoxes.addList(boxCorners());
     const List<message> boxesOf
     (
         team_.exchange(List<message>(team_.size(), ownBoxes))
@@ -308,7 +279,7 @@ void overlapSearch::intersect()
     for
     (
         const labelPair& pair
-      : findIntersections(layers_, own_, others.triangles, team_)
+      : findIntersections(layers_, own_, groups_, others.triangles, team_)
     )
     {
         note(pair, others, replies);
@@ -345,6 +316,7 @@ List<overlappingStack> findOverlaps
     const prismLayers& layers,
     const labelUList& outerFaces,
     const layerBodies& bodies,
+    const stackBoxes& groups,
     const scalarField& thickness,
     const columnTeam& team
 )
@@ -354,7 +326,7 @@ List<overlappingStack> findOverlaps
         return List<overlappingStack>();
     }
 
-    overlapSearch search(layers, outerFaces, thickness, team);
+    overlapSearch search(layers, outerFaces, groups, thickness, team);
     search.intersect();
 
     for (const label facei : findSideCrossings(layers, outerFaces, team))

@@ -5,7 +5,6 @@
 
 #include "markedGrid.H"
 #include "prismQuality.H"
-#include "boundBox.H"
 
 namespace Foam
 {
@@ -45,23 +44,6 @@ static bool addTriangles
 }
 
 
-static boundBox boxOf
-(
-    const prismLayers& layers,
-    const face& f,
-    const label level
-)
-{
-    boundBox box(boundBox::invertedBox);
-    for (const label c : f)
-    {
-        box.add(layers(c, level));
-    }
-
-    return box;
-}
-
-
 static boundBox boxOf(const labelledTriangle& t)
 {
     boundBox box(boundBox::invertedBox);
@@ -85,7 +67,7 @@ static std::vector<boundBox> boxesOf
     boxes.reserve(faces.size());
     for (const label facei : faces)
     {
-        boxes.push_back(boxOf(layers, layers.faces[facei], layers.nLayers));
+        boxes.push_back(boxOf(layers, facei, layers.nLayers));
     }
 
     return boxes;
@@ -97,26 +79,32 @@ static std::vector<boundBox> boxesOf
 static void addNear
 (
     const prismLayers& layers,
+    const stackBoxes& groups,
     const boolList& candidates,
     const markedGrid& grid,
     const columnTeam& team,
     std::vector<labelledTriangle>& triangles
 )
 {
-    List<FixedList<bool, 2>> near(layers.faces.size());
+    List<FixedList<bool, 2>> near
+    (
+        layers.faces.size(), FixedList<bool, 2>(false)
+    );
 
-    #pragma omp parallel for schedule(static, 1024)
-    forAll(near, facei)
+    #pragma omp parallel for schedule(dynamic, 8)
+    forAll(groups.all(), group)
     {
-        const face& f = layers.faces[facei];
-        if (!team.counts(f))
+        if (!grid.mayTouch(groups.all()[group]))
         {
-            near[facei] = false;
             continue;
         }
-        near[facei][0] = grid.mayTouch(boxOf(layers, f, 0));
-        near[facei][1] = !candidates[facei]
-            && grid.mayTouch(boxOf(layers, f, layers.nLayers));
+        for (const label facei : groups.faces(group))
+        {
+            const bool counts = team.counts(layers.faces[facei]);
+            near[facei][0] = counts && grid.mayTouch(boxOf(layers, facei, 0));
+            near[facei][1] = counts && !candidates[facei]
+             && grid.mayTouch(boxOf(layers, facei, layers.nLayers));
+        }
     }
 
     forAll(near, facei)
@@ -152,8 +140,8 @@ List<labelPair> findIntersections
 {
     return findIntersections
     (
-        layers, outerFaces, std::vector<labelledTriangle>(),
-        columnTeam::alone()
+        layers, outerFaces, stackBoxes(layers),
+        std::vector<labelledTriangle>(), columnTeam::alone()
     );
 }
 
@@ -193,6 +181,7 @@ List<labelPair> findIntersections
 (
     const prismLayers& layers,
     const labelUList& outerFaces,
+    const stackBoxes& groups,
     const std::vector<labelledTriangle>& others,
     const columnTeam& team
 )
@@ -221,7 +210,7 @@ List<labelPair> findIntersections
     {
         boxes.push_back(boxOf(t));
     }
-    addNear(layers, candidates, markedGrid(boxes), team, second);
+    addNear(layers, groups, candidates, markedGrid(boxes), team, second);
     addIntersections(first, second, pairs);
 
     return List<labelPair>(std::move(pairs));

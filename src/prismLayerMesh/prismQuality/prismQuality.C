@@ -66,7 +66,8 @@ layerCertificate certify
     certificate.nOverlaps = findOverlaps
     (
         layers, team.withOwn(identity(nFaces), layers.faces),
-        findBodies(layers, team), scalarField(layers.nColumns(), 0), team
+        findBodies(layers, team), stackBoxes(layers),
+        scalarField(layers.nColumns(), 0), team
     ).size();
 
     return certificate;

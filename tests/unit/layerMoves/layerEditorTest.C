@@ -60,6 +60,23 @@ TEST(layerEditor, nothingIsTouchedSinceNow)
 }
 
 
+TEST(layerEditor, groupsOfStacksHaveAllChanges)
+{
+    for (const layerFront& front : fronts())
+    {
+        editedColumns m(front);
+        const List<boundBox> before(m.editor.stackGroups().all());
+        retreatColumns(m.editor, someColumns(m, 3), squeezeCause::validity);
+
+        EXPECT_NE(m.editor.stackGroups().all(), before);
+        EXPECT_EQ
+        (
+            m.editor.stackGroups().all(), stackBoxes(m.editor.layers()).all()
+        );
+    }
+}
+
+
 TEST(layerEditor, touchedStacksCanBeAskedAgain)
 {
     editedColumns m(fronts()[0]);

@@ -69,7 +69,7 @@ TEST(layerJudge, goodLayersHaveNoFault)
     (
         j.judge.findOverlapping
         (
-            identity(j.layers.faces.size()),
+            identity(j.layers.faces.size()), stackBoxes(j.layers),
             scalarField(j.layers.nColumns(), 0.1)
         ).empty()
     );
@@ -172,7 +172,7 @@ TEST(layerJudge, overlapsAreFoundFromEitherFace)
         for
         (
             const overlappingStack& stack
-          : judge.findOverlapping(faces, thickness)
+          : judge.findOverlapping(faces, stackBoxes(layers), thickness)
         )
         {
             EXPECT_GE(stack.tallest, 0.04);

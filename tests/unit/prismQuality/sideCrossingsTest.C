@@ -192,7 +192,8 @@ TEST(sideCrossings, layersThroughAnInletCrossIt)
     (
         findOverlaps
         (
-            layers, all, findBodies(layers), scalarField(layers.nColumns(), 1)
+            layers, all, findBodies(layers), stackBoxes(layers),
+            scalarField(layers.nColumns(), 1)
         ).size(),
         4
     );
