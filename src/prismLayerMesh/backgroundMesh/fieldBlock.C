@@ -101,35 +101,6 @@ static labelList pointsOf
 }
 
 
-static offsetEnvelope envelopeOf
-(
-    const offsetEnvelope& all,
-    const labelUList& wallPoints,
-    const boundBox& box
-)
-{
-    labelList inside(all.points.size());
-    label n = 0;
-    offsetEnvelope part;
-
-    forAll(all.points, i)
-    {
-        if (box.contains(all.points[i]))
-        {
-            part.nEnvelope += i < all.nEnvelope;
-            inside[n++] = i;
-        }
-    }
-    inside.setSize(n);
-
-    part.radius = scalarField(all.radius, wallPoints);
-    part.points = pointField(all.points, inside);
-    part.gaps = scalarField(all.gaps, inside);
-
-    return part;
-}
-
-
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 labelListList divideWall
@@ -149,18 +120,18 @@ labelListList divideWall
 
 fieldBlock makeFieldBlock
 (
-    const wallSurface& wall,
-    const wallAddressing& addressing,
-    const offsetEnvelope& envelope,
+    const wallContext& context,
+    const envelopeRadii& radii,
     const labelList& own,
-    const blockControls& controls
+    const blockControls& controls,
+    const backgroundMeshControls& mesh,
+    const scalar maxStretch
 )
 {
+    const wallSurface& wall = context.wall;
+    const wallAddressing& addressing = context.addressing;
     boundBox box(wall.points, own, false);
-    const point reach
-    (
-        point::uniform(reachOf(envelope.radius, own, controls))
-    );
+    const point reach(point::uniform(reachOf(radii.radius, own, controls)));
     box.min() -= reach;
     box.max() += reach;
 
@@ -168,7 +139,8 @@ fieldBlock makeFieldBlock
     fieldBlock block;
     block.points = pointsOf(wall, own, inside);
     block.nOwn = own.size();
-    block.envelope = envelopeOf(envelope, block.points, box);
+    block.envelope =
+        makeOffsetEnvelope(context, radii, block.points, mesh, maxStretch);
     block.wall.points = pointField(wall.points, block.points);
 
     const labelList local(invert(wall.points.size(), block.points));

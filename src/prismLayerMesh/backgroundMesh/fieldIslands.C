@@ -82,25 +82,25 @@ static bool isCurvedInwards
 static boolList disturbingPoints
 (
     const wallContext& context,
-    const scalarField& radius,
-    const scalarField& wanted,
+    const envelopeRadii& radii,
     const islandControls& controls
 )
 {
     const vectorField normals(smoothedNormals(context, controls.nPasses));
-    boolList disturbs(radius.size());
+    boolList disturbs(radii.radius.size());
 
     #pragma omp parallel for schedule(static, 256)
     forAll(disturbs, p)
     {
         disturbs[p] = isOnConcaveEdge(context.kinds[p])
          || context.kinds[p] == pointKind::empty
-         || radius[p] < sheetControls::limitedShare*wanted[p]
+         || radii.radius[p] < sheetControls::limitedShare*radii.wanted[p]
          || (
                 context.kinds[p] == pointKind::flat
              && isCurvedInwards
                 (
-                    context, normals, p, radius[p], controls.curvature
+                    context, normals, p, radii.radius[p],
+                    controls.curvature
                 )
             );
     }
@@ -114,25 +114,24 @@ static boolList disturbingPoints
 labelList findFieldIslands
 (
     const wallContext& context,
-    const scalarField& radius,
-    const scalarField& wanted,
+    const envelopeRadii& radii,
     const islandControls& controls
 )
 {
     const boolList disturbs
     (
-        disturbingPoints(context, radius, wanted, controls)
+        disturbingPoints(context, radii, controls)
     );
 
     // Dijkstra: the longest way that is left at each point, the longest first
     typedef std::pair<scalar, label> entry;
     std::priority_queue<entry> front;
-    scalarField left(radius.size(), -1);
+    scalarField left(disturbs.size(), -1);
     forAll(disturbs, p)
     {
         if (disturbs[p])
         {
-            left[p] = controls.reach*radius[p];
+            left[p] = controls.reach*radii.radius[p];
             front.push(entry(left[p], p));
         }
     }

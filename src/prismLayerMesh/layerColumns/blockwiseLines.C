@@ -64,8 +64,8 @@ columnLines blockwiseLines::makeBlock(const labelList& own) const
     (
         makeFieldBlock
         (
-            wall_.context.wall, wall_.context.addressing, wall_.envelope, own,
-            wall_.controls
+            wall_.context, wall_.radii, own, wall_.controls, wall_.mesh,
+            wall_.maxStretch
         )
     );
     const backgroundMesh mesh

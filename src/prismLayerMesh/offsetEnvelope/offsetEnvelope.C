@@ -18,14 +18,15 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Returns the points of the wall in the order in which their sheet points are
+//- Returns points of the wall in the order in which their sheet points are
 //  chosen: first points on concave edges, then points on no edge, then the
 //  others, each in a sweep by place. A point on a concave edge would lose its
 //  sheet points to its neighbours; a point on a convex edge has several.
 static labelList sweepOrder
 (
     const wallSurface& wall,
-    const List<pointKind>& kinds
+    const List<pointKind>& kinds,
+    const labelUList& part
 )
 {
     const auto rank = [&](const label p)
@@ -33,7 +34,7 @@ static labelList sweepOrder
         return isOnConcaveEdge(kinds[p]) ? 0
           : kinds[p] == pointKind::flat ? 1 : 2;
     };
-    labelList order(identity(wall.points.size()));
+    labelList order(part);
 
     std::sort(order.begin(), order.end(), [&](const label p, const label q)
     {
@@ -148,45 +149,62 @@ static scalarField closenessOf
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
+envelopeRadii makeEnvelopeRadii
+(
+    const wallContext& context,
+    const scalarField& wanted,
+    const scalarField& clearance
+)
+{
+    envelopeRadii radii;
+    radii.wanted = wanted;
+    radii.room = min(wanted, clearance);
+    radii.radius = radii.room;
+    limitGradient
+    (
+        context.wall, context.addressing, sheetControls::maxSlope, radii.radius
+    );
+
+    return radii;
+}
+
+
 offsetEnvelope makeOffsetEnvelope
 (
     const wallContext& context,
-    const scalarField& radius,
-    const scalarField& wanted,
+    const envelopeRadii& radii,
+    const labelUList& part,
     const backgroundMeshControls& mesh,
     const scalar maxStretch
 )
 {
     const wallSurface& wall = context.wall;
-    const wallAddressing& addressing = context.addressing;
-    const scalarField lengths(meanEdges(wall, addressing));
-
-    offsetEnvelope envelope;
-    envelope.radius = radius;
-    limitGradient(wall, addressing, sheetControls::maxSlope, envelope.radius);
-
+    const scalarField lengths(meanEdges(wall, context.addressing));
     const scalarField closeness
     (
-        closenessOf(context.kinds, envelope.radius, lengths)
+        closenessOf(context.kinds, radii.radius, lengths)
     );
-    envelopeRays rays(context, wanted, maxStretch);
+    envelopeRays rays(context, radii.wanted, maxStretch);
     boolList atTip(wall.points.size());
-    for (const label p : sweepOrder(wall, context.kinds))
+    scalar longest = 0;
+    for (const label p : sweepOrder(wall, context.kinds, part))
     {
-        const scalar r = envelope.radius[p];
+        const scalar r = radii.radius[p];
 
+        longest = max(longest, r/lengths[p]);
         atTip[p] = r <= sheetControls::leastResolved*lengths[p]
-            && rays.isBesideTip(p, radius);
+            && rays.isBesideTip(p, radii.room);
         rays.addPoint(p, r);
         rays.addLongEdges(p, r);
     }
 
+    offsetEnvelope envelope;
+    envelope.radius = scalarField(radii.radius, part);
     const sheetMaker maker{wall, context.search(), rays, closeness};
     const auto onOuter = [&](const envelopeRay& r) { return !atTip[r.p]; };
     maker.addSheet(1, mesh.radiusEdgeRatio, onOuter, envelope);
     envelope.nEnvelope = envelope.points.size();
 
-    const scalar longest = max(envelope.radius/lengths);
     scalar share = 0.5;
     for (label k = 0; k < mesh.minSheets || share*longest >= 1; ++k)
     {
@@ -195,7 +213,7 @@ offsetEnvelope makeOffsetEnvelope
         {
             return !r.outerOnly
              && (k < mesh.minSheets
-              || share*envelope.radius[r.p] >= lengths[r.p]);
+              || share*radii.radius[r.p] >= lengths[r.p]);
         };
         maker.addSheet(share, mesh.radiusEdgeRatio, onInner, envelope);
         share *= 0.5;

@@ -61,11 +61,11 @@ static columnGuide straightGuide
 static labelListList partsOf
 (
     const wallSurface& wall,
-    const offsetEnvelope& envelope
+    const scalarField& radius
 )
 {
     return wall.border.sides.empty()
-      ? divideWall(wall.points, envelope.radius, blockControls())
+      ? divideWall(wall.points, radius, blockControls())
       : labelListList();
 }
 
@@ -170,7 +170,7 @@ static columnGuide fieldGuide
     const wallContext& context,
     const wallHeights& heights,
     const guidedColumns& columns,
-    offsetEnvelope&& envelope,
+    const envelopeRadii& radii,
     const labelListList& parts,
     const labelUList& islands,
     const prismLayerControls& controls,
@@ -180,13 +180,13 @@ static columnGuide fieldGuide
 {
     columnGuide guide;
     guide.spacing = heights.graded;
-    guide.envelope = std::move(envelope);
     guide.isDivided = parts.size();
     guide.blocks = partsWith(parts, islands);
     columnLines along;
 
     if ((!guide.isDivided || keepStages) && columns.team.isMaster())
     {
+        guide.envelope = makeEnvelope(context, radii, controls, observer);
         guide.fields =
             makeFields(context, guide.envelope, controls.field, observer);
         guide.field = guide.fields.anisotropic;
@@ -197,7 +197,8 @@ static columnGuide fieldGuide
     {
         const dividedWall divided
         {
-            context, guide.envelope, guide.blocks, blockControls()
+            context, radii, guide.blocks, blockControls(),
+            controls.backgroundMesh, controls.layers.maxStretch
         };
         along = makeLinesOfBlocks
         (
@@ -243,16 +244,16 @@ static columnGuide levelSetGuide
     const wallContext& context,
     const wallHeights& heights,
     const guidedColumns& columns,
-    offsetEnvelope&& envelope,
+    const envelopeRadii& radii,
     const prismLayerControls& controls,
     const stageObserver& observer
 )
 {
     columnGuide guide;
-    guide.envelope = std::move(envelope);
 
     if (columns.team.isMaster())
     {
+        guide.envelope = makeEnvelope(context, radii, controls, observer);
         guide.fields =
             makeFields(context, guide.envelope, controls.field, observer);
         levelSetLayers onSets
@@ -293,7 +294,7 @@ labelList guidedColumns::wallPoints() const
 
 columnGuide makeColumnGuide
 (
-    wallContext& context,
+    const wallContext& context,
     const wallHeights& heights,
     const guidedColumns& columns,
     const scalarField& clearance,
@@ -309,46 +310,33 @@ columnGuide makeColumnGuide
         return straightGuide(heights, columns);
     }
 
-    offsetEnvelope envelope
+    const envelopeRadii radii
     (
-        makeEnvelope
+        makeEnvelopeRadii
         (
-            context, heights.room,
-            columns.team.ofWholeWall(columns.own.smallest(clearance)),
-            controls, observer
+            context, controls.envelope.scale*heights.room,
+            columns.team.ofWholeWall(columns.own.smallest(clearance))
         )
     );
-
-    const labelListList parts
-    (
-        layers.onLevelSets
-      ? labelListList() : partsOf(context.wall, envelope)
-    );
-    const labelList islands
-    (
-        parts.size()
-      ? findFieldIslands
-        (
-            context, envelope.radius, controls.envelope.scale*heights.room
-        )
-      : labelList()
-    );
-    if (!keepStages && !layers.onLevelSets)
+    if (layers.onLevelSets)
     {
-        // Not for the processes that make lines
-        context.visibility = wallVisibility();
+        return levelSetGuide
+        (
+            context, heights, columns, radii, controls, observer
+        );
     }
 
-    return layers.onLevelSets
-      ? levelSetGuide
-        (
-            context, heights, columns, std::move(envelope), controls, observer
-        )
-      : fieldGuide
-        (
-            context, heights, columns, std::move(envelope), parts, islands,
-            controls, observer, keepStages
-        );
+    const labelListList parts(partsOf(context.wall, radii.radius));
+    const labelList islands
+    (
+        parts.size() ? findFieldIslands(context, radii) : labelList()
+    );
+
+    return fieldGuide
+    (
+        context, heights, columns, radii, parts, islands, controls, observer,
+        keepStages
+    );
 }
 
 } // End namespace Foam

@@ -164,20 +164,17 @@ static scalarField localField
 offsetEnvelope makeEnvelope
 (
     const wallContext& context,
-    const scalarField& thickness,
-    const scalarField& clearance,
+    const envelopeRadii& radii,
     const prismLayerControls& controls,
     const stageObserver& observer
 )
 {
-    const scalarField wanted(controls.envelope.scale*thickness);
-
     observer.begin("offsetEnvelope");
     const offsetEnvelope envelope
     (
         makeOffsetEnvelope
         (
-            context, min(wanted, clearance), wanted,
+            context, radii, identity(context.wall.points.size()),
             controls.backgroundMesh, controls.layers.maxStretch
         )
     );

@@ -24,7 +24,7 @@ static labelList islandsOf
     const wallContext context(wall);
     const scalarField all(wall.points.size(), radius);
 
-    return findFieldIslands(context, all, all);
+    return findFieldIslands(context, envelopeRadii{all, all, all});
 }
 
 
@@ -89,7 +89,10 @@ TEST(fieldIslands, pointsWithoutRoomNeedAField)
     const scalarField wanted(wall.points.size(), radius);
     scalarField limited(wanted);
     limited[7] = 0.5*radius;
-    const labelList islands(findFieldIslands(context, limited, wanted));
+    const labelList islands
+    (
+        findFieldIslands(context, envelopeRadii{wanted, limited, limited})
+    );
 
     ASSERT_FALSE(islands.empty());
     EXPECT_TRUE(islands.found(7));

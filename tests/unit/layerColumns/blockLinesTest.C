@@ -32,8 +32,8 @@ static dividedWall divided(const stages& s, const blockControls& controls)
 {
     return dividedWall
     {
-        s.context, s.envelope,
-        divideWall(s.wall.points, s.envelope.radius, controls), controls
+        s.context, s.radii,
+        divideWall(s.wall.points, s.radii.radius, controls), controls
     };
 }
 
@@ -82,7 +82,7 @@ TEST(divideWall, everyPointIsOfOnePart)
     const stages s(testSurfaces::sphere(12), 4, 0.05);
     const labelListList parts
     (
-        divideWall(s.wall.points, s.envelope.radius, smallBlocks())
+        divideWall(s.wall.points, s.radii.radius, smallBlocks())
     );
     labelList nParts(s.wall.points.size(), 0);
 
@@ -121,7 +121,7 @@ TEST(fieldBlock, hasAllFacesOfItsPoints)
         (
             makeFieldBlock
             (
-                s.wall, s.context.addressing, s.envelope, part, wall.controls
+                s.context, s.radii, part, wall.controls, wall.mesh
             )
         );
         EXPECT_LT(block.points.size(), s.wall.points.size());

@@ -29,13 +29,18 @@ Foam::testSurfaces::stages::stages
             scalarField(2*envelopeControls().scale*spacing.thickness)
         )
     ),
+    radii
+    (
+        makeEnvelopeRadii
+        (
+            context, envelopeControls().scale*spacing.thickness, clearance
+        )
+    ),
     envelope
     (
         makeOffsetEnvelope
         (
-            context,
-            min(envelopeControls().scale*spacing.thickness, clearance),
-            envelopeControls().scale*spacing.thickness,
+            context, radii, identity(wall.points.size()),
             backgroundMeshControls()
         )
     )
