@@ -4,11 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layerReport.H"
-#include "faceHeights.H"
 #include "limitHeightJumps.H"
 #include "prismPolyMesh.H"
-#include "bitSet.H"
-#include "DynamicField.H"
 #include "IOobject.H"
 #include "ListOps.H"
 #include "OFstream.H"
@@ -22,140 +19,6 @@ namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-namespace
-{
-
-//- What is reported of the wall's faces and points, as far as this process has
-//  them
-struct wallSample
-{
-    const wallSurface& wall;
-    const layerSpacing& spacing;
-    const faceHeights& heights;
-    const layerCertificate& certificate;
-    const prismLayers& layers;
-    const UList<squeezeCause>& causes;
-    const columnTeam& team;
-
-    //- The report on some faces of the wall, of all processes. Collective
-    patchReport report(const word& name, const labelUList& faces) const;
-
-    //- Complete what own points of the faces say
-    void addPoints(const labelUList& faces, patchReport& patch) const;
-
-    //- Complete what areas and Jacobians of the faces say
-    void addFaces(const labelUList& counted, patchReport& patch) const;
-};
-
-
-template<class Type>
-static MinMax<Type> ofAll(const MinMax<Type>& range, const columnTeam& team)
-{
-    return MinMax<Type>
-    (
-        team.reduce(range.min(), minOp<Type>()),
-        team.reduce(range.max(), maxOp<Type>())
-    );
-}
-
-
-void wallSample::addPoints(const labelUList& faces, patchReport& patch) const
-{
-    bitSet points;
-
-    for (const label facei : faces)
-    {
-        const face& f = wall.faces[facei];
-        points.set(f);
-
-        // Between patches, the thinner one's count
-        patch.layersAsked =
-            max(patch.layersAsked, min(labelList(spacing.layersAsked, f)));
-    }
-
-    for (const label p : points)
-    {
-        if (team.isOwn(p))
-        {
-            patch.request.firstThickness.add(spacing.firstThickness[p]);
-            patch.request.ratio.add(spacing.ratio[p]);
-            patch.request.thickness.add(spacing.thickness[p]);
-            ++patch.points[int(causes[p])];
-        }
-    }
-
-    layerRequest& request = patch.request;
-    request.firstThickness = ofAll(request.firstThickness, team);
-    request.ratio = ofAll(request.ratio, team);
-    request.thickness = ofAll(request.thickness, team);
-    patch.layersAsked = team.reduce(patch.layersAsked, maxOp<label>());
-    for (label& n : patch.points)
-    {
-        n = team.sum(n);
-    }
-}
-
-
-void wallSample::addFaces(const labelUList& counted, patchReport& patch) const
-{
-    const scalarField jacobians(certificate.worstJacobian, counted);
-    scalar fullArea = 0;
-    for (const label facei : counted)
-    {
-        const scalar area = heights.areas[facei];
-        patch.area += area;
-        fullArea += heights.totalOverRequest[facei] >= 0.99 ? area : 0;
-    }
-    patch.nFaces = team.sum(counted.size());
-    patch.area = team.sum(patch.area);
-    fullArea = team.sum(fullArea);
-    const scalar worst = team.reduce(min(jacobians), minOp<scalar>());
-    const scalar sumJacobians = team.sum(sum(jacobians));
-
-    if (patch.nFaces)
-    {
-        // The certificate is valid
-        patch.layersReached = spacing.nLayers;
-        patch.fullLayersArea = 100;
-        patch.fullThicknessArea = 100*fullArea/max(patch.area, VSMALL);
-        patch.worstJacobian = worst;
-        patch.meanJacobian = sumJacobians/patch.nFaces;
-    }
-}
-
-
-patchReport wallSample::report(const word& name, const labelUList& faces) const
-{
-    patchReport patch;
-    patch.name = name;
-    const labelList counted
-    (
-        subsetList
-        (
-            faces,
-            [&](const label facei) { return team.counts(layers.faces[facei]); }
-        )
-    );
-    addFaces(counted, patch);
-
-    const label n = spacing.nLayers - 1;
-    DynamicField<scalar> growth;
-    for (const label facei : counted)
-    {
-        growth.append(SubList<scalar>(heights.growthOverRequest, n, facei*n));
-    }
-    patch.firstHeight =
-        makePercentiles(scalarField(heights.firstOverRequest, counted), team);
-    patch.totalThickness =
-        makePercentiles(scalarField(heights.totalOverRequest, counted), team);
-    patch.growth = makePercentiles(growth, team);
-    addPoints(faces, patch);
-
-    return patch;
-}
-
-} // End anonymous namespace
 
 //- The mean of the points on the wall below a front face
 static point middleOnWall(const prismLayers& layers, const label facei)
@@ -216,16 +79,16 @@ static wallSurface wallOf(const layerFront& front)
 //  counts the edges with one face, here with the same face twice.
 static List<labelPair> edgesOfShare
 (
-    const frontShare& share,
-    const wallSurface& whole,
+    const layerFront& front,
+    const wallBorder& border,
     const columnTeam& team
 )
 {
     DynamicList<labelPair> edges;
-    for (const labelPair& two : neighboursOnWall(share.front))
+    for (const labelPair& two : neighboursOnWall(front))
     {
         const label lower = min(two.first(), two.second());
-        if (team.counts(share.front.surface.faces[lower]))
+        if (team.counts(front.surface.faces[lower]))
         {
             edges.append(two);
         }
@@ -234,7 +97,7 @@ static List<labelPair> edgesOfShare
     {
         edges.append
         (
-            List<labelPair>(whole.border.edges.size(), labelPair(0, 0))
+            List<labelPair>(border.edges.size(), labelPair(0, 0))
         );
     }
 
@@ -338,20 +201,31 @@ layerReport makeLayerReport
 )
 {
     const madeLayers& made = mesh.made;
+    const auto reportOf = [&]
+    (
+        const wallSurface& here,
+        const UList<labelPair>& edgeFaces,
+        const layerSpacing& request
+    )
+    {
+        return makeLayerReport
+        (
+            here, edgeFaces, request, made.layers, mesh.certificate,
+            made.causes, team
+        );
+    };
+
+    // Without a share nothing is copied
     layerReport report
     (
-        team.isAlone()
-      ? makeLayerReport
+        mesh.share
+      ? reportOf
         (
-            wall, mesh.addressing.edgeFaces, mesh.heights.request, made.layers,
-            mesh.certificate, made.causes, team
+            wallOf(mesh.share->front),
+            edgesOfShare(mesh.share->front, wall.border, team),
+            mesh.heights.request.at(mesh.share->wallPoints())
         )
-      : makeLayerReport
-        (
-            wallOf(mesh.share->front), edgesOfShare(*mesh.share, wall, team),
-            mesh.heights.request.at(mesh.share->wallPoints()), made.layers,
-            mesh.certificate, made.causes, team
-        )
+      : reportOf(wall, mesh.addressing.edgeFaces, mesh.heights.request)
     );
     report.points = countKinds(mesh.pointKinds);
     report.nExtraColumns = mesh.front.extraColumnPoints().size();
