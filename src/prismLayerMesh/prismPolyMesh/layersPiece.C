@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layersPiece.H"
-#include "pieceOrder.H"
 #include "bitSet.H"
 #include "findFaceNeighbours.H"
 #include "SubField.H"
@@ -160,18 +159,6 @@ pointField centresOfStacks(const prismLayers& layers)
     }
 
     return centres;
-}
-
-
-void writeMeshPiece
-(
-    const layersPiece& piece,
-    const label processor,
-    const IOobject& io
-)
-{
-    const pieceOrder order(piece, processor);
-    writeMeshPiece(order.parts(), order.blocks(), processor, io);
 }
 
 } // End namespace Foam

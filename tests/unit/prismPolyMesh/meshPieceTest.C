@@ -5,10 +5,10 @@
 
 #include "labelIOList.H"
 #include "memoryMesh.H"
-#include "meshPiece.H"
 #include "temporaryFiles.H"
 #include "testLayers.H"
 #include "testSurfaces.H"
+#include "writeMeshPiece.H"
 
 #include <gtest/gtest.h>
 
