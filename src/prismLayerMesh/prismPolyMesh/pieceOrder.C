@@ -8,44 +8,10 @@
 #include "findFaceNeighbours.H"
 #include "layerBlocks.H"
 
-#include <tuple>
-
 namespace Foam
 {
 
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
-
-void pieceOrder::setBetween(const label processor)
-{
-    forAll(piece_.processors, facei)
-    {
-        forAll(piece_.processors[facei], k)
-        {
-            const label other = piece_.processors[facei][k];
-            if (other < 0 || other == processor)
-            {
-                continue;
-            }
-            for (label i = 1; i <= piece_.layers.nLayers; ++i)
-            {
-                between_.append
-                (
-                    {other, piece_.labels(facei, k, i), {facei, k, i}}
-                );
-            }
-        }
-    }
-    std::sort
-    (
-        between_.begin(), between_.end(),
-        [](const sideBetween& a, const sideBetween& b)
-        {
-            return std::tie(a.processor, a.whole)
-                 < std::tie(b.processor, b.whole);
-        }
-    );
-}
-
 
 void pieceOrder::setNewPoints()
 {
@@ -183,28 +149,10 @@ labelList pieceOrder::faceAddressing() const
     }
     for (const sideBetween& side : between_)
     {
-        addressing.append
-        (
-            isTurned(side) ? -(side.whole + 1) : side.whole + 1
-        );
+        addressing.append(side.isTurned ? -(side.whole + 1) : side.whole + 1);
     }
 
     return labelList(std::move(addressing));
-}
-
-
-void pieceOrder::addSide(const sideBetween& side, faceBlock& block) const
-{
-    // The face is of the stack with the lower label
-    const prismFaceKey& key = side.key;
-    const edge e(piece_.layers.faces[key.front].faceEdge(key.edge));
-    block.points.append
-    (
-        isTurned(side)
-      ? sideFace(piece_.layers, e.reverseEdge(), key.level).reverseFace()
-      : sideFace(piece_.layers, e, key.level)
-    );
-    block.endFace(cellLabel(piece_.layers, key.front, key.level));
 }
 
 
@@ -222,7 +170,7 @@ faceBlock pieceOrder::faces(const label blocki) const
         }
         else if (range.kind == faceKind::between)
         {
-            addSide(between_[i], block);
+            appendSide(layers, between_[i], block);
         }
         else
         {
@@ -276,9 +224,9 @@ pieceOrder::pieceOrder(const layersPiece& piece, const label processor)
 :
     piece_(piece),
     faceNeighbours_(findFaceNeighbours(piece.layers)),
-    boundary_(boundaryFaces(piece.layers, piece.open))
+    boundary_(boundaryFaces(piece.layers, piece.open)),
+    between_(sidesBetween(piece, processor))
 {
-    setBetween(processor);
     setNewPoints();
 
     addRanges(faceKind::stacks, -1, piece.layers.faces.size());
