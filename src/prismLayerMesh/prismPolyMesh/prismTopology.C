@@ -35,21 +35,6 @@ static void copyFaces
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-wordList sidePatchNames(const wallBorder& border)
-{
-    DynamicList<word> names;
-    for (const sidePatch& side : border.sides)
-    {
-        if (!names.found(side.name))
-        {
-            names.append(side.name);
-        }
-    }
-
-    return wordList(std::move(names));
-}
-
-
 polyMeshTopology makeTopology(const meshOrder& order)
 {
     const meshBlocks& blocks = order.blocks();
