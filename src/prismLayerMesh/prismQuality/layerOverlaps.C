@@ -6,248 +6,31 @@
 #include "layerOverlaps.H"
 #include "prismQuality.H"
 #include "sideCrossings.H"
-#include "labelledTriangle.H"
-#include "markedGrid.H"
+#include "stackExchange.H"
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-namespace
-{
-
-//- The outer faces that other processes have sent
-struct foreignStacks
-{
-    //- Labels of their faces count on from the front and outer faces of here
-    std::vector<labelledTriangle> triangles;
-
-    //- By face: the process that it is from, its place in what the process has
-    //  sent, and the thickness of its thickest column
-    DynamicList<label> processes;
-    DynamicList<label> places;
-    DynamicList<scalar> tallest;
-};
-
-
-//- What a process is told of a stack that it has sent
-struct overlapReply
-{
-    label place;
-    scalar tallest;
-};
-
-
-//- The search for intersections of outer faces of all processes
-class overlapSearch
-{
-    const prismLayers& layers_;
-    const stackBoxes& groups_;
-    const scalarField& thickness_;
-    const columnTeam& team_;
-
-    //- The outer faces of the list that this process counts
-    const labelList own_;
-
-    //- By process, the faces that were sent to it
-    List<DynamicList<label>> sent_;
-
-    DynamicList<overlappingStack> found_;
-
-    scalar tallestOf(const label facei) const
-    {
-        return max(scalarField(thickness_, layers_.faces[facei]));
-    }
-
-    //- Corners of the boxes of the stacks of this process
-    pointField boxCorners() const;
-
-    //- Outer faces near to the boxes of process p
-    message facesFor(label p, const message& boxesOf);
-
-    //- Send outer faces to the processes whose boxes they may touch
-    foreignStacks exchange();
-
-    //- Note a pair of findIntersections
-    void note
-    (
-        const labelPair& pair,
-        const foreignStacks& others,
-        List<DynamicList<overlapReply>>& replies
-    );
-
-public:
-
-    overlapSearch
-    (
-        const prismLayers& layers,
-        const labelUList& outerFaces,
-        const stackBoxes& groups,
-        const scalarField& thickness,
-        const columnTeam& team
-    );
-
-    //- Look for intersections
-    void intersect();
-
-    //- Note a stack that overlaps what cannot move
-    void noteAlone(const label facei)
-    {
-        found_.append({facei, tallestOf(facei)});
-    }
-
-    List<overlappingStack> release()
-    {
-        return List<overlappingStack>(std::move(found_));
-    }
-};
-
-
-overlapSearch::overlapSearch
+//- Notes a pair of findIntersections
+static void addPair
 (
     const prismLayers& layers,
-    const labelUList& outerFaces,
-    const stackBoxes& groups,
     const scalarField& thickness,
-    const columnTeam& team
-)
-:
-    layers_(layers),
-    groups_(groups),
-    thickness_(thickness),
-    team_(team),
-    own_
-    (
-        subsetList
-        (
-            outerFaces,
-            [&](const label facei) { return team.counts(layers.faces[facei]); }
-        )
-    ),
-    sent_(team.size())
-{}
-
-
-pointField overlapSearch::boxCorners() const
-{
-    pointField corners(2*groups_.all().size());
-    forAll(groups_.all(), group)
-    {
-        corners[2*group] = groups_.all()[group].min();
-        corners[2*group + 1] = groups_.all()[group].max();
-    }
-
-    return corners;
-}
-
-
-message overlapSearch::facesFor(const label p, const message& boxesOf)
-{
-    std::vector<boundBox> near;
-    messageReader reader(boxesOf);
-    const List<point> corners(reader.list<point>());
-    for (label i = 0; i < corners.size(); i += 2)
-    {
-        near.push_back(boundBox(corners[i], corners[i + 1]));
-    }
-
-    const markedGrid grid(near);
-    DynamicList<labelledTriangle> triangles;
-    DynamicList<scalar> tallest;
-
-    for (const label facei : own_)
-    {
-        if
-        (
-            near.size()
-         && grid.mayTouch(boxOf(layers_, facei, layers_.nLayers))
-        )
-        {
-            for
-            (
-                labelledTriangle& t
-              : trianglesOf(layers_, facei, layers_.nLayers, team_)
-            )
-            {
-                t.facei = sent_[p].size();
-                triangles.append(t);
-            }
-            sent_[p].append(facei);
-            tallest.append(tallestOf(facei));
-        }
-    }
-
-    message toOther;
-    toOther.addList(triangles);
-    toOther.addList(tallest);
-
-    return toOther;
-}
-
-
-foreignStacks overlapSearch::exchange()
-{
-    foreignStacks others;
-    if (team_.isAlone())
-    {
-        return others;
-    }
-
-    message noBoxes, ownBoxes;
-    noBoxes.addList(pointField());
-    ownBoxes.addList(boxCorners());
-    const List<message> boxesOf
-    (
-        team_.exchange(List<message>(team_.size(), ownBoxes))
-    );
-
-    List<message> toOthers(team_.size());
-    forAll(toOthers, p)
-    {
-        toOthers[p] = facesFor(p, p == team_.rank() ? noBoxes : boxesOf[p]);
-    }
-
-    const List<message> fromOthers(team_.exchange(toOthers));
-    forAll(fromOthers, p)
-    {
-        const label before = 2*layers_.faces.size() + others.places.size();
-        messageReader reader(fromOthers[p]);
-        for (labelledTriangle& t : reader.list<labelledTriangle>())
-        {
-            t.facei += before;
-            others.triangles.push_back(t);
-        }
-        const scalarList tallest(reader.list<scalar>());
-        forAll(tallest, place)
-        {
-            others.processes.append(p);
-            others.places.append(place);
-        }
-        others.tallest.append(tallest);
-    }
-
-    return others;
-}
-
-
-void overlapSearch::note
-(
     const labelPair& pair,
-    const foreignStacks& others,
-    List<DynamicList<overlapReply>>& replies
+    stackExchange& others,
+    DynamicList<overlappingStack>& found
 )
 {
-    const label n = layers_.faces.size();
-    const auto isOuter = [&](const label f) { return f >= n; };
-    const auto isForeign = [&](const label f) { return f >= 2*n; };
+    const label n = layers.faces.size();
     const auto tallest = [&](const label f)
     {
-        return isForeign(f) ? others.tallest[f - 2*n]
-          : isOuter(f) ? tallestOf(f - n) : scalar(0);
+        return others.isForeign(f) ? others.tallest(f)
+          : f >= n ? tallestOf(layers, f - n, thickness) : scalar(0);
     };
 
-    if (isForeign(pair.first()))
+    if (others.isForeign(pair.first()))
     {
         // Their processes look for such a pair
         return;
@@ -256,57 +39,51 @@ void overlapSearch::note
     const scalar height = max(tallest(pair.first()), tallest(pair.second()));
     for (const label f : pair)
     {
-        if (isForeign(f))
+        if (others.isForeign(f))
         {
-            replies[others.processes[f - 2*n]].append
-            (
-                {others.places[f - 2*n], height}
-            );
+            others.note(f, height);
         }
-        else if (isOuter(f))
+        else if (f >= n)
         {
-            found_.append({f - n, height});
+            found.append({f - n, height});
         }
     }
 }
 
 
-void overlapSearch::intersect()
+//- The stacks whose outer faces intersect outer faces or the wall
+static DynamicList<overlappingStack> intersectingStacks
+(
+    const prismLayers& layers,
+    const labelUList& outerFaces,
+    const stackBoxes& groups,
+    const scalarField& thickness,
+    const columnTeam& team
+)
 {
-    const foreignStacks others(exchange());
-    List<DynamicList<overlapReply>> replies(team_.size());
+    const labelList own
+    (
+        subsetList
+        (
+            outerFaces,
+            [&](const label facei) { return team.counts(layers.faces[facei]); }
+        )
+    );
+    stackExchange others(layers, own, groups, thickness, team);
+    DynamicList<overlappingStack> found;
 
     for
     (
         const labelPair& pair
-      : findIntersections(layers_, own_, groups_, others.triangles, team_)
+      : findIntersections(layers, own, groups, others.triangles(), team)
     )
     {
-        note(pair, others, replies);
+        addPair(layers, thickness, pair, others, found);
     }
-    if (team_.isAlone())
-    {
-        return;
-    }
+    found.append(others.tell());
 
-    List<message> toOthers(team_.size());
-    forAll(toOthers, p)
-    {
-        toOthers[p].addList(replies[p]);
-    }
-
-    const List<message> fromOthers(team_.exchange(toOthers));
-    forAll(fromOthers, p)
-    {
-        messageReader reader(fromOthers[p]);
-        for (const overlapReply& reply : reader.list<overlapReply>())
-        {
-            found_.append({sent_[p][reply.place], reply.tallest});
-        }
-    }
+    return found;
 }
-
-} // End anonymous namespace
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
@@ -326,19 +103,26 @@ List<overlappingStack> findOverlaps
         return List<overlappingStack>();
     }
 
-    overlapSearch search(layers, outerFaces, groups, thickness, team);
-    search.intersect();
+    DynamicList<overlappingStack> found
+    (
+        intersectingStacks(layers, outerFaces, groups, thickness, team)
+    );
 
+    // Stacks that overlap what cannot move
+    const auto addAlone = [&](const label facei)
+    {
+        found.append({facei, tallestOf(layers, facei, thickness)});
+    };
     for (const label facei : findSideCrossings(layers, outerFaces, team))
     {
-        search.noteAlone(facei);
+        addAlone(facei);
     }
     for (const labelPair& nested : findNestedBodies(layers, outerFaces, bodies))
     {
-        search.noteAlone(nested.second() - layers.faces.size());
+        addAlone(nested.second() - layers.faces.size());
     }
 
-    return search.release();
+    return List<overlappingStack>(std::move(found));
 }
 
 } // End namespace Foam
