@@ -4,8 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sideCrossings.H"
-#include "boundBox.H"
-#include "labelledTriangle.H"
+#include "ListOps.H"
+#include "partCrossings.H"
 
 #include <algorithm>
 
@@ -14,41 +14,8 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Triangles without those that are degenerate
-static std::vector<labelledTriangle> withArea
-(
-    const faceList& triangles,
-    const pointField& points,
-    const labelList& faces
-)
-{
-    std::vector<labelledTriangle> all
-    (
-        labelledTriangles(triangles, points, faces)
-    );
-    all.erase
-    (
-        std::remove_if
-        (
-            all.begin(), all.end(),
-            [](const labelledTriangle& t) { return t.degenerate(); }
-        ),
-        all.end()
-    );
-
-    return all;
-}
-
-
 namespace
 {
-
-//- A side of a cell on a side patch
-struct sideOnPatch
-{
-    point corners[4];
-};
-
 
 //- A side patch and the columns that stand on it
 struct sideColumns
@@ -124,148 +91,9 @@ struct sideColumns
 
         return false;
     }
-
-
-    //- The outer triangles of the faces of a list that are near to the part and
-    //  do not touch it
-    void takeOuter
-    (
-        const labelUList& faces,
-        faceList& triangles,
-        labelList& triangleFaces
-    ) const
-    {
-        const boundBox bounds(side.points, false);
-
-        for (const label facei : faces)
-        {
-            const face& f = layers.faces[facei];
-            boundBox box(boundBox::invertedBox);
-            for (const label c : f)
-            {
-                box.add(layers(c, layers.nLayers));
-            }
-
-            if (!bounds.overlaps(box) || touches(f))
-            {
-                continue;
-            }
-
-            for (label k = 1; k + 1 < f.size(); ++k)
-            {
-                triangles.append(face({f[0], f[k], f[k + 1]}));
-                triangleFaces.append(facei);
-            }
-        }
-    }
-
-
-    //- Add the faces of a list whose outer faces intersect the part, or the
-    //  sides of the layers, which are not quite on a curved part, but for those
-    //  that touch it
-    void addIntersecting
-    (
-        const labelUList& faces,
-        const UList<sideOnPatch>& sides,
-        labelHashSet& crossing
-    ) const;
 };
 
-
-void sideColumns::addIntersecting
-(
-    const labelUList& faces,
-    const UList<sideOnPatch>& sides,
-    labelHashSet& crossing
-) const
-{
-    faceList outer;
-    labelList outerFaces;
-    takeOuter(faces, outer, outerFaces);
-
-    if (outer.empty())
-    {
-        return;
-    }
-
-    // One set of points: the outer ones, then those of the side patch
-    pointField points(layers.outerPoints());
-    const label nOuter = points.size();
-    points.append(side.points);
-    faceList triangles;
-    for (const face& f : side.faces)
-    {
-        for (label k = 1; k + 1 < f.size(); ++k)
-        {
-            triangles.append
-            (
-                face({f[0] + nOuter, f[k] + nOuter, f[k + 1] + nOuter})
-            );
-        }
-    }
-
-    for (const sideOnPatch& s : sides)
-    {
-        const label p = points.size();
-        points.append(UList<point>(const_cast<point*>(s.corners), 4));
-        triangles.append(face({p, p + 1, p + 2}));
-        triangles.append(face({p, p + 2, p + 3}));
-    }
-
-    DynamicList<labelPair> pairs;
-    addIntersections
-    (
-        withArea(outer, points, outerFaces),
-        withArea(triangles, points, labelList(triangles.size(), labelMax)),
-        pairs
-    );
-
-    for (const labelPair& pair : pairs)
-    {
-        if (pair.second() == labelMax)
-        {
-            crossing.insert(pair.first());
-        }
-    }
-}
-
 } // End anonymous namespace
-
-
-//- The sides of the layers of all processes on a side patch, if it is curved
-static List<sideOnPatch> sidesOn
-(
-    const prismLayers& layers,
-    const label s,
-    const columnTeam& team
-)
-{
-    const wallBorder& border = layers.border;
-    DynamicList<sideOnPatch> sides;
-
-    if (!border.sides[s].isCurved())
-    {
-        return List<sideOnPatch>();
-    }
-
-    forAll(border.edges, i)
-    {
-        const edge& e = border.edges[i];
-        if (border.edgeSides[i] == s && team.counts(labelList(e)))
-        {
-            for (label level = 0; level < layers.nLayers; ++level)
-            {
-                sides.append
-                ({{
-                    layers(e.start(), level), layers(e.end(), level),
-                    layers(e.end(), level + 1), layers(e.start(), level + 1)
-                }});
-            }
-        }
-    }
-
-    return team.gather(sides);
-}
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
@@ -303,9 +131,13 @@ labelList findSideCrossings
 
         if (isPart)
         {
-            columns.addIntersecting
+            const auto isApart = [&](const label facei)
+            {
+                return !columns.touches(layers.faces[facei]);
+            };
+            crossing.insert
             (
-                faces, sidesOn(layers, s, team), crossing
+                facesThroughPart(layers, s, subsetList(faces, isApart), team)
             );
         }
     }
