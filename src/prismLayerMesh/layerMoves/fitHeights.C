@@ -4,8 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "fitHeights.H"
-#include "fittedWall.H"
-#include "heightFit.H"
+#include "displaceColumns.H"
 
 #include <algorithm>
 
@@ -26,8 +25,7 @@ struct fitTarget
     //- Whether a face is to be fitted if a share of its height is missing there
     std::function<bool(const face& f, scalar missing)> isWrong;
 
-    //- Share of a displacement that a column has at a height [m]
-    std::function<scalar(label c, scalar height)> share;
+    displacementShare share;
 };
 
 }
@@ -146,18 +144,6 @@ static scalarField firstMobilities
 }
 
 
-//- How many times further a displacement goes than it may at a height
-static scalar excessOf
-(
-    const layerMoveControls& controls,
-    const vector& displacement,
-    const scalar height
-)
-{
-    return mag(displacement)/(controls.maxDisplacement*height);
-}
-
-
 //- Lower the mobilities of columns that go too far at the level of the fit, a
 //  few times, and give the fit what they are
 static void fitMobilities
@@ -188,120 +174,6 @@ static void fitMobilities
             }
         }
     }
-}
-
-
-//- Displace own columns at a level by their shares
-static void displace
-(
-    const vectorField& displacements,
-    const fittedWall& fitted,
-    const fitTarget& target,
-    const label level,
-    layerEditor& editor
-)
-{
-    forAll(displacements, p)
-    {
-        const vector& d = displacements[p];
-        const label c = fitted.ownColumns[p];
-
-        if (c >= 0 && magSqr(d) > 0)
-        {
-            const scalar height = editor.heights(c)[level];
-            const scalar share = target.share(c, height)
-               /max(excessOf(editor.controls(), d, height), scalar(1));
-
-            editor.setPoint(c, level, editor.layers()(c, level) + share*d);
-        }
-    }
-}
-
-
-//- The own columns that are mobile
-static labelList mobileColumns(const fittedWall& fitted)
-{
-    DynamicList<label> columns;
-    forAll(fitted.ownColumns, p)
-    {
-        if (fitted.ownColumns[p] >= 0 && fitted.mobilities[p] > 0)
-        {
-            columns.append(fitted.ownColumns[p]);
-        }
-    }
-
-    return labelList(std::move(columns));
-}
-
-
-//- The levels at which mobile columns have a share
-static labelList levelsOf
-(
-    const layerEditor& editor,
-    const labelUList& mobile,
-    const fitTarget& target
-)
-{
-    DynamicList<label> levels;
-
-    for (label i = 1; i <= editor.spacing().nLayers; ++i)
-    {
-        const bool any = std::any_of
-        (
-            mobile.begin(), mobile.end(), [&](const label c)
-            {
-                return target.share(c, editor.heights(c)[i])
-                     > editor.controls().leftOutShare;
-            }
-        );
-        if (any)
-        {
-            levels.append(i);
-        }
-    }
-
-    labelList all(editor.team().gather(levels));
-    inplaceUniqueSort(all);
-
-    return all;
-}
-
-
-//- Displace columns at all levels at which they have a share
-static void displaceAll
-(
-    const fittedWall& fitted,
-    const heightFit& heights,
-    const fitTarget& target,
-    const std::function<scalarField(label level)>& missing,
-    layerEditor& editor
-)
-{
-    const labelList columns(mobileColumns(fitted));
-    const labelList levels(levelsOf(editor, columns, target));
-    List<scalarField> missingAt(levels.size());
-    forAll(levels, k)
-    {
-        missingAt[k] = missing(levels[k]);
-    }
-
-    for (const label c : columns)
-    {
-        editor.remember(c);
-        editor.touch(c);
-    }
-
-    #pragma omp parallel for schedule(dynamic, 1)
-    forAll(levels, k)
-    {
-        displace
-        (
-            heights.displacements(missingAt[k]), fitted, target, levels[k],
-            editor
-        );
-        missingAt[k].clear();
-    }
-    editor.publish(columns);
 }
 
 
@@ -344,7 +216,7 @@ static void fit(layerEditor& editor, const fitTarget& target)
         editor.controls().damping
     );
     fitMobilities(editor.controls(), missing(target.level), fitted, heights);
-    displaceAll(fitted, heights, target, missing, editor);
+    displaceColumns(fitted, heights, target.share, missing, editor);
 }
 
 
