@@ -13,6 +13,14 @@ namespace Foam
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+const columnConstraint& layerEditor::constraint(const label c) const
+{
+    static const columnConstraint free;
+
+    return constraints_.empty() ? free : constraints_[c];
+}
+
+
 scalarList layerEditor::heightsFor(const label c, const scalar thickness) const
 {
     scalarList heights(spacing_.nLayers + 1);
@@ -164,6 +172,15 @@ vector layerEditor::offsetAt(const label c, const scalar height) const
         (height - heights[i - 1])/(heights[i] - heights[i - 1]);
 
     return lower + share*(offset(c, i) - lower);
+}
+
+
+vector layerEditor::neighboursOffset(const label c, const label i) const
+{
+    return smoother_.meanOf<vector>
+    (
+        c, [&](const label q) { return offsetAt(q, heights(c)[i]); }
+    );
 }
 
 

@@ -134,6 +134,55 @@ void layerEditor::publish(const labelUList& changed)
 }
 
 
+labelList layerEditor::inColours
+(
+    const labelUList& columns,
+    const std::function<void()>& prepare,
+    const columnChange& change
+)
+{
+    List<DynamicList<label>> groups(nColours_);
+    for (const label c : columns)
+    {
+        if (mayMove(c))
+        {
+            groups[colours_[c]].append(c);
+        }
+    }
+
+    DynamicList<label> all;
+
+    for (const labelUList& group : groups)
+    {
+        List<columnState> before(group.size());
+        boolList changed(group.size(), false);
+        prepare();
+
+        #pragma omp parallel for schedule(dynamic, 4) if (group.size() > 8)
+        forAll(group, i)
+        {
+            before[i] = state(group[i]);
+            changed[i] = change(group[i], before[i]);
+        }
+
+        const label nBefore = all.size();
+        forAll(group, i)
+        {
+            if (changed[i])
+            {
+                accept(group[i], before[i]);
+                all.append(group[i]);
+            }
+        }
+        publish(SubList<label>(all, all.size() - nBefore, nBefore));
+    }
+
+    sort(all);
+
+    return labelList(std::move(all));
+}
+
+
 labelList layerEditor::allTouchedSince(const label then) const
 {
     const SubList<label> since(journal_, journal_.size() - then, then);
