@@ -11,6 +11,7 @@
 #include "wallSides.H"
 
 #include <algorithm>
+#include <iterator>
 #include <set>
 
 namespace Foam
@@ -90,13 +91,11 @@ void sliverRemover::prepareSweep()
 std::vector<label> sliverRemover::facesOn(const label p, const label q) const
 {
     std::vector<label> result;
-    for (const label facei : facesOf_[p])
-    {
-        if (faces_[facei].found(q))
-        {
-            result.push_back(facei);
-        }
-    }
+    std::copy_if
+    (
+        facesOf_[p].begin(), facesOf_[p].end(), std::back_inserter(result),
+        [&](const label facei) { return faces_[facei].found(q); }
+    );
 
     return result;
 }

@@ -7,7 +7,6 @@
 #include "boundBox.H"
 #include "cutReflexFaces.H"
 #include "cutSurface.H"
-#include "exactUnion.H"
 #include "orientOpenWall.H"
 #include "orientWallSurface.H"
 #include "sigFpe.H"
@@ -26,15 +25,6 @@ namespace Foam
 //- Edges of a surface are sharp if the normals of their faces differ by more
 //  than this [deg]
 static constexpr scalar featureAngle = 30;
-
-
-static void refuseBodies(const string& why)
-{
-    FatalErrorInFunction
-        << "The bodies of the surface cannot be united: " << why.c_str() << nl
-        << "Unite them in CAD, or go around them with surface.repair wrap"
-        << exit(FatalError);
-}
 
 
 namespace
@@ -66,19 +56,6 @@ class surfaceRepairer
     {
         return isSoundUpTo(planes_, tolerance_, repaired_.surface);
     }
-
-    void stitch();
-
-    //- Replaces the repaired surface by the exact union of the bodies of a
-    //  surface, if the latter is balanced and the union comes to its end.
-    //  Returns whether it did.
-    //  steps: those that made the surface
-    bool stitchUnion
-    (
-        wallSurface surface,
-        repairSteps steps,
-        scalar gap
-    );
 
     //- Returns the faces of patches that are to have no layers
     bitSet facesOnSides() const;
@@ -117,76 +94,6 @@ public:
 
     repairedSurface repair();
 };
-
-
-void surfaceRepairer::stitch()
-{
-    wallSurface& surface = repaired_.surface;
-    repairSteps& steps = repaired_.steps;
-    const scalar gap = orShare(controls_.gap, 1e-4);
-
-    stitchFaces(surface, steps);
-    orientWallSurface(surface, true);
-
-    if (!isSound())
-    {
-        closeGaps
-        (
-            surface, gap, orShare(controls_.hole, 0.05), planes_, tolerance_,
-            steps
-        );
-        orientWallSurface(surface, true);
-    }
-    if (isSound())
-    {
-        return;
-    }
-
-    const wallSurface closed(surface);
-    const repairSteps closedSteps(steps);
-    const string failure = uniteBodies(surface, fluidOutside_, gap, steps);
-
-    if (failure.empty() && (isSound() || !fluidOutside_))
-    {
-        return;
-    }
-
-    const bool isUnited =
-        fluidOutside_
-     && (
-            stitchUnion(original_, repairSteps(), gap)
-         || stitchUnion(closed, closedSteps, gap)
-        );
-    if (!isUnited && !failure.empty())
-    {
-        refuseBodies(failure);
-    }
-}
-
-
-bool surfaceRepairer::stitchUnion
-(
-    wallSurface surface,
-    repairSteps steps,
-    const scalar gap
-)
-{
-    mergeEqualPoints(surface, steps);
-
-    if
-    (
-        !isBalanced(surface)
-     || !uniteBalanced(surface, gap, steps).empty()
-    )
-    {
-        return false;
-    }
-    repaired_.surface = surface;
-    repaired_.steps = steps;
-    orientWallSurface(repaired_.surface, true);
-
-    return true;
-}
 
 
 bitSet surfaceRepairer::facesOnSides() const
@@ -258,7 +165,12 @@ repairedSurface surfaceRepairer::repair()
 
     if (controls_.repair == surfaceRepairControls::method::stitch)
     {
-        stitch();
+        const stitchControls controls
+        {
+            orShare(controls_.gap, 1e-4), orShare(controls_.hole, 0.05),
+            fluidOutside_, planes_, tolerance_
+        };
+        stitchSurface(controls, repaired_.surface, repaired_.steps);
     }
     else
     {
