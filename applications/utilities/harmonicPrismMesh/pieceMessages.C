@@ -6,6 +6,7 @@
 #include "pieceMessages.H"
 #include "IPstream.H"
 #include "OPstream.H"
+#include "packedFaces.H"
 
 #include <algorithm>
 
@@ -17,10 +18,12 @@ namespace Foam
 static const auto blocking = UPstream::commsTypes::scheduled;
 
 
-//- The long lists of a piece but its faces, for visit(list)
-template<class Piece, class Visit>
-static void visitLists(Piece& piece, const Visit& visit)
+//- Calls visit(list) for the long lists of a piece and of its faces
+template<class Piece, class Faces, class Visit>
+static void visitLists(Piece& piece, Faces& faces, const Visit& visit)
 {
+    visit(faces.sizes);
+    visit(faces.corners);
     visit(piece.points);
     visit(piece.owner);
     visit(piece.neighbour);
@@ -82,20 +85,11 @@ static void receiveList(UList<Type>& list, const label other)
 
 void sendPiece(const meshPiece& piece, const label other)
 {
-    labelList sizes(piece.faces.size());
-    DynamicList<label> corners(4*sizes.size());
-    forAll(sizes, i)
-    {
-        sizes[i] = piece.faces[i].size();
-        corners.append(piece.faces[i]);
-    }
-
+    const packedFaces faces(piece.faces);
     DynamicList<label> lengths;
-    lengths.append(sizes.size());
-    lengths.append(corners.size());
     visitLists
     (
-        piece, [&](const auto& list) { lengths.append(list.size()); }
+        piece, faces, [&](const auto& list) { lengths.append(list.size()); }
     );
 
     {
@@ -106,9 +100,7 @@ void sendPiece(const meshPiece& piece, const label other)
             << piece.zoneNames << lengths;
     }
 
-    sendList(sizes, other);
-    sendList(corners, other);
-    visitLists(piece, [&](const auto& list) { sendList(list, other); });
+    visitLists(piece, faces, [&](const auto& list) { sendList(list, other); });
 }
 
 
@@ -125,30 +117,18 @@ meshPiece receivePiece(const label other)
     }
     piece.zones.setSize(piece.zoneNames.size());
 
-    labelList sizes(lengths[0]), corners(lengths[1]);
-    receiveList(sizes, other);
-    receiveList(corners, other);
-
-    label k = 2;
+    packedFaces faces;
+    label k = 0;
     visitLists
     (
-        piece,
+        piece, faces,
         [&](auto& list)
         {
             list.setSize(lengths[k++]);
             receiveList(list, other);
         }
     );
-
-    piece.faces.setSize(sizes.size());
-    label start = 0;
-    forAll(sizes, i)
-    {
-        face& f = piece.faces[i];
-        f.setSize(sizes[i]);
-        std::copy_n(corners.begin() + start, sizes[i], f.begin());
-        start += sizes[i];
-    }
+    piece.faces = faces.unpacked();
 
     return piece;
 }

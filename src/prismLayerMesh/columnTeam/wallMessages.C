@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallMessages.H"
+#include "packedFaces.H"
 #include "sideShape.H"
 
 namespace Foam
@@ -67,31 +68,19 @@ static sidePatch takeSide(messageReader& reader)
 
 void addFaces(message& m, const faceList& faces)
 {
-    labelList sizes(faces.size());
-    DynamicList<label> corners(4*faces.size());
-    forAll(faces, i)
-    {
-        sizes[i] = faces[i].size();
-        corners.append(faces[i]);
-    }
-    m.addList(sizes);
-    m.addList(corners);
+    const packedFaces packed(faces);
+    m.addList(packed.sizes);
+    m.addList(packed.corners);
 }
 
 
 faceList takeFaces(messageReader& reader)
 {
-    const labelList sizes(reader.list<label>());
-    const labelList corners(reader.list<label>());
-    faceList faces(sizes.size());
-    label start = 0;
-    forAll(sizes, i)
-    {
-        faces[i] = face(SubList<label>(corners, sizes[i], start));
-        start += sizes[i];
-    }
+    packedFaces packed;
+    packed.sizes = reader.list<label>();
+    packed.corners = reader.list<label>();
 
-    return faces;
+    return packed.unpacked();
 }
 
 
