@@ -46,8 +46,8 @@ Usage
 #include "cellSet.H"
 #include "Time.H"
 #include "polyMesh.H"
-#include "wallPolyPatch.H"
 #include "certificateLog.H"
+#include "patchOptions.H"
 #include "pluginVersion.H"
 #include "prismPolyMesh.H"
 #include "waitPassively.H"
@@ -89,68 +89,6 @@ static void addOptions()
     (
         "writeSets", "Write the cells that are not positive as a cellSet"
     );
-}
-
-
-//- The patches of an option in ascending order, or the default ones
-static labelList patchesOf
-(
-    const argList& args,
-    const word& option,
-    const polyBoundaryMesh& patches,
-    const labelList& defaults
-)
-{
-    if (!args.found(option))
-    {
-        return defaults;
-    }
-
-    const wordRes names(args.getList<wordRe>(option));
-    const labelList found(patches.patchSet(names).sortedToc());
-
-    if (found.empty())
-    {
-        FatalErrorInFunction
-            << "No patch is called " << args[option].c_str() << ", only "
-            << patches.names() << exit(FatalError);
-    }
-
-    return found;
-}
-
-
-//- Errors: FatalError if a patch is a wall and an outer one
-static void checkApart
-(
-    const polyMesh& mesh,
-    const labelUList& walls,
-    const labelUList& outer
-)
-{
-    for (const label patchi : outer)
-    {
-        if (walls.found(patchi))
-        {
-            FatalErrorInFunction
-                << "Patch " << mesh.boundaryMesh()[patchi].name()
-                << " is in -walls and in -outer" << exit(FatalError);
-        }
-    }
-}
-
-
-static labelList facesOf(const polyMesh& mesh, const labelUList& patches)
-{
-    DynamicList<label> faces;
-
-    for (const label patchi : patches)
-    {
-        const polyPatch& patch = mesh.boundaryMesh()[patchi];
-        faces.append(identity(patch.size(), patch.start()));
-    }
-
-    return labelList(std::move(faces));
 }
 
 
@@ -211,35 +149,6 @@ static bitSet beyondLayers(const polyMesh& mesh)
 }
 
 
-static labelList wallPatches
-(
-    const argList& args,
-    const polyBoundaryMesh& patches
-)
-{
-    return patchesOf
-    (
-        args, "walls", patches,
-        patches.findPatchIDs<wallPolyPatch>().sortedToc()
-    );
-}
-
-
-static labelList outerPatches
-(
-    const argList& args,
-    const polyBoundaryMesh& patches
-)
-{
-    const label outeri = patches.findPatchID(layerOuterName);
-
-    return patchesOf
-    (
-        args, "outer", patches, labelList(outeri < 0 ? 0 : 1, outeri)
-    );
-}
-
-
 int main(int argc, char *argv[])
 {
     waitPassively(argv);
@@ -262,9 +171,8 @@ int main(int argc, char *argv[])
         )
     );
 
-    const labelList walls(wallPatches(args, mesh.boundaryMesh()));
-    const labelList outer(outerPatches(args, mesh.boundaryMesh()));
-    checkApart(mesh, walls, outer);
+    const polyBoundaryMesh& boundary = mesh.boundaryMesh();
+    const namedPatches named(readPatchOptions(args, boundary));
 
     const polyhedralMesh cells
     (
@@ -274,15 +182,15 @@ int main(int argc, char *argv[])
     (
         certifyMesh
         (
-            cells, facesOf(mesh, walls), facesOf(mesh, outer),
-            beyondLayers(mesh)
+            cells, facesOf(boundary, named.walls),
+            facesOf(boundary, named.outer), beyondLayers(mesh)
         )
     );
 
     writeCells(certificate, cells);
-    writeIntersections(certificate, mesh, outer);
+    writeIntersections(certificate, mesh, named.outer);
     writeWhole(certificate, mesh);
-    const bool complete = writeLayers(certificate, mesh, walls, asked);
+    const bool complete = writeLayers(certificate, mesh, named.walls, asked);
 
     if (args.found("writeSets"))
     {
