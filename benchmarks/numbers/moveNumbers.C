@@ -11,10 +11,10 @@ Description
     Reads the wall and system/harmonicPrismMeshDict of the case, makes all that
     stands before the moves once, and then the layers with each of the numbers
     halved and doubled; of shares and ratios near 1 their distance from 1 is.
-    Prints a line, between tabs, for each: number, factor, share of the wall's
-    area at full thickness [%], mean thickness over the request, share of faces
-    with a first height within 1 % [%], worst scaled Jacobian, internal faces
-    beyond 70 degrees, seconds of the moves.
+    Prints a line, between tabs, for each: number, its value, the changed value,
+    share of the wall's area at full thickness [%], mean thickness over the
+    request, share of faces with a first height within 1 % [%], worst scaled
+    Jacobian, internal faces beyond 70 degrees, seconds of the moves.
 
 Usage
     moveNumbers [-numbers '(name ...)'] [-factors '(0.5 2)']
@@ -48,6 +48,18 @@ struct tunedNumber
 
     //- Whether its distance from 1 is what counts
     bool fromOne;
+
+    scalar in(const layerMoveControls& controls) const
+    {
+        return count ? scalar(controls.*count) : controls.*value;
+    }
+
+    //- Name, value, and changed value, between tabs
+    string change(const layerMoveControls& changed) const
+    {
+        return string(name) + '\t' + Foam::name(in(layerMoveControls()))
+          + '\t' + Foam::name(in(changed));
+    }
 
     void scale(layerMoveControls& controls, const scalar factor) const
     {
@@ -226,7 +238,7 @@ int main(int argc, char *argv[])
     );
     const wordList only(args.getOrDefault("numbers", wordList()));
 
-    measure(wall, m, layerMoveControls(), "as they are\t1");
+    measure(wall, m, layerMoveControls(), "as they are\t\t");
 
     for (const tunedNumber& number : numbers)
     {
@@ -240,11 +252,7 @@ int main(int argc, char *argv[])
             {
                 layerMoveControls changed;
                 number.scale(changed, factor);
-                measure
-                (
-                    wall, m, changed,
-                    string(number.name) + '\t' + name(factor)
-                );
+                measure(wall, m, changed, number.change(changed));
             }
         }
     }
