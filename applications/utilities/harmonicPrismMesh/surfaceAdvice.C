@@ -59,7 +59,7 @@ static bool isMended
 static constexpr int digits = 12;
 
 
-//- As in the dictionary
+//- The entries of the dictionary that make these side planes
 static string entriesOf(const List<sidePatch>& planes)
 {
     OStringStream os;

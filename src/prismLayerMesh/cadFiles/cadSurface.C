@@ -110,7 +110,7 @@ struct attempts
     const surfaceCadControls& controls;
     const scalar maxEdge;
 
-    //- Of readStepFaceNames; empty for other files
+    //- What readStepFaceNames returns; empty for other files
     const List<stringList> faceNames;
     const clockTime timer = clockTime();
 
@@ -119,7 +119,7 @@ struct attempts
     //- Version and algorithm of gmsh that made them
     string by = string();
 
-    //- Of the last attempt
+    //- How the last attempt ended
     programEnd end = programEnd::failed;
     bool hasFaces = true;
     string errors = string();

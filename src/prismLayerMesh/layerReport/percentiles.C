@@ -49,7 +49,7 @@ static scalar valueOf(const std::int64_t order)
 }
 
 
-//- Of the values of one process
+//- The percentiles of the values of one process
 static percentiles ofOneProcess(scalarField& values)
 {
     percentiles result;
@@ -109,8 +109,8 @@ static ranks countUpTo
 }
 
 
-//- Of the values of all processes: bounds on each value are halved until they
-//  meet
+//- The percentiles of the values of all processes: bounds on each percentile
+//  are halved until they meet
 static percentiles ofTeam
 (
     scalarField& values,

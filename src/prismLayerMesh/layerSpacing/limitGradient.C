@@ -59,7 +59,8 @@ static void lowerFrom
 }
 
 
-//- The same from all points that are too low for a neighbour
+//- Lowers the neighbours of all points that are too low for a neighbour, and
+//  then their neighbours, and so on
 template<class Bound>
 static labelList lowerAll
 (

@@ -199,7 +199,7 @@ struct meshLists
 } // End anonymous namespace
 
 
-//- As polyMesh has it in the files owner and neighbour
+//- The note on sizes in the headers of the files owner and neighbour
 static string sizesOf(const meshBlocks& mesh)
 {
     return "nPoints:" + name(mesh.nPoints)

@@ -66,7 +66,10 @@ TEST(layerEditor, groupsOfStacksHaveAllChanges)
     {
         editedColumns m(front);
         const List<boundBox> before(m.editor.stackGroups().all());
-        retreatColumns(m.editor, someColumns(m, 3), squeezeCause::validity);
+        retreatColumns
+        (
+            m.editor, identity(m.nColumns()), squeezeCause::validity
+        );
 
         EXPECT_NE(m.editor.stackGroups().all(), before);
         EXPECT_EQ
