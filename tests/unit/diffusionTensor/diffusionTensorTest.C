@@ -117,7 +117,7 @@ TEST(anisotropicTensor, equalsTheTensorOfEdgesInAllDirections)
 
     for (const scalar slope : {0.001, 0.05, 0.5, 1.0, 2.0})
     {
-        steep.field = slope*(steep.mesh.points & vector(0, 0, 1));
+        steep.field = steep.mesh.points & vector(0, 0, slope);
         const symmTensor K
         (
             tensorsOf(steep, "anisotropic", coeffs(-1, delta))[0]
