@@ -6,55 +6,64 @@
 // From CGAL
 #include <CGAL/boost/graph/Euler_operations.h>
 
-#include "editedSurface.H"
+#include "surfaceChanges.H"
+#include "nearGiven.H"
 #include "triPointRef.H"
 #include "unitConversion.H"
+
+#include <algorithm>
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
+typedef editedSurface::Mesh Mesh;
+typedef editedSurface::Vertex Vertex;
+typedef editedSurface::Halfedge Halfedge;
+typedef editedSurface::Face Face;
+typedef editedSurface::candidate candidate;
+
 //- Angles [degrees] below which a collapse may not go, unless there are
 //  smaller ones before
 static constexpr scalar goodAngle = 15;
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-bool editedSurface::isAlongLine(const Halfedge h) const
+//- Whether lines let the source of an edge go to the target. A source on a line
+//  may go along that line only, a source inside may go anywhere, a fixed source
+//  nowhere.
+static bool isAlongLine(const editedSurface& surface, const Halfedge h)
 {
-    const Vertex v = mesh_.source(h);
-    const Vertex u = mesh_.target(h);
-    if (kinds_[v] != kind::onLine)
+    const Mesh& mesh = surface.mesh();
+    const point& x = surface.at(mesh.source(h));
+    const auto kind = surface.kindOf(mesh.source(h));
+    if (kind != editedSurface::kind::onLine)
     {
-        return kinds_[v] == kind::inside;
+        return kind == editedSurface::kind::inside;
     }
 
-    const label line = lines_[mesh_.edge(h)];
+    const label line = surface.line(mesh.edge(h));
     if (line < 0)
     {
         return false;
     }
 
-    const Halfedge inside =
-        mesh_.is_border(h) ? mesh_.opposite(h) : h;
-    const scalar deviation = given_.deviation(nearest_[mesh_.face(inside)]);
-    for (const Halfedge other : halfedgesFrom(v))
+    const Face f = mesh.face(mesh.is_border(h) ? mesh.opposite(h) : h);
+    const scalar deviation = surface.given().deviation(surface.nearest(f));
+    for (const Halfedge other : surface.halfedgesFrom(mesh.source(h)))
     {
-        if (other != h && lines_[mesh_.edge(other)] >= 0)
+        if (other != h && surface.line(mesh.edge(other)) >= 0)
         {
-            const point& a = at(u);
-            const point& b = at(mesh_.target(other));
-            const scalar t =
-                ((at(v) - a) & (b - a))/max(magSqr(b - a), VSMALL);
+            const point& a = surface.at(mesh.target(h));
+            const point& b = surface.at(mesh.target(other));
+            const scalar t = ((x - a) & (b - a))/max(magSqr(b - a), VSMALL);
             const point middle(0.5*(a + b));
             point y;
-            given_.findLine(line, middle, y);
+            surface.given().findLine(line, middle, y);
 
             return
                 t > 0 && t < 1
-             && mag(at(v) - (a + t*(b - a))) <= deviation
+             && mag(x - (a + t*(b - a))) <= deviation
              && mag(middle - y) <= deviation;
         }
     }
@@ -63,53 +72,65 @@ bool editedSurface::isAlongLine(const Halfedge h) const
 }
 
 
-std::vector<editedSurface::candidate> editedSurface::trianglesLeft
+//- Returns the triangles that stay around the source of an edge that collapses,
+//  with the target in place of the source
+static std::vector<candidate> trianglesLeft
 (
+    const editedSurface& surface,
     const Halfedge h
-) const
+)
 {
-    const Vertex v = mesh_.source(h);
-    const Vertex u = mesh_.target(h);
+    const Mesh& mesh = surface.mesh();
+    const Vertex v = mesh.source(h);
+    const Vertex u = mesh.target(h);
     std::vector<candidate> result;
 
-    for (const Halfedge g : halfedgesFrom(v))
+    for (const Halfedge g : surface.halfedgesFrom(v))
     {
-        const Face f = mesh_.face(g);
-        if (f == Mesh::null_face() || isOf(u, f))
+        const Face f = mesh.face(g);
+        if (f == Mesh::null_face())
         {
             continue;
         }
 
-        FixedList<Vertex, 3> vertices(verticesOf(f));
-        for (Vertex& w : vertices)
+        FixedList<Vertex, 3> vertices(surface.verticesOf(f));
+        if (!vertices.found(u))
         {
-            w = w == v ? u : w;
+            std::replace(vertices.begin(), vertices.end(), v, u);
+            result.push_back
+            (
+                surface.triangleOf
+                (
+                    vertices[0], vertices[1], vertices[2], surface.nearest(f)
+                )
+            );
         }
-        result.push_back
-        (
-            triangleOf(vertices[0], vertices[1], vertices[2], nearest_[f])
-        );
     }
 
     return result;
 }
 
 
-bool editedSurface::mayReplace
+//- Whether these triangles may replace the triangles around the source of an
+//  edge; sets their nearest triangles
+static bool mayReplace
 (
+    const editedSurface& surface,
     const Halfedge h,
     std::vector<candidate>& triangles
-) const
+)
 {
-    const Vertex v = mesh_.source(h);
-    const Vertex u = mesh_.target(h);
-    const scalar least = min(smallestAngle(v), degToRad(goodAngle));
+    const givenSurface& given = surface.given();
+    const Vertex v = surface.mesh().source(h);
+    const Vertex u = surface.mesh().target(h);
+    const scalar least = min(surface.smallestAngle(v), degToRad(goodAngle));
     scalar distance = GREAT;
     scalar deviation = GREAT;
 
     for (candidate& t : triangles)
     {
-        if (smallestAngleOf(t.points) < least || !isNear(t))
+        const FixedList<point, 3>& x = t.points;
+        if (smallestAngleOf(x) < least || !isNear(given, x, t.nearest))
         {
             return false;
         }
@@ -120,34 +141,40 @@ bool editedSurface::mayReplace
             if
             (
                 t.vertices[k] == u
-             && !isNear(t.points[k], t.points[(k + 1) % 3], t.nearest)
+             && !isNear(given, x[k], x[(k + 1) % 3], t.nearest)
             )
             {
                 return false;
             }
         }
 
-        const triPointRef triangle(t.points[0], t.points[1], t.points[2]);
-        distance = min(distance, triangle.nearestPoint(at(v)).distance());
-        deviation = min(deviation, given_.deviation(t.nearest));
+        const triPointRef triangle(x[0], x[1], x[2]);
+        distance =
+            min(distance, triangle.nearestPoint(surface.at(v)).distance());
+        deviation = min(deviation, given.deviation(t.nearest));
     }
 
     return distance <= deviation;
 }
 
 
-bool editedSurface::wouldStretch(const Halfedge h, const scalar maxRatio) const
+//- Whether the collapse would make an edge longer than maxRatio times the mean
+//  of the lengths that its ends want
+static bool wouldStretch
+(
+    const editedSurface& surface,
+    const Halfedge h,
+    const scalar maxRatio
+)
 {
-    const Vertex u = mesh_.target(h);
+    const Mesh& mesh = surface.mesh();
+    const Vertex u = mesh.target(h);
 
-    for (const Halfedge g : halfedgesFrom(mesh_.source(h)))
+    for (const Halfedge g : surface.halfedgesFrom(mesh.source(h)))
     {
-        const Vertex w = mesh_.target(g);
-        if
-        (
-            w != u
-         && mag(at(w) - at(u)) > maxRatio*0.5*(lengths[u] + lengths[w])
-        )
+        const Vertex w = mesh.target(g);
+        const scalar wanted = 0.5*(surface.lengths[u] + surface.lengths[w]);
+        if (w != u && mag(surface.at(w) - surface.at(u)) > maxRatio*wanted)
         {
             return true;
         }
@@ -157,85 +184,36 @@ bool editedSurface::wouldStretch(const Halfedge h, const scalar maxRatio) const
 }
 
 
-std::vector<std::pair<editedSurface::Vertex, label>>
-editedSurface::joinedLines(const Halfedge h) const
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+bool collapseEdge
+(
+    editedSurface& surface,
+    const Halfedge h,
+    const scalar maxRatio
+)
 {
-    std::vector<std::pair<Vertex, label>> lines;
-    const auto add = [&](const Vertex w, const Halfedge g)
-    {
-        if (lines_[mesh_.edge(g)] >= 0)
-        {
-            lines.emplace_back(w, lines_[mesh_.edge(g)]);
-        }
-    };
-
-    for (const Halfedge g : halfedgesFrom(mesh_.source(h)))
-    {
-        if (g != h)
-        {
-            add(mesh_.target(g), g);
-        }
-    }
-
-    const Halfedge back = mesh_.opposite(h);
-    if (mesh_.face(h) != Mesh::null_face())
-    {
-        add(mesh_.target(mesh_.next(h)), mesh_.next(h));
-    }
-    if (mesh_.face(back) != Mesh::null_face())
-    {
-        add(mesh_.source(mesh_.prev(back)), mesh_.prev(back));
-    }
-
-    return lines;
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-bool editedSurface::collapse(const Halfedge h, const scalar maxRatio)
-{
-    const Edge e = mesh_.edge(h);
-    const Vertex u = mesh_.target(h);
+    const Mesh& mesh = surface.mesh();
     if
     (
-        isKept(e) || !isAlongLine(h) || wouldStretch(h, maxRatio)
-     || !CGAL::Euler::does_satisfy_link_condition(e, mesh_)
+        surface.isKept(mesh.edge(h)) || !isAlongLine(surface, h)
+     || wouldStretch(surface, h, maxRatio)
+     || !CGAL::Euler::does_satisfy_link_condition(mesh.edge(h), mesh)
     )
     {
         return false;
     }
 
-    std::vector<candidate> triangles(trianglesLeft(h));
-    if (!mayReplace(h, triangles) || (guard_ && !guard_->mayCollapse(h)))
+    std::vector<candidate> triangles(trianglesLeft(surface, h));
+    if
+    (
+        !mayReplace(surface, h, triangles)
+     || (surface.guard() && !surface.guard()->mayCollapse(h))
+    )
     {
         return false;
     }
-    if (guard_) guard_->leaveAround(mesh_.source(h));
-
-    const std::vector<std::pair<Vertex, label>> lines(joinedLines(h));
-    const point x(at(u));
-    const kind kindOf = kinds_[u];
-    const scalar wanted = lengths[u];
-    const Vertex left = CGAL::Euler::collapse_edge(e, mesh_);
-    mesh_.point(left) = x;
-    kinds_[left] = kindOf;
-    lengths[left] = wanted;
-
-    const auto now = [&](const Vertex w) { return w == u ? left : w; };
-    for (const auto& line : lines)
-    {
-        const Halfedge g = mesh_.halfedge(left, line.first);
-        lines_[mesh_.edge(g)] = line.second;
-    }
-    for (const candidate& t : triangles)
-    {
-        const Halfedge g =
-            mesh_.halfedge(now(t.vertices[0]), now(t.vertices[1]));
-        nearest_[mesh_.face(g)] = t.nearest;
-        if (guard_) guard_->enter(mesh_.face(g));
-    }
-    noteChange(left);
+    surface.collapse(h, triangles);
 
     return true;
 }

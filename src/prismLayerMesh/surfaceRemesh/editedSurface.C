@@ -5,29 +5,11 @@
 
 #include "editedSurface.H"
 #include "cgalMeshes.H"
-#include "triPointRef.H"
-#include "unitConversion.H"
 
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- Largest angle [degrees] between a triangle and the given surface
-static constexpr scalar normalAngle = 45;
-
-//- The surface is not further away than this share of the longest edge of a
-//  triangle
-static constexpr scalar farFromTriangle = 0.1;
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-scalar editedSurface::reachOf(const FixedList<point, 3>& x)
-{
-    return max(mag(x[1] - x[0]), max(mag(x[2] - x[1]), mag(x[0] - x[2])));
-}
-
 
 void editedSurface::fill()
 {
@@ -72,6 +54,41 @@ void editedSurface::fill()
 }
 
 
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+editedSurface::editedSurface(const givenSurface& given, const bool guarded)
+:
+    given_(given),
+    journal_(mesh_)
+{
+    lengths = mesh_.add_property_map<Vertex, scalar>("v:length", GREAT).first;
+    kinds_ = mesh_.add_property_map<Vertex, kind>("v:kind").first;
+    lines_ = mesh_.add_property_map<Edge, label>("e:line", -1).first;
+    nearest_ = mesh_.add_property_map<Face, label>("f:nearest", -1).first;
+    patches_ = mesh_.add_property_map<Face, label>("f:patch", 0).first;
+    fill();
+
+    guard_.reset(guarded ? new changeGuard(mesh_) : nullptr);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool editedSurface::isKept(const Edge e) const
+{
+    for (label side = 0; side < 2; ++side)
+    {
+        const Face f = mesh_.face(mesh_.halfedge(e, side));
+        if (f != Mesh::null_face() && nearest_[f] < 0)
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+
 FixedList<editedSurface::Vertex, 3> editedSurface::verticesOf(Face f) const
 {
     FixedList<Vertex, 3> result;
@@ -97,14 +114,6 @@ FixedList<point, 3> editedSurface::pointsOf(const Face f) const
 }
 
 
-bool editedSurface::isOf(const Vertex v, const Face f) const
-{
-    const FixedList<Vertex, 3> vertices(verticesOf(f));
-
-    return vertices[0] == v || vertices[1] == v || vertices[2] == v;
-}
-
-
 editedSurface::candidate editedSurface::triangleOf
 (
     const Vertex a,
@@ -127,137 +136,6 @@ editedSurface::candidate editedSurface::triangleOf
 }
 
 
-bool editedSurface::isNear(candidate& triangle) const
-{
-    static const scalar minCos = Foam::cos(degToRad(normalAngle));
-    const triPointRef t
-    (
-        triangle.points[0], triangle.points[1], triangle.points[2]
-    );
-    const point centre(t.centre());
-    const vector area(t.areaNormal());
-    const scalar reach = reachOf(triangle.points);
-    point y;
-    triangle.nearest = given_.findFace(triangle.nearest, centre, reach, y);
-
-    return
-        mag(centre - y) <= min
-        (
-            given_.deviation(triangle.nearest), farFromTriangle*reach
-        )
-     && (area & given_.normals()[triangle.nearest]) > minCos*mag(area);
-}
-
-
-bool editedSurface::isNear
-(
-    const point& a,
-    const point& b,
-    const label start
-) const
-{
-    const point x(0.5*(a + b));
-    point y;
-    const scalar reach = mag(a - b);
-    const label near = given_.findFace(start, x, reach, y);
-
-    return mag(x - y) <= min(given_.deviation(near), farFromTriangle*reach);
-}
-
-
-void editedSurface::tie(const Face f)
-{
-    const FixedList<point, 3> x(pointsOf(f));
-    point y;
-    nearest_[f] =
-        given_.findFace
-        (
-            nearest_[f], (x[0] + x[1] + x[2])/3.0, reachOf(x), y
-        );
-}
-
-
-void editedSurface::noteChange(const Vertex v)
-{
-    changed_[v] = ++nChanges_;
-    for (const Halfedge h : halfedgesFrom(v))
-    {
-        changed_[mesh_.target(h)] = nChanges_;
-    }
-}
-
-
-bool editedSurface::isAsBefore(const Edge e) const
-{
-    const Halfedge h = mesh_.halfedge(e);
-    const Halfedge g = mesh_.opposite(h);
-    const label before = notFlipped_[e];
-
-    return
-        changed_[mesh_.source(h)] <= before
-     && changed_[mesh_.target(h)] <= before
-     && changed_[mesh_.target(mesh_.next(h))] <= before
-     && changed_[mesh_.target(mesh_.next(g))] <= before;
-}
-
-
-bool editedSurface::isAsBefore(const Vertex v) const
-{
-    const label before = notMoved_[v];
-    if (changed_[v] > before)
-    {
-        return false;
-    }
-
-    for (const Halfedge h : halfedgesFrom(v))
-    {
-        if (changed_[mesh_.target(h)] > before)
-        {
-            return false;
-        }
-    }
-
-    return true;
-}
-
-
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-editedSurface::editedSurface(const givenSurface& given, const bool guarded)
-:
-    given_(given)
-{
-    lengths = mesh_.add_property_map<Vertex, scalar>("v:length", GREAT).first;
-    kinds_ = mesh_.add_property_map<Vertex, kind>("v:kind").first;
-    lines_ = mesh_.add_property_map<Edge, label>("e:line", -1).first;
-    nearest_ = mesh_.add_property_map<Face, label>("f:nearest", -1).first;
-    changed_ = mesh_.add_property_map<Vertex, label>("v:changed", 0).first;
-    notFlipped_ = mesh_.add_property_map<Edge, label>("e:tried", -1).first;
-    notMoved_ = mesh_.add_property_map<Vertex, label>("v:tried", -1).first;
-    patches_ = mesh_.add_property_map<Face, label>("f:patch", 0).first;
-    fill();
-
-    guard_.reset(guarded ? new changeGuard(mesh_) : nullptr);
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-bool editedSurface::isKept(const Edge e) const
-{
-    for (label side = 0; side < 2; ++side)
-    {
-        const Face f = mesh_.face(mesh_.halfedge(e, side));
-        if (f != Mesh::null_face() && nearest_[f] < 0)
-        {
-            return true;
-        }
-    }
-
-    return false;
-}
-
-
 scalar editedSurface::length(const Edge e) const
 {
     return mag(at(mesh_.vertex(e, 0)) - at(mesh_.vertex(e, 1)));
@@ -274,6 +152,21 @@ scalar editedSurface::ratio(const Edge e) const
 scalar editedSurface::smallestAngle(const Face f) const
 {
     return smallestAngleOf(pointsOf(f));
+}
+
+
+scalar editedSurface::smallestAngle(const Vertex v) const
+{
+    scalar least = GREAT;
+    for (const Halfedge h : halfedgesFrom(v))
+    {
+        if (mesh_.face(h) != Mesh::null_face())
+        {
+            least = min(least, smallestAngle(mesh_.face(h)));
+        }
+    }
+
+    return least;
 }
 
 

@@ -3,62 +3,55 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-// From CGAL
-#include <CGAL/boost/graph/Euler_operations.h>
-
-#include "editedSurface.H"
+#include "surfaceChanges.H"
+#include "nearGiven.H"
 
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-bool editedSurface::flip(const Edge e)
+bool flipEdge(editedSurface& surface, const editedSurface::Edge e)
 {
-    const Halfedge h = mesh_.halfedge(e);
-    const Halfedge back = mesh_.opposite(h);
-    if (lines_[e] >= 0 || isKept(e) || mesh_.is_border(e) || isAsBefore(e))
-    {
-        return false;
-    }
-    notFlipped_[e] = nChanges_;
-
-    const Vertex a = mesh_.source(h);
-    const Vertex b = mesh_.target(h);
-    const Vertex c = mesh_.target(mesh_.next(h));
-    const Vertex d = mesh_.target(mesh_.next(back));
-    candidate first(triangleOf(a, d, c, nearest_[mesh_.face(h)]));
-    candidate second(triangleOf(b, c, d, nearest_[mesh_.face(back)]));
-    const scalar before =
-        min(smallestAngle(mesh_.face(h)), smallestAngle(mesh_.face(back)));
-    const scalar after =
-        min(smallestAngleOf(first.points), smallestAngleOf(second.points));
+    typedef editedSurface::Vertex Vertex;
+    const editedSurface::Mesh& mesh = surface.mesh();
     if
     (
-        after < before + 1e-6
-     || mesh_.halfedge(c, d) != Mesh::null_halfedge()
-     || !isNear(first) || !isNear(second)
-     || !isNear(at(c), at(d), first.nearest)
-     || (guard_ && !guard_->mayFlip(h))
+        surface.line(e) >= 0 || surface.isKept(e) || mesh.is_border(e)
+     || !surface.journal().isNew(e)
     )
     {
         return false;
     }
 
-    if (guard_) guard_->leaveBeside(h);
-    CGAL::Euler::flip_edge(h, mesh_);
-    if (guard_) guard_->enterBeside(h);
-    ++nChanges_;
-    for (const Vertex v : {a, b, c, d})
+    const auto h = mesh.halfedge(e);
+    const auto back = mesh.opposite(h);
+    const Vertex a = mesh.source(h);
+    const Vertex b = mesh.target(h);
+    const Vertex c = mesh.target(mesh.next(h));
+    const Vertex d = mesh.target(mesh.next(back));
+    const auto f = mesh.face(h);
+    const auto g = mesh.face(back);
+    auto first(surface.triangleOf(a, d, c, surface.nearest(f)));
+    auto second(surface.triangleOf(b, c, d, surface.nearest(g)));
+    const scalar before =
+        min(surface.smallestAngle(f), surface.smallestAngle(g));
+    const scalar after =
+        min(smallestAngleOf(first.points), smallestAngleOf(second.points));
+    const givenSurface& given = surface.given();
+    if
+    (
+        after < before + 1e-6
+     || mesh.halfedge(c, d).is_valid()
+     || !isNear(given, first.points, first.nearest)
+     || !isNear(given, second.points, second.nearest)
+     || !isNear(given, surface.at(c), surface.at(d), first.nearest)
+     || (surface.guard() && !surface.guard()->mayFlip(h))
+    )
     {
-        changed_[v] = nChanges_;
+        return false;
     }
-    for (const Halfedge side : {h, back})
-    {
-        const Face f = mesh_.face(side);
-        const Vertex w = mesh_.target(mesh_.next(side));
-        nearest_[f] = (w == a ? first : second).nearest;
-    }
+    surface.flip(h, first, second);
 
     return true;
 }

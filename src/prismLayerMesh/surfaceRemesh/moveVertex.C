@@ -3,13 +3,19 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "editedSurface.H"
+#include "surfaceChanges.H"
+#include "nearGiven.H"
 #include "unitConversion.H"
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+typedef editedSurface::Mesh Mesh;
+typedef editedSurface::Vertex Vertex;
+typedef editedSurface::Halfedge Halfedge;
+typedef editedSurface::Face Face;
 
 //- Angle [degrees] below which smoothing may make no angle smaller
 static constexpr scalar enoughAngle = 30;
@@ -22,66 +28,66 @@ static constexpr scalar firstStep = 0.3;
 static constexpr scalar lastStep = 0.02;
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-scalar editedSurface::smallestAngle(const Vertex v) const
+//- The smallest angle [rad] around a vertex if it were at x; 0 if it may not be
+//  there
+static scalar smallestAngleAt
+(
+    const editedSurface& surface,
+    const Vertex v,
+    const point& x
+)
 {
+    const Mesh& mesh = surface.mesh();
     scalar least = GREAT;
-    for (const Halfedge h : halfedgesFrom(v))
+    for (const Halfedge h : surface.halfedgesFrom(v))
     {
-        if (mesh_.face(h) != Mesh::null_face())
-        {
-            least = min(least, smallestAngle(mesh_.face(h)));
-        }
-    }
-
-    return least;
-}
-
-
-scalar editedSurface::smallestAngle(const Vertex v, const point& x) const
-{
-    scalar least = GREAT;
-    for (const Halfedge h : halfedgesFrom(v))
-    {
-        const Face f = mesh_.face(h);
+        const Face f = mesh.face(h);
         if (f == Mesh::null_face())
         {
             continue;
         }
 
-        candidate triangle;
-        triangle.points[0] = x;
-        triangle.points[1] = at(mesh_.target(h));
-        triangle.points[2] = at(mesh_.target(mesh_.next(h)));
-        triangle.nearest = nearest_[f];
-        if (!isNear(triangle))
+        FixedList<point, 3> triangle;
+        triangle[0] = x;
+        triangle[1] = surface.at(mesh.target(h));
+        triangle[2] = surface.at(mesh.target(mesh.next(h)));
+        label nearest = surface.nearest(f);
+        if (!isNear(surface.given(), triangle, nearest))
         {
             return 0;
         }
-        least = min(least, smallestAngleOf(triangle.points));
+        least = min(least, smallestAngleOf(triangle));
     }
 
     return least;
 }
 
 
-point editedSurface::onSurface(const Vertex v, const point& x) const
+//- Returns the point that is nearest to x on the surface, or on the line that
+//  the vertex is on
+static point onSurface
+(
+    const editedSurface& surface,
+    const Vertex v,
+    const point& x
+)
 {
-    point y(at(v));
+    const givenSurface& given = surface.given();
+    point y(surface.at(v));
 
-    for (const Halfedge h : halfedgesFrom(v))
+    for (const Halfedge h : surface.halfedgesFrom(v))
     {
-        const label line = lines_[mesh_.edge(h)];
-        if (kinds_[v] == kind::inside)
+        const label line = surface.line(surface.mesh().edge(h));
+        if (surface.kindOf(v) == editedSurface::kind::inside)
         {
-            const Face f = mesh_.face(h);
-            given_.findFace(nearest_[f], x, reachOf(pointsOf(f)), y);
+            const Face f = surface.mesh().face(h);
+            const scalar reach = reachOf(surface.pointsOf(f));
+            given.findFace(surface.nearest(f), x, reach, y);
             break;
         }
         if (line >= 0)
         {
-            given_.findLine(line, x, y);
+            given.findLine(line, x, y);
             break;
         }
     }
@@ -90,79 +96,70 @@ point editedSurface::onSurface(const Vertex v, const point& x) const
 }
 
 
-void editedSurface::move(const Vertex v, const point& x)
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+bool smoothVertex(editedSurface& surface, const Vertex v)
 {
-    if (guard_) guard_->leaveAround(v);
-    mesh_.point(v) = x;
-    changed_[v] = ++nChanges_;
-    for (const Halfedge h : halfedgesFrom(v))
-    {
-        if (mesh_.face(h) != Mesh::null_face())
-        {
-            tie(mesh_.face(h));
-        }
-    }
-    if (guard_) guard_->enterAround(v);
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-bool editedSurface::smooth(const Vertex v)
-{
-    if (kinds_[v] == kind::fixed || isAsBefore(v))
+    const auto kind = surface.kindOf(v);
+    if (kind == editedSurface::kind::fixed || !surface.journal().isNew(v))
     {
         return false;
     }
-    notMoved_[v] = nChanges_;
 
     point sum(Zero);
     label n = 0;
-    for (const Halfedge h : halfedgesFrom(v))
+    for (const Halfedge h : surface.halfedgesFrom(v))
     {
-        if (kinds_[v] == kind::inside || lines_[mesh_.edge(h)] >= 0)
+        if
+        (
+            kind == editedSurface::kind::inside
+         || surface.line(surface.mesh().edge(h)) >= 0
+        )
         {
-            sum += at(mesh_.target(h));
+            sum += surface.at(surface.mesh().target(h));
             ++n;
         }
     }
 
-    const point x(onSurface(v, sum/n));
-    if (mag(x - at(v)) < leastMove*lengths[v])
+    const point x(onSurface(surface, v, sum/n));
+    if (mag(x - surface.at(v)) < leastMove*surface.lengths[v])
     {
         return false;
     }
-    const scalar after = smallestAngle(v, x);
+    const scalar after = smallestAngleAt(surface, v, x);
     if
     (
-        (after < degToRad(enoughAngle) && after <= smallestAngle(v))
-     || (guard_ && !guard_->mayMove(v, x))
+        (
+            after < degToRad(enoughAngle)
+         && after <= surface.smallestAngle(v)
+        )
+     || (surface.guard() && !surface.guard()->mayMove(v, x))
     )
     {
         return false;
     }
-    move(v, x);
+    surface.move(v, x);
 
     return true;
 }
 
 
-bool editedSurface::optimise(const Vertex v)
+bool optimiseVertex(editedSurface& surface, const Vertex v)
 {
-    if (kinds_[v] == kind::fixed)
+    if (surface.kindOf(v) == editedSurface::kind::fixed)
     {
         return false;
     }
 
-    const scalar before = smallestAngle(v);
+    const scalar before = surface.smallestAngle(v);
     scalar shortest = GREAT;
-    for (const Halfedge h : halfedgesFrom(v))
+    for (const Halfedge h : surface.halfedgesFrom(v))
     {
-        shortest = min(shortest, length(mesh_.edge(h)));
+        shortest = min(shortest, surface.length(surface.mesh().edge(h)));
     }
 
     scalar best = before;
-    point place(at(v));
+    point place(surface.at(v));
     for (scalar step = firstStep*shortest; step > lastStep*shortest; step /= 2)
     {
         const point from(place);
@@ -170,8 +167,8 @@ bool editedSurface::optimise(const Vertex v)
         {
             vector direction(Zero);
             direction[axis % 3] = axis < 3 ? step : -step;
-            const point x(onSurface(v, from + direction));
-            const scalar angle = smallestAngle(v, x);
+            const point x(onSurface(surface, v, from + direction));
+            const scalar angle = smallestAngleAt(surface, v, x);
             if (angle > best)
             {
                 best = angle;
@@ -180,11 +177,12 @@ bool editedSurface::optimise(const Vertex v)
         }
     }
 
-    if (best <= before || (guard_ && !guard_->mayMove(v, place)))
+    const changeGuard* guard = surface.guard();
+    if (best <= before || (guard && !guard->mayMove(v, place)))
     {
         return false;
     }
-    move(v, place);
+    surface.move(v, place);
 
     return true;
 }

@@ -5,6 +5,7 @@
 
 #include "remesher.H"
 #include "stageProgress.H"
+#include "surfaceChanges.H"
 #include "unitConversion.H"
 
 #include <algorithm>
@@ -130,7 +131,7 @@ void remesher::split(const scalar ratio)
         std::sort(edges.rbegin(), edges.rend());
         for (const auto& e : edges)
         {
-            nSplit += edited_.split(e.second);
+            nSplit += splitEdge(edited_, e.second);
         }
     }
     while (nSplit);
@@ -146,9 +147,9 @@ void remesher::collapse()
         {
             continue;
         }
-        if (!edited_.collapse(mesh_.halfedge(edge, 0), longest))
+        if (!collapseEdge(edited_, mesh_.halfedge(edge, 0), longest))
         {
-            edited_.collapse(mesh_.halfedge(edge, 1), longest);
+            collapseEdge(edited_, mesh_.halfedge(edge, 1), longest);
         }
     }
 }
@@ -162,7 +163,7 @@ void remesher::flip()
         nFlips = 0;
         for (const Edge e : mesh_.edges())
         {
-            nFlips += edited_.flip(e);
+            nFlips += flipEdge(edited_, e);
         }
     }
 }
@@ -172,7 +173,7 @@ void remesher::smooth()
 {
     for (const Vertex v : mesh_.vertices())
     {
-        edited_.smooth(v);
+        smoothVertex(edited_, v);
     }
 }
 
@@ -221,17 +222,17 @@ void remesher::improve()
 
         if
         (
-            edited_.flip(mesh_.edge(sides[2]))
-         || edited_.flip(mesh_.edge(sides[1]))
-         || edited_.collapse(sides[0], sqr(longest))
-         || edited_.collapse(mesh_.opposite(sides[0]), sqr(longest))
+            flipEdge(edited_, mesh_.edge(sides[2]))
+         || flipEdge(edited_, mesh_.edge(sides[1]))
+         || collapseEdge(edited_, sides[0], sqr(longest))
+         || collapseEdge(edited_, mesh_.opposite(sides[0]), sqr(longest))
         )
         {
             continue;
         }
         for (const Halfedge h : sides)
         {
-            edited_.optimise(mesh_.target(h));
+            optimiseVertex(edited_, mesh_.target(h));
         }
     }
 }

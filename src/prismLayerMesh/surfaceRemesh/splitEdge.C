@@ -3,15 +3,18 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-// From CGAL
-#include <CGAL/boost/graph/Euler_operations.h>
-
-#include "editedSurface.H"
+#include "surfaceChanges.H"
+#include "nearGiven.H"
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+typedef editedSurface::Mesh Mesh;
+typedef editedSurface::Halfedge Halfedge;
+typedef editedSurface::Edge Edge;
+typedef editedSurface::Face Face;
 
 //- Points that split edges are no further from the middle than this share of
 //  the length
@@ -21,62 +24,71 @@ static constexpr scalar farFromMiddle = 0.25;
 static constexpr scalar shorter = 0.95;
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void editedSurface::divide(const Halfedge a, const Halfedge b)
+static point middleOf(const editedSurface& surface, const Halfedge h)
 {
-    const Face old = mesh_.face(a);
-    const Halfedge h = CGAL::Euler::split_face(a, b, mesh_);
-    lines_[mesh_.edge(h)] = -1;
+    const Mesh& mesh = surface.mesh();
 
-    for (const Face f : {mesh_.face(h), mesh_.face(mesh_.opposite(h))})
-    {
-        nearest_[f] = nearest_[old];
-        patches_[f] = patches_[old];
-        tie(f);
-    }
-    if (guard_) guard_->enterBeside(h);
+    return 0.5*(surface.at(mesh.source(h)) + surface.at(mesh.target(h)));
 }
 
 
-point editedSurface::middleOf(const Edge e, label& line) const
+//- Returns the point of the given surface, or of an edge's line, that is
+//  nearest to the middle of the edge; sets the line, -1 for none
+static point newPointOf
+(
+    const editedSurface& surface,
+    const Edge e,
+    label& line
+)
 {
-    const Halfedge h = mesh_.halfedge(e);
-    const point middle(0.5*(at(mesh_.source(h)) + at(mesh_.target(h))));
+    const givenSurface& given = surface.given();
+    const Halfedge h = surface.mesh().halfedge(e);
+    const point middle(middleOf(surface, h));
     point x;
-    line = lines_[e];
+    line = surface.line(e);
 
     if (line >= 0)
     {
-        line = given_.findLine(line, middle, x);
+        line = given.findLine(line, middle, x);
         return x;
     }
 
-    const Face f = mesh_.face(h);
-    const Face g = mesh_.face(mesh_.opposite(h));
+    const auto find = [&](const Face f, point& nearest)
+    {
+        const scalar reach = reachOf(surface.pointsOf(f));
+        given.findFace(surface.nearest(f), middle, reach, nearest);
+    };
     point y;
-    given_.findFace(nearest_[f], middle, reachOf(pointsOf(f)), x);
-    given_.findFace(nearest_[g], middle, reachOf(pointsOf(g)), y);
+    find(surface.mesh().face(h), x);
+    find(surface.mesh().face(surface.mesh().opposite(h)), y);
 
     return magSqr(x - middle) <= magSqr(y - middle) ? x : y;
 }
 
 
-bool editedSurface::splits(const Edge e, const point& x) const
+//- Whether x is near enough to the middle of an edge to split the edge there,
+//  and new edges from x are shorter than the edge
+static bool splits
+(
+    const editedSurface& surface,
+    const Halfedge h,
+    const point& x
+)
 {
-    const Halfedge h = mesh_.halfedge(e);
-    const point middle(0.5*(at(mesh_.source(h)) + at(mesh_.target(h))));
-    if (mag(x - middle) > farFromMiddle*length(e))
+    const Mesh& mesh = surface.mesh();
+    const scalar length = surface.length(mesh.edge(h));
+    if (mag(x - middleOf(surface, h)) > farFromMiddle*length)
     {
         return false;
     }
 
-    for (const Halfedge g : {h, mesh_.opposite(h)})
+    for (const Halfedge g : {h, mesh.opposite(h)})
     {
+        const point& across = surface.at(mesh.target(mesh.next(g)));
         if
         (
-            mesh_.face(g) != Mesh::null_face()
-         && mag(x - at(mesh_.target(mesh_.next(g)))) > shorter*length(e)
+            mesh.face(g) != Mesh::null_face()
+         && mag(x - across) > shorter*length
         )
         {
             return false;
@@ -87,43 +99,24 @@ bool editedSurface::splits(const Edge e, const point& x) const
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-bool editedSurface::split(const Edge e)
+bool splitEdge(editedSurface& surface, const Edge e)
 {
-    if (isKept(e))
+    if (surface.isKept(e))
     {
         return false;
     }
 
+    const Halfedge h = surface.mesh().halfedge(e);
+    const changeGuard* guard = surface.guard();
     label line;
-    const point x(middleOf(e, line));
-    if (!splits(e, x) || (guard_ && !guard_->maySplit(mesh_.halfedge(e), x)))
+    const point x(newPointOf(surface, e, line));
+    if (!splits(surface, h, x) || (guard && !guard->maySplit(h, x)))
     {
         return false;
     }
-
-    const Halfedge h = mesh_.halfedge(e);
-    const Vertex a = mesh_.source(h);
-    const Vertex b = mesh_.target(h);
-    if (guard_) guard_->leaveBeside(h);
-    const Halfedge before = CGAL::Euler::split_edge(h, mesh_);
-    const Halfedge after = mesh_.next(before);
-    const Vertex v = mesh_.target(before);
-    mesh_.point(v) = x;
-    lengths[v] = 0.5*(lengths[a] + lengths[b]);
-    kinds_[v] = line >= 0 ? kind::onLine : kind::inside;
-    lines_[mesh_.edge(before)] = line;
-    lines_[mesh_.edge(after)] = line;
-
-    for (const Halfedge in : {before, mesh_.opposite(after)})
-    {
-        if (mesh_.face(in) != Mesh::null_face())
-        {
-            divide(in, mesh_.next(mesh_.next(in)));
-        }
-    }
-    noteChange(v);
+    surface.split(e, x, line);
 
     return true;
 }

@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "editedSurface.H"
+#include "surfaceChanges.H"
 #include "surfaceMeasures.H"
 #include "testSurfaces.H"
 #include "wallDefects.H"
@@ -23,12 +23,12 @@ static constexpr scalar anyRatio = 100;
 namespace
 {
 
-//- A surface, and its editor that wants edges of 1 m
+//- A surface, and its copy that wants edges of 1 m
 struct smallSurface
 {
     const wallSurface before;
     const givenSurface given;
-    editedSurface editor;
+    editedSurface edited;
     const editedSurface::Mesh& mesh;
     const std::size_t nEdges;
 
@@ -41,13 +41,13 @@ struct smallSurface
     :
         before(surface),
         given(before, featureAngle, deviation),
-        editor(given),
-        mesh(editor.mesh()),
+        edited(given),
+        mesh(edited.mesh()),
         nEdges(mesh.number_of_edges())
     {
         for (const Vertex v : mesh.vertices())
         {
-            editor.lengths[v] = 1;
+            edited.lengths[v] = 1;
         }
     }
 
@@ -69,11 +69,11 @@ struct smallSurface
     //  characteristic and area, and no defect
     void expectMore(label nPoints, label nFaces, label nLines) const
     {
-        const wallSurface after(editor.surface());
+        const wallSurface after(edited.surface());
 
         EXPECT_EQ(after.points.size() - before.points.size(), nPoints);
         EXPECT_EQ(after.faces.size() - before.faces.size(), nFaces);
-        EXPECT_EQ(editor.features().size() - given.lines().size(), nLines);
+        EXPECT_EQ(edited.features().size() - given.lines().size(), nLines);
         EXPECT_EQ(mesh.number_of_edges(), nEdges + nPoints + nFaces);
         EXPECT_TRUE(findWallDefects(after, !isClosed(before)).empty());
         EXPECT_NEAR(measuresOf(after).area, measuresOf(before).area, 1e-14);
@@ -81,10 +81,10 @@ struct smallSurface
 
     void expectNoChange() const
     {
-        EXPECT_EQ(editor.surface().points, before.points);
-        EXPECT_EQ(editor.surface().faces, before.faces);
-        EXPECT_EQ(editor.nearestFaces(), identity(before.faces.size()));
-        EXPECT_EQ(editor.features().size(), given.lines().size());
+        EXPECT_EQ(edited.surface().points, before.points);
+        EXPECT_EQ(edited.surface().faces, before.faces);
+        EXPECT_EQ(edited.nearestFaces(), identity(before.faces.size()));
+        EXPECT_EQ(edited.features().size(), given.lines().size());
     }
 };
 
@@ -147,150 +147,150 @@ static wallSurface bar(label n, scalar length = 1, scalar shift = 0)
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
-TEST(editedSurface, aSplitOfATetrahedronAddsAPointAndTwoFaces)
+TEST(surfaceChanges, aSplitOfATetrahedronAddsAPointAndTwoFaces)
 {
     for (const edge& e : face({0, 1, 2}).edges())
     {
         smallSurface s(tetSurface(1, Foam::sqrt(2.0)));
-        ASSERT_TRUE(s.editor.split(s.between(e.start(), e.end())));
+        ASSERT_TRUE(splitEdge(s.edited, s.between(e.start(), e.end())));
         s.expectMore(1, 2, 1);
         s.expectAt(4, e.centre(s.before.points));
     }
 }
 
 
-TEST(editedSurface, aCollapseTakesASplitOfATetrahedronBack)
+TEST(surfaceChanges, aCollapseTakesASplitOfATetrahedronBack)
 {
     for (const label end : {0, 1})
     {
         smallSurface s(tetSurface(1, Foam::sqrt(2.0)));
-        ASSERT_TRUE(s.editor.split(s.between(0, 1)));
-        EXPECT_TRUE(s.editor.collapse(s.side(4, end), anyRatio));
+        ASSERT_TRUE(splitEdge(s.edited, s.between(0, 1)));
+        EXPECT_TRUE(collapseEdge(s.edited, s.side(4, end), anyRatio));
         s.expectMore(0, 0, 0);
     }
 }
 
 
-TEST(editedSurface, noEdgeOfATetrahedronCollapsesOrFlips)
+TEST(surfaceChanges, noEdgeOfATetrahedronCollapsesOrFlips)
 {
     // There are no lines, and the deviation is large
     smallSurface s(tetSurface(0.5, 0.1), 180, 10);
     for (const auto h : s.mesh.halfedges())
     {
-        ASSERT_FALSE(s.editor.collapse(h, anyRatio));
-        ASSERT_FALSE(s.editor.flip(s.mesh.edge(h)));
+        ASSERT_FALSE(collapseEdge(s.edited, h, anyRatio));
+        ASSERT_FALSE(flipEdge(s.edited, s.mesh.edge(h)));
     }
     s.expectNoChange();
 }
 
 
-TEST(editedSurface, aPointOfATetrahedronDoesNotMoveIntoItsBase)
+TEST(surfaceChanges, aPointOfATetrahedronDoesNotMoveIntoItsBase)
 {
     smallSurface s(tetSurface(1, Foam::sqrt(2.0)), 180, 10);
     for (const Vertex v : s.mesh.vertices())
     {
-        EXPECT_FALSE(s.editor.smooth(v));
-        EXPECT_FALSE(s.editor.optimise(v));
+        EXPECT_FALSE(smoothVertex(s.edited, v));
+        EXPECT_FALSE(optimiseVertex(s.edited, v));
     }
     s.expectNoChange();
 }
 
 
-TEST(editedSurface, aFlipTurnsTheDiagonalOfTwoTriangles)
+TEST(surfaceChanges, aFlipTurnsTheDiagonalOfTwoTriangles)
 {
     smallSurface s(tetSurface(0.5, 0, 2));
-    EXPECT_TRUE(s.editor.flip(s.between(0, 1)));
+    EXPECT_TRUE(flipEdge(s.edited, s.between(0, 1)));
     EXPECT_FALSE(s.side(0, 1).is_valid());
     EXPECT_TRUE(s.side(2, 3).is_valid());
-    EXPECT_EQ(s.editor.surface().points, s.before.points);
+    EXPECT_EQ(s.edited.surface().points, s.before.points);
     s.expectMore(0, 0, 0);
 }
 
 
-TEST(editedSurface, aFlipToAnEdgeThatIsThereIsRefused)
+TEST(surfaceChanges, aFlipToAnEdgeThatIsThereIsRefused)
 {
     // A flat tetrahedron: the lower two triangles have the other diagonal
     smallSurface s(tetSurface(0.5, 0));
-    ASSERT_FALSE(s.editor.flip(s.between(0, 1)));
+    ASSERT_FALSE(flipEdge(s.edited, s.between(0, 1)));
     s.expectNoChange();
 }
 
 
-TEST(editedSurface, aFlipThatMakesNoAngleLargerIsRefused)
+TEST(surfaceChanges, aFlipThatMakesNoAngleLargerIsRefused)
 {
     // The diagonals of a square
     smallSurface s(tetSurface(1, 0, 2));
-    EXPECT_FALSE(s.editor.flip(s.between(0, 1)));
+    EXPECT_FALSE(flipEdge(s.edited, s.between(0, 1)));
     s.expectNoChange();
 }
 
 
-TEST(editedSurface, aFlipStaysWithinTheDeviation)
+TEST(surfaceChanges, aFlipStaysWithinTheDeviation)
 {
     // The new edge is below the ridge of a roof: so far from its two planes
     const scalar distance = 0.04*Foam::cos(Foam::atan(0.04/0.5));
     smallSurface near(tetSurface(0.5, 0.04, 2), 30, 0.99*distance);
     smallSurface far(tetSurface(0.5, 0.04, 2), 30, 1.01*distance);
-    EXPECT_FALSE(near.editor.flip(near.between(0, 1)));
+    EXPECT_FALSE(flipEdge(near.edited, near.between(0, 1)));
     near.expectNoChange();
-    EXPECT_TRUE(far.editor.flip(far.between(0, 1)));
+    EXPECT_TRUE(flipEdge(far.edited, far.between(0, 1)));
 }
 
 
-TEST(editedSurface, aFeatureIsNotFlipped)
+TEST(surfaceChanges, aFeatureIsNotFlipped)
 {
     // There are 9.1 degrees between the two triangles
     smallSurface feature(tetSurface(0.5, 0.04, 2), 9, 1);
     smallSurface smooth(tetSurface(0.5, 0.04, 2), 10, 1);
-    EXPECT_FALSE(feature.editor.flip(feature.between(0, 1)));
+    EXPECT_FALSE(flipEdge(feature.edited, feature.between(0, 1)));
     feature.expectNoChange();
-    EXPECT_TRUE(smooth.editor.flip(smooth.between(0, 1)));
+    EXPECT_TRUE(flipEdge(smooth.edited, smooth.between(0, 1)));
 }
 
 
-TEST(editedSurface, aSplitOfABorderAddsAPointAndAFace)
+TEST(surfaceChanges, aSplitOfABorderAddsAPointAndAFace)
 {
     smallSurface s(tetSurface(1.6, 0, 2));
-    ASSERT_TRUE(s.editor.split(s.between(1, 2)));
+    ASSERT_TRUE(splitEdge(s.edited, s.between(1, 2)));
     s.expectMore(1, 1, 1);
     s.expectAt(4, point(0.5, 0.8, 0));
 }
 
 
-TEST(editedSurface, aSplitThatMakesNoShorterEdgesIsRefused)
+TEST(surfaceChanges, aSplitThatMakesNoShorterEdgesIsRefused)
 {
     // The diagonal is as long as the triangles are high
     smallSurface s(tetSurface(2, 0, 2));
-    EXPECT_FALSE(s.editor.split(s.between(0, 1)));
+    EXPECT_FALSE(splitEdge(s.edited, s.between(0, 1)));
     s.expectNoChange();
 }
 
 
-TEST(editedSurface, aCollapseOnAStraightBorderTakesAFaceAway)
+TEST(surfaceChanges, aCollapseOnAStraightBorderTakesAFaceAway)
 {
     const List<point> points({{-1, 0, 0}, {0, 0, 0}, {1, 0, 0}, {0, 1, 0}});
     const faceList faces({face({0, 1, 3}), face({1, 2, 3})});
     for (const label end : {0, 2})
     {
         smallSurface s(wallOf(points, faces));
-        EXPECT_TRUE(s.editor.collapse(s.side(1, end), anyRatio));
+        EXPECT_TRUE(collapseEdge(s.edited, s.side(1, end), anyRatio));
         s.expectMore(-1, -1, -1);
     }
 }
 
 
-TEST(editedSurface, aCornerDoesNotCollapse)
+TEST(surfaceChanges, aCornerDoesNotCollapse)
 {
     // The border turns by 53 degrees at the point 2
     smallSurface corner(tetSurface(0.5, 0, 2), 50, 1);
     smallSurface round(tetSurface(0.5, 0, 2), 60, 1);
-    EXPECT_FALSE(corner.editor.collapse(corner.side(2, 0), anyRatio));
+    EXPECT_FALSE(collapseEdge(corner.edited, corner.side(2, 0), anyRatio));
     corner.expectNoChange();
-    EXPECT_TRUE(round.editor.collapse(round.side(2, 0), anyRatio));
+    EXPECT_TRUE(collapseEdge(round.edited, round.side(2, 0), anyRatio));
 }
 
 
-TEST(editedSurface, aCollapseToAnEdgeThatIsThereIsRefused)
+TEST(surfaceChanges, aCollapseToAnEdgeThatIsThereIsRefused)
 {
     // Two flat pentagons on each other, nearly straight at the point 1. One has
     // an edge from 1 to 3, the other from 0 to 3.
@@ -302,97 +302,97 @@ TEST(editedSurface, aCollapseToAnEdgeThatIsThereIsRefused)
         face({0, 4, 3}), face({0, 3, 2}), face({0, 2, 1})
     });
     smallSurface both(wallOf(points, faces), 30, 1);
-    ASSERT_FALSE(both.editor.collapse(both.side(1, 0), anyRatio));
+    ASSERT_FALSE(collapseEdge(both.edited, both.side(1, 0), anyRatio));
     both.expectNoChange();
 
     faces.resize(3);
     smallSurface upper(wallOf(points, faces), 30, 1);
-    EXPECT_TRUE(upper.editor.collapse(upper.side(1, 0), anyRatio));
+    EXPECT_TRUE(collapseEdge(upper.edited, upper.side(1, 0), anyRatio));
 }
 
 
-TEST(editedSurface, aPointMovesToTheMeanOfItsNeighbours)
+TEST(surfaceChanges, aPointMovesToTheMeanOfItsNeighbours)
 {
     wallSurface kite(tetSurface(0.6, 0, 2));
     kite.points[3] = point(0.2, -1, 0);
     smallSurface s(kite);
-    ASSERT_TRUE(s.editor.split(s.between(0, 1)));
-    EXPECT_TRUE(s.editor.smooth(Vertex(4)));
+    ASSERT_TRUE(splitEdge(s.edited, s.between(0, 1)));
+    EXPECT_TRUE(smoothVertex(s.edited, Vertex(4)));
     s.expectAt(4, point(0.05, -0.1, 0));
     s.expectMore(1, 2, 0);
 }
 
 
-TEST(editedSurface, aSplitOfABarAddsAPointAndTwoFaces)
+TEST(surfaceChanges, aSplitOfABarAddsAPointAndTwoFaces)
 {
     // The diagonal of a side
     smallSurface s(bar(3));
-    ASSERT_TRUE(s.editor.split(s.between(5, 10)));
+    ASSERT_TRUE(splitEdge(s.edited, s.between(5, 10)));
     s.expectMore(1, 2, 0);
     s.expectAt(16, point(1.5, 1, 0.5));
 }
 
 
-TEST(editedSurface, aCollapseAlongABarTakesAPointAndTwoFacesAway)
+TEST(surfaceChanges, aCollapseAlongABarTakesAPointAndTwoFacesAway)
 {
     for (const label end : {0, 8})
     {
         smallSurface s(bar(2));
-        EXPECT_TRUE(s.editor.collapse(s.side(4, end), anyRatio));
+        EXPECT_TRUE(collapseEdge(s.edited, s.side(4, end), anyRatio));
         s.expectMore(-1, -2, -1);
-        EXPECT_FALSE(s.editor.surface().points.found(s.before.points[4]));
+        EXPECT_FALSE(s.edited.surface().points.found(s.before.points[4]));
     }
 }
 
 
-TEST(editedSurface, aCollapseMakesNoEdgeTooLong)
+TEST(surfaceChanges, aCollapseMakesNoEdgeTooLong)
 {
     // The longest new edge is the diagonal of two squares
     smallSurface s(bar(2));
-    ASSERT_FALSE(s.editor.collapse(s.side(4, 0), 0.99*Foam::sqrt(5.0)));
+    ASSERT_FALSE(collapseEdge(s.edited, s.side(4, 0), 0.99*Foam::sqrt(5.0)));
     s.expectNoChange();
-    EXPECT_TRUE(s.editor.collapse(s.side(4, 0), 1.01*Foam::sqrt(5.0)));
+    EXPECT_TRUE(collapseEdge(s.edited, s.side(4, 0), 1.01*Foam::sqrt(5.0)));
 }
 
 
-TEST(editedSurface, aCollapseMakesNoSmallAngles)
+TEST(surfaceChanges, aCollapseMakesNoSmallAngles)
 {
     // Angles of 11 degrees would be halved
     smallSurface s(bar(2, 5));
-    EXPECT_FALSE(s.editor.collapse(s.side(4, 0), anyRatio));
+    EXPECT_FALSE(collapseEdge(s.edited, s.side(4, 0), anyRatio));
     s.expectNoChange();
 }
 
 
-TEST(editedSurface, aFlipTurnsTheLongDiagonalOfALeaningBar)
+TEST(surfaceChanges, aFlipTurnsTheLongDiagonalOfALeaningBar)
 {
     smallSurface s(bar(3, 1, 0.5));
-    EXPECT_TRUE(s.editor.flip(s.between(5, 10)));
+    EXPECT_TRUE(flipEdge(s.edited, s.between(5, 10)));
     EXPECT_FALSE(s.side(5, 10).is_valid());
     EXPECT_TRUE(s.side(6, 9).is_valid());
     s.expectMore(0, 0, 0);
 }
 
 
-TEST(editedSurface, aPointOfALineMovesToTheMeanOnTheLine)
+TEST(surfaceChanges, aPointOfALineMovesToTheMeanOnTheLine)
 {
     wallSurface uneven(bar(2, 1, 0.3));
     uneven.points[4].x() = 1.3;
     smallSurface s(uneven);
-    EXPECT_TRUE(s.editor.smooth(Vertex(4)));
+    EXPECT_TRUE(smoothVertex(s.edited, Vertex(4)));
     s.expectAt(4, point(1, 0, 0));
     s.expectMore(0, 0, 0);
 }
 
 
-TEST(editedSurface, anOptimisedPointHasLargerAngles)
+TEST(surfaceChanges, anOptimisedPointHasLargerAngles)
 {
     wallSurface uneven(bar(2));
     uneven.points[4].x() = 1.6;
     const scalar before = measuresOf(uneven).smallestAngle;
     smallSurface s(uneven);
-    EXPECT_TRUE(s.editor.optimise(Vertex(4)));
-    EXPECT_GT(measuresOf(s.editor.surface()).smallestAngle, before);
+    EXPECT_TRUE(optimiseVertex(s.edited, Vertex(4)));
+    EXPECT_GT(measuresOf(s.edited.surface()).smallestAngle, before);
     s.expectMore(0, 0, 0);
 }
 
