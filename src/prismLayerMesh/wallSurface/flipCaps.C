@@ -8,10 +8,21 @@
 #include "edgeHashes.H"
 #include "wallSides.H"
 
+#include <algorithm>
+
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- The smallest height [m] of a triangle
+static scalar heightOf(const pointField& points, const face& f)
+{
+    const scalar longest = f.faceEdge(f.longestEdge(points)).mag(points);
+
+    return 2*f.mag(points)/max(longest, VSMALL);
+}
+
 
 //- The edge to flip if a face is a cap, otherwise an edge without points
 static edge edgeOfCap
@@ -94,6 +105,10 @@ bool capFlipper::flip
     const label w = g.prevLabel(g.find(e[1]));
     const face first({e[0], w, v});
     const face second({w, e[1], v});
+    const auto height = [&](const face& a, const face& b)
+    {
+        return min(heightOf(wall_.points, a), heightOf(wall_.points, b));
+    };
     const vector before(g.unitNormal(wall_.points));
     const auto turns = [&](const face& after)
     {
@@ -103,6 +118,7 @@ bool capFlipper::flip
     if
     (
         v == w || edges_.found(edge(v, w)) || turns(first) || turns(second)
+     || height(first, second) <= height(f, g)
     )
     {
         return false;

@@ -74,6 +74,20 @@ TEST(flipCaps, edgesThatAreThereStay)
 }
 
 
+TEST(flipCaps, capsOnAFlatArcAreNotFlippedForEver)
+{
+    // Both diagonals of the four points make two caps
+    wallSurface wall(capOf(1e-11));
+    wall.points = pointField
+    ({
+        point(0, 0, 0), point(1, -1e-11, 0), point(2, -1e-11, 0), point(3, 0, 0)
+    });
+    wall.faces = faceList({face({0, 1, 2}), face({0, 2, 3})});
+
+    EXPECT_LE(flipCaps(wall), 1);
+}
+
+
 TEST(flipCaps, twoCapsOnEachOther)
 {
     // The neighbour of a cap is a cap, too
