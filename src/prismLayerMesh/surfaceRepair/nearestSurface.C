@@ -4,6 +4,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "nearestSurface.H"
+#include "ListOps.H"
+#include "PatchTools.H"
+#include "bitSet.H"
+#include "primitiveFacePatch.H"
 #include "removeUnused.H"
 
 namespace Foam
@@ -14,6 +18,9 @@ namespace Foam
 //- A face is along another if the product of their unit normals is larger:
 //  cos(10 degrees)
 static constexpr scalar alongCosine = 0.985;
+
+//- Faces are parts of a plane if the product of their unit normals is larger
+static constexpr scalar flatCosine = 1 - 1e-9;
 
 
 static pointField centresOf(const wallSurface& surface)
@@ -50,6 +57,53 @@ static wallSurface withFaces
     removeUnusedPoints(part.faces, part.points);
 
     return part;
+}
+
+
+//- Gives each flat part of a surface that consists of some of its faces one
+//  patch, the patch with the largest area there
+static void unitePatches(const bitSet& faces, wallSurface& surface)
+{
+    const faceList parts(subset(faces, surface.faces));
+    const labelList patchIDs(subset(faces, surface.patchIDs));
+    const primitiveFacePatch patch(parts, surface.points);
+    const vectorField& normals = patch.faceNormals();
+    boolList isBorder(patch.nEdges());
+
+    forAll(isBorder, e)
+    {
+        const labelList& both = patch.edgeFaces()[e];
+        isBorder[e] =
+            both.size() != 2
+         || (normals[both[0]] & normals[both[1]]) < flatCosine;
+    }
+
+    labelList partOf;
+    const label nParts = PatchTools::markZones(patch, isBorder, partOf);
+    List<Map<scalar>> areas(nParts);
+    forAll(parts, i)
+    {
+        areas[partOf[i]](patchIDs[i], 0) += parts[i].mag(surface.points);
+    }
+
+    label i = 0;
+    for (const label facei : faces)
+    {
+        label& patchi = surface.patchIDs[facei];
+        const Map<scalar>& ofPart = areas[partOf[i++]];
+        forAllConstIters(ofPart, area)
+        {
+            const scalar most = ofPart[patchi];
+            if
+            (
+                area.val() > most
+             || (area.val() == most && area.key() < patchi)
+            )
+            {
+                patchi = area.key();
+            }
+        }
+    }
 }
 
 
@@ -105,18 +159,19 @@ void nearestSurface::setPatches
     };
     const vectorField normals(other.faceNormals());
     DynamicList<label> chamfers;
+    bitSet isAcross(faces.size());
     forAll(faces, facei)
     {
         const face& below = surface_.faces[faces[facei]];
+        const vector normal(below.unitNormal(surface_.points));
 
-        if
-        (
-            isOnlyAlong(other.patchIDs[facei])
-         && mag(below.unitNormal(surface_.points) & normals[facei])
-          < alongCosine
-        )
+        if (mag(normal & normals[facei]) < alongCosine)
         {
-            chamfers.append(facei);
+            isAcross.set(facei);
+            if (isOnlyAlong(other.patchIDs[facei]))
+            {
+                chamfers.append(facei);
+            }
         }
     }
 
@@ -140,6 +195,7 @@ void nearestSurface::setPatches
         }
     }
 
+    unitePatches(isAcross, other);
     mergePatches(other);
 }
 
