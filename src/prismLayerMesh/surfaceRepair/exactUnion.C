@@ -6,9 +6,9 @@
 #include "exactUnion.H"
 #include "bitSet.H"
 #include "ListOps.H"
+#include "mergeNearPoints.H"
 #include "orientation.H"
 #include "removeUnused.H"
-#include "stitchSurface.H"
 #include "triangleIndex.H"
 #include "unionBoundary.H"
 #include "wallSides.H"
@@ -19,6 +19,11 @@ namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Points are one if they are nearer than this share of the diagonal of the
+//  bounding box
+static constexpr scalar rounding = 1e-12;
+
 
 namespace
 {
@@ -54,6 +59,15 @@ faceList withoutCollapsed(const faceList& faces)
     }
 
     return subset(isKept, faces);
+}
+
+
+//- Makes points whose distance is rounding one; faces lose their patches
+void mergeRounded(wallSurface& surface)
+{
+    wallReading untold;
+    surface.patchIDs = labelList(surface.faces.size(), 0);
+    mergeNearPoints(surface, rounding, untold);
 }
 
 
@@ -163,6 +177,7 @@ bool isBalanced(const wallSurface& surface)
 
 void uniteExactly(wallSurface& surface, repairSteps& steps)
 {
+    mergeRounded(surface);
     surface.faces = trianglesWithArea(surface);
     turnOutwards(surface);
 
@@ -170,10 +185,9 @@ void uniteExactly(wallSurface& surface, repairSteps& steps)
     addStep(steps, "faces divided where bodies meet", boundary.nDivided);
     addStep(steps, "faces removed inside of other bodies", boundary.nInside);
 
-    repairSteps untold;
     surface.points = boundary.points;
     surface.faces = boundary.faces;
-    mergeEqualPoints(surface, untold);
+    mergeRounded(surface);
     surface.faces = withoutCollapsed(surface.faces);
     addStep(steps, "voids between bodies filled", fillVoids(surface));
     removeUnusedPoints(surface.faces, surface.points);

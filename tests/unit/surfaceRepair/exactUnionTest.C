@@ -76,6 +76,21 @@ TEST(exactUnion, overlappingBodies)
 }
 
 
+TEST(exactUnion, aContactWithPointsThatDifferByRounding)
+{
+    // The bodies are apart by rounding, and the points of their edges differ
+    const wallSurface left(translated(cube(2), vector(-1, -1, -0.5)));
+    wallSurface right(translated(cube(2), vector(0, 0, -0.5)));
+    for (point& x : right.points)
+    {
+        x += vector(3e-17, -5e-17, 8e-17);
+    }
+    const wallSurface surface(unitedAndFilled(merge(left, right)));
+    EXPECT_GT(volume(surface), 2 + 1e-9);
+    EXPECT_LT(volume(surface), 2.01);
+}
+
+
 TEST(exactUnion, bodiesThatTouchInEqualFaces)
 {
     const wallSurface surface
