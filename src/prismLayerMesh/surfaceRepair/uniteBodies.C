@@ -140,11 +140,13 @@ static void sendUnion(wallSurface surface, const scalar step, std::FILE* out)
         uniteExactly(surface, untold);
     }
 
-    stitchFaces(surface, made);
+    // Without low triangles first: some have no area in floating point, and
+    // would leave a hole
     addStep
     (
         made, "needles and low triangles removed", removeSlivers(step, surface)
     );
+    stitchFaces(surface, made);
     sendSurface(surface, made, out);
 }
 

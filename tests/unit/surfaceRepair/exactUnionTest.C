@@ -91,6 +91,40 @@ TEST(exactUnion, aContactWithPointsThatDifferByRounding)
 }
 
 
+TEST(exactUnion, trianglesWhoseAreaIsRoundingLeaveNoHoles)
+{
+    // A point beside the longest edge of a triangle by one rounding
+    for (label i = 0; i < 60; ++i)
+    {
+        wallSurface surface(translated(cube(1), vector(1, 0, 0)));
+        for (point& x : surface.points)
+        {
+            x = point(2.5, 1.5, 0) + 1.1106009389478*(x - point(2, 1, 0));
+        }
+        labelList faceOf;
+        surface.faces = wallTriangles(surface, faceOf);
+        const face f(surface.faces[i % 12]);
+        const label k = f.longestEdge(surface.points);
+        const label a = f[k];
+        const label b = f.nextLabel(k);
+        const label c = f.prevLabel(k);
+        const label m = surface.points.size();
+        const scalar share = (i + 0.4389399061)/60;
+        surface.points.append
+        (
+            surface.points[a] + share*(surface.points[b] - surface.points[a])
+        );
+        surface.faces[i % 12] = face({a, m, c});
+        surface.faces.append(face({m, b, c}));
+        surface.faces.append(face({b, m, a}));
+        surface.patchIDs = labelList(surface.faces.size(), 0);
+
+        const scalar before = volume(surface);
+        EXPECT_NEAR(volume(unitedAndFilled(surface)), before, 1e-12);
+    }
+}
+
+
 TEST(exactUnion, bodiesThatTouchInEqualFaces)
 {
     const wallSurface surface
