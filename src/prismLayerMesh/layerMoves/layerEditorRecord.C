@@ -52,66 +52,6 @@ void layerEditor::touch(const label c)
 }
 
 
-void layerEditor::addStates
-(
-    const labelHashSet& changed,
-    const labelUList& sent,
-    message& toOther
-) const
-{
-    DynamicList<label> places;
-    DynamicList<point> points;
-    DynamicList<scalar> thickness;
-    DynamicList<squeezeCause> causes;
-
-    forAll(sent, i)
-    {
-        if (changed.found(sent[i]))
-        {
-            const columnState now(state(sent[i]));
-            places.append(i);
-            points.append(now.points);
-            thickness.append(now.thickness);
-            causes.append(now.cause);
-        }
-    }
-    toOther.addList(places);
-    toOther.addList(points);
-    toOther.addList(thickness);
-    toOther.addList(causes);
-}
-
-
-void layerEditor::setStates
-(
-    const message& fromOther,
-    const labelUList& received
-)
-{
-    messageReader reader(fromOther);
-    const labelList places(reader.list<label>());
-    const pointField points(reader.list<point>());
-    const scalarField thickness(reader.list<scalar>());
-    const List<squeezeCause> causes(reader.list<squeezeCause>());
-    const label n = spacing_.nLayers;
-
-    forAll(places, i)
-    {
-        const label c = received[places[i]];
-        restore
-        (
-            c,
-            columnState
-            {
-                pointField(SubList<point>(points, n, i*n)),
-                thickness[i], causes[i]
-            }
-        );
-        touch(c);
-    }
-}
-
-
 void layerEditor::publish(const labelUList& changed)
 {
     if (team_.isAlone())
@@ -123,13 +63,28 @@ void layerEditor::publish(const labelUList& changed)
     List<message> toOthers(team_.size());
     forAll(toOthers, p)
     {
-        addStates(all, team_.sent()[p], toOthers[p]);
+        const labelUList& sent = team_.sent()[p];
+        columnStates states;
+        forAll(sent, i)
+        {
+            if (all.found(sent[i]))
+            {
+                states.append(i, state(sent[i]));
+            }
+        }
+        states.addTo(toOthers[p]);
     }
 
     const List<message> fromOthers(team_.exchange(toOthers));
     forAll(fromOthers, p)
     {
-        setStates(fromOthers[p], team_.received()[p]);
+        const columnStates states(fromOthers[p]);
+        for (label i = 0; i < states.size(); ++i)
+        {
+            const label c = team_.received()[p][states.place(i)];
+            restore(c, states[i]);
+            touch(c);
+        }
     }
 }
 
