@@ -7,6 +7,7 @@
 #include "layerSurfaces.H"
 #include "readPrismLayerControls.H"
 #include "returnMemory.H"
+#include "sharedFront.H"
 #include "sharedPiece.H"
 #include "StringStream.H"
 #include "throwingErrors.H"
@@ -18,19 +19,28 @@ namespace Foam
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Returns work(). If it fails, all processes of the team end what they do, and
-//  the error is thrown again.
+//  FatalError has the reason.
 template<class Work>
 static auto inTeam(const parallelRun& parallel, const Work& work)
 {
-    if (!parallel.isParallel())
-    {
-        return work();
-    }
-
     const throwingErrors throwing(true);
+    const auto workInMemory = [&]()
+    {
+        try
+        {
+            return work();
+        }
+        catch (const std::bad_alloc&)
+        {
+            FatalErrorInFunction
+                << "There is not enough memory" << exit(FatalError);
+            throw;
+        }
+    };
     try
     {
-        return parallel.team().guard(work);
+        return parallel.isParallel()
+          ? parallel.team().guard(workInMemory) : workInMemory();
     }
     catch (const teamError& e)
     {
@@ -77,7 +87,7 @@ static prismLayers gathered
     const prismLayers& own = mesh.made.layers;
     if (hasFarField || endOnParts(own))
     {
-        return gatherLayers(mesh, team);
+        return gatherLayers(mesh.front, own.points, own.nLayers, team);
     }
 
     pointField ends(2*own.nColumns());

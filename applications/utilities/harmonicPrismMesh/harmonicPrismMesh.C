@@ -59,6 +59,8 @@ Usage
 #include "Time.H"
 #include "waitPassively.H"
 
+#include <new>
+
 using namespace Foam;
 
 // * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
@@ -167,6 +169,14 @@ static bool helpMaster(const parallelRun& parallel, const caseWriter& writer)
 }
 
 
+//- Lets a lack of memory throw. The handler of OpenFOAM would abort without a
+//  message that says so.
+static void throwIfMemoryLacks()
+{
+    std::set_new_handler(nullptr);
+}
+
+
 int main(int argc, char *argv[])
 {
     waitPassively(argv);
@@ -179,6 +189,7 @@ int main(int argc, char *argv[])
     #include "setRootCase.H"
     #include "createTime.H"
 
+    throwIfMemoryLacks();
     Info<< "harmonicPrismMesh " << pluginVersion << nl << endl;
     const prismCase files(args, runTime);
     const parallelRun parallel(runTime);

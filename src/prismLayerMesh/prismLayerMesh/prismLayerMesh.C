@@ -6,7 +6,7 @@
 #include "prismLayerMesh.H"
 #include "layerStages.H"
 #include "returnMemory.H"
-#include "sharedPiece.H"
+#include "sharedFront.H"
 #include "stageText.H"
 
 namespace Foam
@@ -30,57 +30,6 @@ static void certifyMesh
     (
         layers, layerGeometry(layers, front.own.addressing), bounds, front.team
     );
-}
-
-
-//- The share of this process in a front
-static std::shared_ptr<const frontShare> shareOf
-(
-    const wallContext& context,
-    const layerFront& front,
-    const processTeam& processes
-)
-{
-    const label n = processes.size();
-
-    return std::make_shared<const frontShare>
-    (
-        makeFrontShare
-        (
-            front,
-            front.isBare() ? context.addressing : front.addressing,
-            front.isBare() ? context.visibility : front.visibility,
-            ownersByRange(context.wall.points.size(), n), n, processes.rank()
-        )
-    );
-}
-
-
-//- Completes a front that may be bare. In a team the share has all that is
-//  around its columns, and the whole front the axes of the columns alone.
-static void complete
-(
-    const wallContext& context,
-    const processTeam* processes,
-    prismLayerMesh& mesh
-)
-{
-    layerFront& front = mesh.front;
-    if (processes)
-    {
-        mesh.share = shareOf(context, front, *processes);
-        wallVisibility axes;
-        axes.cones =
-            front.isBare() ? context.visibility.cones : front.visibility.cones;
-        front.visibility = std::move(axes);
-        front.addressing = wallAddressing();
-        returnMemory();
-    }
-    else if (front.isBare())
-    {
-        front.addressing = context.addressing;
-        front.visibility = context.visibility;
-    }
 }
 
 
@@ -121,7 +70,7 @@ static prismLayerMesh makeLayersOnFront
         return mesh;
     }
 
-    complete(context, processes, mesh);
+    mesh.share = completeFront(context, processes, mesh.front);
     const columnTeam team(mesh.share.get(), processes);
     const guidedColumns front
     {
@@ -223,34 +172,6 @@ prismLayerMesh makePrismLayerMesh
     }
 
     return mesh;
-}
-
-
-prismLayers gatherLayers(const prismLayerMesh& mesh, const columnTeam& team)
-{
-    const prismLayers& own = mesh.made.layers;
-
-    return gatherLayers(mesh.front, own.points, own.nLayers, team);
-}
-
-
-prismLayers gatherLayers
-(
-    const layerFront& front,
-    const pointField& points,
-    const label nLayers,
-    const columnTeam& team
-)
-{
-    const pointField all(team.onMaster(points, nLayers + 1));
-    prismLayers layers;
-    if (team.isMaster())
-    {
-        layers = wholeLayers(front, nLayers);
-        layers.points = all;
-    }
-
-    return layers;
 }
 
 } // End namespace Foam
