@@ -86,6 +86,20 @@ labelList layerFront::extraColumnPoints() const
 }
 
 
+void layerFront::complete
+(
+    const wallAddressing& ofWall,
+    const wallVisibility& seenFromWall
+)
+{
+    if (isBare())
+    {
+        addressing = ofWall;
+        visibility = seenFromWall;
+    }
+}
+
+
 void layerFront::setConstraints
 (
     const wallAddressing& around,

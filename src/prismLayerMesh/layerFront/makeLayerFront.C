@@ -254,11 +254,7 @@ layerFront makeLayerFront
     (
         makeBareFront(wall, addressing, visibility, smallestAngle)
     );
-    if (front.isBare())
-    {
-        front.addressing = addressing;
-        front.visibility = visibility;
-    }
+    front.complete(addressing, visibility);
 
     return front;
 }

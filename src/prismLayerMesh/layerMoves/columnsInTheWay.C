@@ -79,11 +79,10 @@ labelList columnsInTheWay
 
         if (c < 0)
         {
-            const scalarField thickness
-            (
-                editor.thickness(), editor.layers().faces[facei]
-            );
-            others.append({facei, max(thickness)});
+            others.append
+            ({
+                facei, tallestOf(editor.layers(), facei, editor.thickness())
+            });
         }
         else if (editor.team().isOwn(c))
         {

@@ -55,10 +55,9 @@ std::shared_ptr<const frontShare> completeFront
         front.addressing = wallAddressing();
         returnMemory();
     }
-    else if (front.isBare())
+    else
     {
-        front.addressing = context.addressing;
-        front.visibility = context.visibility;
+        front.complete(context.addressing, context.visibility);
     }
 
     return share;

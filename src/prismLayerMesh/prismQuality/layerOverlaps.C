@@ -88,6 +88,17 @@ static DynamicList<overlappingStack> intersectingStacks
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
+scalar tallestOf
+(
+    const prismLayers& layers,
+    const label facei,
+    const scalarField& thickness
+)
+{
+    return max(scalarField(thickness, layers.faces[facei]));
+}
+
+
 List<overlappingStack> findOverlaps
 (
     const prismLayers& layers,

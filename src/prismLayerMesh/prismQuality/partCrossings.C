@@ -4,9 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "partCrossings.H"
-#include "boundBox.H"
 #include "HashSet.H"
 #include "labelledTriangle.H"
+#include "stackBoxes.H"
 #include "ListOps.H"
 
 #include <algorithm>
@@ -121,13 +121,7 @@ static labelList facesNear
 
     return subsetList(faces, [&](const label facei)
     {
-        boundBox box(boundBox::invertedBox);
-        for (const label c : layers.faces[facei])
-        {
-            box.add(layers(c, layers.nLayers));
-        }
-
-        return bounds.overlaps(box);
+        return bounds.overlaps(boxOf(layers, facei, layers.nLayers));
     });
 }
 

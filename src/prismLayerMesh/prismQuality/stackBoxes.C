@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "stackBoxes.H"
+#include "HashSet.H"
 
 namespace Foam
 {
@@ -15,11 +16,8 @@ boundBox stackBoxes::boxOf(const label group) const
     boundBox box(boundBox::invertedBox);
     for (const label facei : faces(group))
     {
-        for (const label c : layers_.faces[facei])
-        {
-            box.add(layers_(c, 0));
-            box.add(layers_(c, layers_.nLayers));
-        }
+        box.add(Foam::boxOf(layers_, facei, 0));
+        box.add(Foam::boxOf(layers_, facei, layers_.nLayers));
     }
 
     return box;

@@ -177,19 +177,6 @@ List<overlappingStack> stackExchange::tell() const
     return List<overlappingStack>(std::move(told));
 }
 
-
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
-scalar tallestOf
-(
-    const prismLayers& layers,
-    const label facei,
-    const scalarField& thickness
-)
-{
-    return max(scalarField(thickness, layers.faces[facei]));
-}
-
 } // End namespace Foam
 
 // ************************************************************************* //
