@@ -26,7 +26,7 @@ static labelList sweepOrder
 (
     const wallSurface& wall,
     const List<pointKind>& kinds,
-    const labelUList& part
+    const labelUList& wallPoints
 )
 {
     const auto rank = [&](const label p)
@@ -34,7 +34,7 @@ static labelList sweepOrder
         return isOnConcaveEdge(kinds[p]) ? 0
           : kinds[p] == pointKind::flat ? 1 : 2;
     };
-    labelList order(part);
+    labelList order(wallPoints);
 
     std::sort(order.begin(), order.end(), [&](const label p, const label q)
     {
@@ -164,6 +164,7 @@ envelopeRadii makeEnvelopeRadii
     (
         context.wall, context.addressing, sheetControls::maxSlope, radii.radius
     );
+    radii.edgeLengths = meanEdges(context.wall, context.addressing);
 
     return radii;
 }
@@ -173,13 +174,13 @@ offsetEnvelope makeOffsetEnvelope
 (
     const wallContext& context,
     const envelopeRadii& radii,
-    const labelUList& part,
+    const labelUList& wallPoints,
     const backgroundMeshControls& mesh,
     const scalar maxStretch
 )
 {
     const wallSurface& wall = context.wall;
-    const scalarField lengths(meanEdges(wall, context.addressing));
+    const scalarField& lengths = radii.edgeLengths;
     const scalarField closeness
     (
         closenessOf(context.kinds, radii.radius, lengths)
@@ -187,7 +188,7 @@ offsetEnvelope makeOffsetEnvelope
     envelopeRays rays(context, radii.wanted, maxStretch);
     boolList atTip(wall.points.size());
     scalar longest = 0;
-    for (const label p : sweepOrder(wall, context.kinds, part))
+    for (const label p : sweepOrder(wall, context.kinds, wallPoints))
     {
         const scalar r = radii.radius[p];
 
@@ -199,7 +200,7 @@ offsetEnvelope makeOffsetEnvelope
     }
 
     offsetEnvelope envelope;
-    envelope.radius = scalarField(radii.radius, part);
+    envelope.radius = scalarField(radii.radius, wallPoints);
     const sheetMaker maker{wall, context.search(), rays, closeness};
     const auto onOuter = [&](const envelopeRay& r) { return !atTip[r.p]; };
     maker.addSheet(1, mesh.radiusEdgeRatio, onOuter, envelope);

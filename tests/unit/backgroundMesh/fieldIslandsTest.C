@@ -24,7 +24,7 @@ static labelList islandsOf
     const wallContext context(wall);
     const scalarField all(wall.points.size(), radius);
 
-    return findFieldIslands(context, envelopeRadii{all, all, all});
+    return findFieldIslands(context, envelopeRadii{all, all, all, all});
 }
 
 
@@ -91,7 +91,10 @@ TEST(fieldIslands, pointsWithoutRoomNeedAField)
     limited[7] = 0.5*radius;
     const labelList islands
     (
-        findFieldIslands(context, envelopeRadii{wanted, limited, limited})
+        findFieldIslands
+        (
+            context, envelopeRadii{wanted, limited, limited, wanted}
+        )
     );
 
     ASSERT_FALSE(islands.empty());
