@@ -9,6 +9,7 @@
 #include "removeUnused.H"
 #include "wallPredicates.H"
 #include "wallSides.H"
+#include "wallVisibility.H"
 
 #include <algorithm>
 #include <iterator>
@@ -31,8 +32,11 @@ class sliverRemover
     //- The faces of each point at the beginning of a sweep
     std::vector<std::vector<label>> facesOf_;
 
-    //- Points around which something has changed in this sweep
-    std::vector<bool> isTouched_;
+    //- Points around which nothing may change
+    const bitSet& isFixed_;
+
+    //- Points around which something has changed in this sweep, or is fixed
+    bitSet isTouched_;
 
     void prepareSweep();
 
@@ -58,13 +62,14 @@ public:
     sliverRemover
     (
         const scalar length,
-        const pointField& points,
-        const faceList& faces
+        const wallSurface& surface,
+        const bitSet& isFixed
     )
     :
         length_(length),
-        points_(points),
-        faces_(faces)
+        points_(surface.points),
+        faces_(surface.faces),
+        isFixed_(isFixed)
     {}
 
     //- Returns the number of changes
@@ -84,7 +89,7 @@ void sliverRemover::prepareSweep()
             facesOf_[p].push_back(facei);
         }
     }
-    isTouched_.assign(points_.size(), false);
+    isTouched_ = isFixed_;
 }
 
 
@@ -133,10 +138,10 @@ std::set<label> sliverRemover::neighbours(const label p) const
 
 void sliverRemover::touchAround(const label p)
 {
-    isTouched_[p] = true;
+    isTouched_.set(p);
     for (const label q : neighbours(p))
     {
-        isTouched_[q] = true;
+        isTouched_.set(q);
     }
 }
 
@@ -197,7 +202,7 @@ bool sliverRemover::flip(const label facei)
     const face right{w, b, v};
     if
     (
-        v == w || isTouched_[w] || !facesOn(v, w).empty()
+        v == w || isTouched_.test(w) || !facesOn(v, w).empty()
      || !mayBecome(g, left) || !mayBecome(g, right)
      || min(height(left), height(right)) <= min(height(f), height(g))
     )
@@ -207,7 +212,7 @@ bool sliverRemover::flip(const label facei)
 
     for (const label p : {a, b, v, w})
     {
-        isTouched_[p] = true;
+        isTouched_.set(p);
     }
     faces_[facei] = left;
     faces_[other] = right;
@@ -228,7 +233,7 @@ label sliverRemover::sweep()
         const label b = sides.on(e)[0].high;
         if
         (
-            !isTouched_[a] && !isTouched_[b]
+            !isTouched_.test(a) && !isTouched_.test(b)
          && mag(points_[a] - points_[b]) < length_
         )
         {
@@ -240,8 +245,8 @@ label sliverRemover::sweep()
         const face& f = faces_[facei];
         if
         (
-            !isTouched_[f[0]] && !isTouched_[f[1]] && !isTouched_[f[2]]
-         && height(f) < length_
+            !isTouched_.test(f[0]) && !isTouched_.test(f[1])
+         && !isTouched_.test(f[2]) && height(f) < length_
         )
         {
             nChanges += flip(facei);
@@ -257,6 +262,46 @@ label sliverRemover::sweep()
     return nChanges;
 }
 
+//- Returns the points of faces whose visibility cone is empty
+bitSet pointsWithEmptyCones(const wallSurface& surface)
+{
+    wallSurface used(surface);
+    const labelList newLabels(removeUnusedPoints(used.faces, used.points));
+    const wallAddressing addressing(makeWallAddressing(used));
+    const wallVisibility visibility(makeWallVisibility(used, addressing));
+
+    bitSet isEmpty(newLabels.size());
+    forAll(newLabels, p)
+    {
+        const label q = newLabels[p];
+        isEmpty.set(p, q >= 0 && visibility.cones[q].empty());
+    }
+
+    return isEmpty;
+}
+
+
+//- Returns the points of contacts and of faces that intersect
+bitSet pointsInConflict(const wallSurface& surface)
+{
+    bitSet isFound(surface.points.size());
+    const surfaceContacts contacts(findContacts(surface));
+    isFound.set(contacts.points);
+    for (const edge& e : contacts.edges)
+    {
+        isFound.set(e);
+    }
+
+    const bitSet none(surface.faces.size());
+    for (const labelPair& pair : findIntersectingFaces(surface, none))
+    {
+        isFound.set(surface.faces[pair.first()]);
+        isFound.set(surface.faces[pair.second()]);
+    }
+
+    return isFound;
+}
+
 } // End anonymous namespace
 
 
@@ -266,33 +311,41 @@ label removeSlivers(const scalar length, wallSurface& surface)
 {
     static constexpr label maxSweeps = 20;
 
-    for (scalar tried = length; tried > 0.5e-6*length; tried *= 0.01)
+    surface.patchIDs = labelList(surface.faces.size(), 0);
+    const bitSet wasEmpty(pointsWithEmptyCones(surface));
+    bitSet isFixed(surface.points.size());
+    wallSurface result(surface);
+    label nChanges;
+    bool isSound = false;
+
+    while (!isSound)
     {
-        sliverRemover remover(tried, surface.points, surface.faces);
-        label nChanges = 0;
+        sliverRemover remover(length, surface, isFixed);
+        nChanges = 0;
         label n = 1;
         for (label i = 0; n && i < maxSweeps; ++i)
         {
             n = remover.sweep();
             nChanges += n;
         }
-
-        wallSurface result(surface);
         result.faces = remover.faces();
-        removeUnusedPoints(result.faces, result.points);
-        if
-        (
-            findContacts(result).empty()
-         && findIntersectingFaces(result, bitSet(result.faces.size())).empty()
-        )
-        {
-            surface = result;
+        result.patchIDs = labelList(result.faces.size(), 0);
 
-            return nChanges;
+        bitSet conflicts(pointsInConflict(result));
+        if (conflicts.none())
+        {
+            conflicts = pointsWithEmptyCones(result);
+            conflicts -= wasEmpty;
         }
+        const label nFixed = isFixed.count();
+        isFixed |= conflicts;
+        isSound = isFixed.count() == nFixed;
     }
 
-    return 0;
+    removeUnusedPoints(result.faces, result.points);
+    surface = result;
+
+    return nChanges;
 }
 
 } // End namespace Foam

@@ -4,10 +4,68 @@
 \*---------------------------------------------------------------------------*/
 
 #include "removeSlivers.H"
+#include "surfaceMeasures.H"
+#include "testSurfaces.H"
+#include "wallDefects.H"
+#include "wallVisibility.H"
 
 #include <gtest/gtest.h>
 
 using namespace Foam;
+using namespace Foam::testSurfaces;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- The screw about the origin, its point there divided: into a on the x axis,
+//  and b on the y axis
+static wallSurface splitScrew(const scalar distance)
+{
+    wallSurface wall(screw(Zero));
+    const auto labelOf = [&](const point& x)
+    {
+        label nearest;
+        forAll(wall.points, p)
+        {
+            nearest = !p || mag(wall.points[p] - x)
+              < mag(wall.points[nearest] - x) ? p : nearest;
+        }
+        return nearest;
+    };
+    const label a = labelOf(Zero);
+    const label b = wall.points.size();
+    const label up = labelOf({0, 0, 1});
+    const label back = labelOf({0, -1, 0});
+    wall.points[a] = point(distance, 0, 0);
+    wall.points.append(point(0, distance, 0));
+
+    DynamicList<face> added;
+    for (face& f : wall.faces)
+    {
+        const label i = f.find(a);
+        if (i >= 0 && !f.found(labelOf({1, 0, 0})))
+        {
+            f[i] = b;
+        }
+        for (const label p : {up, back})
+        {
+            if (i >= 0 && f[i] == a && f.nextLabel(i) == p)
+            {
+                added.append(face({p, a, b}));
+            }
+            if (i >= 0 && f[i] == a && f.prevLabel(i) == p)
+            {
+                added.append(face({a, p, b}));
+            }
+        }
+    }
+
+    wallSurface triangles(triangulated(wall));
+    triangles.faces.append(added);
+    triangles.patchIDs.append(labelList(added.size(), 0));
+
+    return triangles;
+}
+
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
@@ -32,6 +90,56 @@ TEST(removeSlivers, flipsAreNotTakenBack)
 
     EXPECT_GT(removeSlivers(0.08, surface), 0);
     EXPECT_EQ(removeSlivers(0.08, surface), 0);
+}
+
+
+TEST(removeSlivers, whatCannotGoStaysAndTheRestGoes)
+{
+    // A plate much thinner than the length would lose its thickness. A point
+    // of the ball, above, is near to another one.
+    wallSurface plate(cube(2));
+    for (point& x : plate.points)
+    {
+        x.z() *= 1e-3;
+    }
+    wallSurface ball(translated(sphere(3), {0, 0, 5}));
+    const face f(ball.faces[0]);
+    const label added = ball.points.size();
+    const point x(ball.points[f[0]]);
+    const point near(x + 5e-3*(f.centre(ball.points) - x));
+    ball.points.append(near);
+    ball.faces[0] = face({added, f[1], f[2]});
+    ball.faces.append(face({f[0], f[1], added}));
+    ball.faces.append(face({f[0], added, f[2]}));
+    ball.patchIDs.append(labelList(2, 0));
+
+    wallSurface both(merge(plate, ball));
+    EXPECT_GT(removeSlivers(0.01, both), 0);
+    EXPECT_TRUE(findWallDefects(both).empty());
+    EXPECT_FALSE(both.points.found(near));
+    EXPECT_GT
+    (
+        measuresOf(both).volume, measuresOf(ball).volume + 0.3e-3
+    );
+}
+
+
+TEST(removeSlivers, noPointLosesItsDirections)
+{
+    // Without the edge from a to b the point would be the screw's, which has
+    // none
+    const wallSurface wall(splitScrew(1e-3));
+    const auto emptyCones = [](const wallSurface& w)
+    {
+        return makeWallVisibility(w, makeWallAddressing(w)).emptyCones();
+    };
+    ASSERT_TRUE(findWallDefects(wall).empty());
+    ASSERT_TRUE(emptyCones(wall).empty());
+
+    wallSurface result(wall);
+    removeSlivers(0.01, result);
+    EXPECT_TRUE(emptyCones(result).empty());
+    EXPECT_EQ(result.points.size(), wall.points.size());
 }
 
 
