@@ -242,6 +242,16 @@ layerFront makeBareFront
 }
 
 
+labelList pointsWithoutDirection(const wallSurface& wall)
+{
+    const wallAddressing addressing(makeWallAddressing(wall));
+    const wallVisibility visibility(makeWallVisibility(wall, addressing));
+
+    return
+        makeBareFront(wall, addressing, visibility, 0).pointsWithoutDirection;
+}
+
+
 layerFront makeLayerFront
 (
     const wallSurface& wall,

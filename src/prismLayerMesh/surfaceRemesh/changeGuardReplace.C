@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "changeGuard.H"
+#include "wallVisibility.H"
 
 #include <algorithm>
 
@@ -27,6 +28,18 @@ static vector normalOf(const labelledTriangle& t)
     const vector n((t.points[1] - t.points[0]) ^ (t.points[2] - t.points[0]));
 
     return n/max(mag(n), VSMALL);
+}
+
+
+//- Whether no direction is in front of all faces with these normals
+static bool isBlind(const UList<vector>& normals)
+{
+    const vector mean(sum(normals));
+    const auto isBehind = [&](const vector& n) { return (n & mean) <= 0; };
+
+    return
+        std::any_of(normals.begin(), normals.end(), isBehind)
+     && makeVisibilityCone(normals).empty();
 }
 
 
@@ -58,32 +71,62 @@ static bool isConflict
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+vector changeGuard::normalOf(const Face f) const
+{
+    vector n(Zero);
+    const point& x = mesh_.point(mesh_.target(mesh_.halfedge(f)));
+    for (const Halfedge h : mesh_.halfedges_around_face(mesh_.halfedge(f)))
+    {
+        n += (mesh_.point(mesh_.source(h)) - x)
+          ^ (mesh_.point(mesh_.target(h)) - x);
+    }
+
+    return n/max(mag(n), VSMALL);
+}
+
+
 bool changeGuard::isFolded(const Face f) const
 {
-    const auto normal = [&](const Face g)
-    {
-        vector n(Zero);
-        const point& x = mesh_.point(mesh_.target(mesh_.halfedge(g)));
-        for (const Halfedge h : mesh_.halfedges_around_face(mesh_.halfedge(g)))
-        {
-            n += (mesh_.point(mesh_.source(h)) - x)
-              ^ (mesh_.point(mesh_.target(h)) - x);
-        }
-
-        return n/max(mag(n), VSMALL);
-    };
-
-    const vector n(normal(f));
+    const vector n(normalOf(f));
     for (const Halfedge h : mesh_.halfedges_around_face(mesh_.halfedge(f)))
     {
         const Face g = mesh_.face(mesh_.opposite(h));
-        if (g != Mesh::null_face() && (n & normal(g)) < foldCosine())
+        if (g != Mesh::null_face() && (n & normalOf(g)) < foldCosine())
         {
             return true;
         }
     }
 
     return false;
+}
+
+
+bool changeGuard::blinds
+(
+    const triangleList& made,
+    const std::vector<Face>& replaced,
+    const label v
+) const
+{
+    DynamicList<vector> before;
+    DynamicList<vector> after;
+    for (const labelledTriangle& t : made)
+    {
+        if (std::count(t.labels, t.labels + 3, v))
+        {
+            after.append(Foam::normalOf(t));
+        }
+    }
+    for (const Face f : v < 0 ? replaced : facesAt(Vertex(v)))
+    {
+        before.append(normalOf(f));
+        if (std::find(replaced.begin(), replaced.end(), f) == replaced.end())
+        {
+            after.append(before.last());
+        }
+    }
+
+    return isBlind(after) && !isBlind(before);
 }
 
 
@@ -150,6 +193,18 @@ bool changeGuard::mayReplace
             return false;
         }
         box.add(Foam::boxOf(*t));
+    }
+
+    for (const labelledTriangle& t : made)
+    {
+        const auto blind = [&](const label v)
+        {
+            return blinds(made, replaced, v);
+        };
+        if (std::any_of(t.labels, t.labels + 3, blind))
+        {
+            return false;
+        }
     }
 
     return !grid_.any

@@ -5,7 +5,10 @@
 
 #include "remeshFaults.H"
 #include "edgeHashes.H"
+#include "layerFront.H"
 #include "wallSides.H"
+
+#include <algorithm>
 
 namespace Foam
 {
@@ -47,7 +50,7 @@ static List<labelPair> facesAway
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-labelList withFolded
+labelList withRoomless
 (
     const labelUList& faces,
     const remesher& mesher,
@@ -57,7 +60,7 @@ labelList withFolded
     const edgeHashSet foldedBefore(mesher.edited().features(foldCosine()));
     const vectorField normals(surface.faceNormals());
     const wallSides all(makeWallSides(surface.faces, surface.points.size()));
-    DynamicList<label> folded(faces);
+    DynamicList<label> faults(faces);
 
     for (label e = 0; e < all.nEdges(); ++e)
     {
@@ -70,13 +73,27 @@ labelList withFolded
         {
             if ((normals[first] & normals[other.facei]) < foldCosine())
             {
-                folded.append(first);
-                folded.append(other.facei);
+                faults.append(first);
+                faults.append(other.facei);
             }
         }
     }
 
-    return labelList(std::move(folded));
+    const bitSet isBlind
+    (
+        surface.points.size(), pointsWithoutDirection(surface)
+    );
+    forAll(surface.faces, facei)
+    {
+        const face& f = surface.faces[facei];
+        const auto blind = [&](const label p) { return isBlind.test(p); };
+        if (std::any_of(f.begin(), f.end(), blind))
+        {
+            faults.append(facei);
+        }
+    }
+
+    return labelList(std::move(faults));
 }
 
 

@@ -5,6 +5,9 @@
 
 #include "remesher.H"
 #include "cutSurface.H"
+#include "layerFront.H"
+#include "mathematicalConstants.H"
+#include "surfaceMeasures.H"
 #include "testSurfaces.H"
 
 #include <gtest/gtest.h>
@@ -35,6 +38,44 @@ static wallSurface remeshed(const wallSurface& surface, const bool guarded)
 }
 
 
+//- A ring with a groove 0.6 m deep and 0.04 m wide at its top, which goes round
+static wallSurface groovedRing(const label nSegments)
+{
+    const List<vector2D> profile
+    ({{1, 0}, {2, 0}, {2, 1}, {1.52, 1}, {1.5, 0.4}, {1.48, 1}, {1, 1}});
+    const label m = profile.size();
+    DynamicList<point> points;
+    DynamicList<face> quads;
+
+    for (label i = 0; i < nSegments; ++i)
+    {
+        const scalar angle = i*constant::mathematical::twoPi/nSegments;
+        const label next = (i + 1) % nSegments*m;
+        for (label k = 0; k < m; ++k)
+        {
+            const label up = (k + 1) % m;
+            points.append
+            (
+                point
+                (
+                    profile[k].x()*Foam::cos(angle),
+                    profile[k].x()*Foam::sin(angle), profile[k].y()
+                )
+            );
+            quads.append(face({i*m + k, next + k, next + up, i*m + up}));
+        }
+    }
+
+    wallSurface ring;
+    ring.points = points;
+    ring.faces = quads;
+    ring.patchIDs = labelList(quads.size(), 0);
+    ring.patchNames = wordList({"wall"});
+
+    return triangulated(ring);
+}
+
+
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
 TEST(remesher, guardedChangesMakeNoIntersections)
@@ -50,6 +91,19 @@ TEST(remesher, guardedChangesMakeNoIntersections)
     const wallSurface result(remeshed(shell, true));
     EXPECT_TRUE(facesInConflict(result).empty());
     EXPECT_LT(result.faces.size(), shell.faces.size());
+}
+
+
+TEST(remesher, guardedChangesLeaveNoPointWithoutDirection)
+{
+    const wallSurface ring(groovedRing(13));
+    ASSERT_GT(measuresOf(ring).volume, 0);
+    ASSERT_TRUE(pointsWithoutDirection(ring).empty());
+    EXPECT_FALSE(pointsWithoutDirection(remeshed(ring, false)).empty());
+
+    const wallSurface result(remeshed(ring, true));
+    EXPECT_TRUE(pointsWithoutDirection(result).empty());
+    EXPECT_NE(result.faces.size(), ring.faces.size());
 }
 
 
