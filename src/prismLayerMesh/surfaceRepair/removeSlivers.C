@@ -55,6 +55,9 @@ class sliverRemover
 
     bool collapse(label from, label to);
 
+    //- Removes a point of three faces that are all low, by a collapse
+    bool removeSpike(label p);
+
     bool flip(label facei);
 
 public:
@@ -182,6 +185,30 @@ bool sliverRemover::collapse(const label from, const label to)
 }
 
 
+bool sliverRemover::removeSpike(const label p)
+{
+    const std::vector<label>& faces = facesOf_[p];
+    const auto isLow = [&](const label facei)
+    {
+        return height(faces_[facei]) < length_;
+    };
+    if (faces.size() != 3 || !std::all_of(faces.begin(), faces.end(), isLow))
+    {
+        return false;
+    }
+
+    const std::set<label> around(neighbours(p));
+
+    return std::any_of
+    (
+        around.begin(), around.end(), [&](const label q)
+        {
+            return !isTouched_.test(q) && collapse(p, q);
+        }
+    );
+}
+
+
 bool sliverRemover::flip(const label facei)
 {
     const face& f = faces_[facei];
@@ -239,6 +266,10 @@ label sliverRemover::sweep()
         {
             nChanges += collapse(b, a) || collapse(a, b);
         }
+    }
+    forAll(facesOf_, p)
+    {
+        nChanges += !isTouched_.test(p) && removeSpike(p);
     }
     forAll(faces_, facei)
     {

@@ -143,4 +143,41 @@ TEST(removeSlivers, noPointLosesItsDirections)
 }
 
 
+TEST(removeSlivers, aThinSpikeGoes)
+{
+    // A needle 2 m long and about 1e-3 m thick on a face of a ball
+    wallSurface spiked(sphere(3));
+    const scalar volume = measuresOf(spiked).volume;
+    const face f(spiked.faces[0]);
+    const point centre(f.centre(spiked.points));
+    const vector normal(f.unitNormal(spiked.points));
+    pointField corners(3);
+    forAll(corners, k)
+    {
+        corners[k] = centre + 2e-3*(spiked.points[f[k]] - centre);
+    }
+    const label first = spiked.points.size();
+    spiked.points.append(corners);
+    spiked.points.append(point(centre + 2*normal));
+    const face g({first, first + 1, first + 2});
+
+    spiked.faces[0] = face({g[0], g[1], first + 3});
+    spiked.faces.append(face({g[1], g[2], first + 3}));
+    spiked.faces.append(face({g[2], g[0], first + 3}));
+    for (label k = 0; k < 3; ++k)
+    {
+        const label next = (k + 1) % 3;
+        spiked.faces.append(face({f[k], f[next], g[next]}));
+        spiked.faces.append(face({f[k], g[next], g[k]}));
+    }
+    spiked.patchIDs = labelList(spiked.faces.size(), 0);
+    ASSERT_TRUE(findWallDefects(spiked).empty());
+
+    EXPECT_GT(removeSlivers(0.01, spiked), 0);
+    EXPECT_FALSE(spiked.points.found(centre + 2*normal));
+    EXPECT_TRUE(findWallDefects(spiked).empty());
+    EXPECT_NEAR(measuresOf(spiked).volume, volume, 1e-5);
+}
+
+
 // ************************************************************************* //
