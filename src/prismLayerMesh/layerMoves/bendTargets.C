@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "bendTargets.H"
+#include "scaledJacobian.H"
 #include "stackHeights.H"
 #include "unitConversion.H"
 
@@ -12,7 +13,11 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bendTargets bendTargets::withMargins(const layerMoveControls& controls)
+bendTargets bendTargets::withMargins
+(
+    const layerMoveControls& controls,
+    const scalarField& attainable
+)
 {
     const qualityControls& quality = controls.quality;
 
@@ -21,10 +26,24 @@ bendTargets bendTargets::withMargins(const layerMoveControls& controls)
         Foam::cos(degToRad(quality.maxNonOrtho - controls.angleMargin));
     targets.faces.skewness = controls.skewnessShare*quality.maxInternalSkewness;
     targets.faces.planarity = controls.targetPlanarity;
+    targets.jacobians =
+        min(controls.targetJacobian, controls.jacobianShare*attainable);
     targets.firstHeightWeight = controls.firstHeightWeight;
     targets.thicknessWeight = controls.thicknessWeight;
 
     return targets;
+}
+
+
+bool bendTargets::missesJacobian
+(
+    const prismLayers& layers,
+    const label facei
+) const
+{
+    const scalar target = jacobian(facei);
+
+    return target > 0 && worstJacobian(layers, facei, target) < target;
 }
 
 
@@ -60,9 +79,10 @@ void bendTargets::keep(const layerEditor& editor, const labelUList& columns)
 
 labelList stacksMissingTargets
 (
+    const prismLayers& layers,
     const layerGeometry& geometry,
     const labelUList& faces,
-    const faceTargets& targets
+    const bendTargets& targets
 )
 {
     boolList missesTargets(faces.size());
@@ -70,7 +90,9 @@ labelList stacksMissingTargets
     #pragma omp parallel for schedule(dynamic, 64) if (faces.size() > 64)
     forAll(faces, i)
     {
-        missesTargets[i] = geometry.violation(faces[i], targets) > 0;
+        missesTargets[i] =
+            targets.missesJacobian(layers, faces[i])
+         || geometry.violation(faces[i], targets.faces) > 0;
     }
 
     return subset(missesTargets, labelList(faces));

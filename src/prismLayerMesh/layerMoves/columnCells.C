@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "columnCells.H"
+#include "scaledJacobian.H"
 #include "stackHeights.H"
 
 namespace Foam
@@ -209,6 +210,38 @@ scalar columnCells::sumOfFaces()
 }
 
 
+scalar columnCells::jacobianResidual(const stack& s, const label i) const
+{
+    return controls_.jacobianWeight
+       *jacobianViolation(layers_, s.columns, i, targets_.jacobian(s.facei));
+}
+
+
+scalar columnCells::sumOfCells()
+{
+    missedCells_.clear();
+    scalar sum = 0;
+
+    forAll(stacks_, stacki)
+    {
+        const stack& s = stacks_[stacki];
+        const bool misses = targets_.missesJacobian(layers_, s.facei);
+
+        for (label i = 1; misses && i <= layers_.nLayers; ++i)
+        {
+            const scalar residual = jacobianResidual(s, i);
+            if (residual > 0)
+            {
+                missedCells_.append(labelPair(stacki, i));
+                sum += sqr(residual);
+            }
+        }
+    }
+
+    return sum;
+}
+
+
 FixedList<vector, 2> columnCells::displacements() const
 {
     const label n = layers_.nLayers;
@@ -249,7 +282,7 @@ columnCells::columnCells
         (
             stack
             {
-                f, targets.heights[facei],
+                facei, f, targets.heights[facei],
                 labelList(f.size()), boolList(f.size()),
                 List<faceGeometry>(n + 1), pointField(n), scalarField(n)
             }
@@ -266,7 +299,7 @@ columnCells::columnCells
 scalar columnCells::evaluate()
 {
     update();
-    scalar sum = sumOfFaces();
+    scalar sum = sumOfFaces() + sumOfCells();
 
     for (stack& s : stacks_)
     {

@@ -65,12 +65,12 @@ struct improvement
     //- Keep the targets around columns, which are about to bend, on all shares
     void keepTargets(const labelUList& columns, bendTargets& targets) const;
 
-    //- Bend columns of faces that are beyond bounds, of stacks that are looked
+    //- Bend columns of faces and cells beyond bounds, of stacks that are looked
     //  at, and of stacks around columns that bend. Returns the columns that
     //  bent and stay so.
     labelHashSet bendTo
     (
-        const faceTargets& bounds,
+        const bendTargets& bounds,
         bendTargets& targets,
         editedGeometry& geometry,
         labelList looked
@@ -206,7 +206,7 @@ void improvement::limitJumps()
 
 labelHashSet improvement::bendTo
 (
-    const faceTargets& bounds,
+    const bendTargets& bounds,
     bendTargets& targets,
     editedGeometry& geometry,
     labelList looked
@@ -229,7 +229,10 @@ labelHashSet improvement::bendTo
         (
             moves.notBarredOf
             (
-                stacksMissingTargets(geometry.now(), looked, bounds)
+                stacksMissingTargets
+                (
+                    editor.layers(), geometry.now(), looked, bounds
+                )
             )
         );
         keepTargets(columns, targets);
@@ -261,7 +264,10 @@ void improvement::bend()
     const layerMoveControls& controls = editor.controls();
     const qualityControls& quality = controls.quality;
 
-    bendTargets targets(bendTargets::withMargins(controls));
+    bendTargets targets
+    (
+        bendTargets::withMargins(controls, judge.attainable())
+    );
     editedGeometry geometry(editor);
     const label then = editor.now();
     const faceList& faces = editor.layers().faces;
@@ -269,12 +275,16 @@ void improvement::bend()
     (
         editor.team().withOwn(identity(faces.size()), faces)
     );
-    labelList stacks(stacksMissingTargets(geometry.now(), all, targets.faces));
-    bendTo(targets.faces, targets, geometry, stacks);
+    labelList stacks
+    (
+        stacksMissingTargets(editor.layers(), geometry.now(), all, targets)
+    );
+    bendTo(targets, targets, geometry, stacks);
 
     if (quality.priority == qualityControls::priorities::quality)
     {
-        const faceTargets bounds
+        bendTargets bounds;
+        bounds.faces = faceTargets
         {
             Foam::cos(degToRad(quality.maxNonOrtho)),
             quality.maxInternalSkewness, SMALL

@@ -119,7 +119,7 @@ void columnCells::linearise()
 }
 
 
-void columnCells::residuals(DynamicList<scalar>& all)
+void columnCells::updateMoved()
 {
     for (const labelPair& level : movedLevels_)
     {
@@ -133,6 +133,12 @@ void columnCells::residuals(DynamicList<scalar>& all)
     {
         updateCell(cell.first(), cell.second());
     }
+}
+
+
+void columnCells::residuals(DynamicList<scalar>& all)
+{
+    updateMoved();
 
     all.clear();
     for (const stack& s : stacks_)
@@ -173,6 +179,10 @@ void columnCells::residuals(DynamicList<scalar>& all)
     for (const labelPair& side : missedSides_)
     {
         append(onSide(sides_[side.first()], side.second(), residualsOf));
+    }
+    for (const labelPair& cell : missedCells_)
+    {
+        all.append(jacobianResidual(stacks_[cell.first()], cell.second()));
     }
     for (const vector& d : displacements())
     {

@@ -210,6 +210,39 @@ scalar jacobianPenalty
     return share >= 0 ? max(1 - share, scalar(0)) : 1 - share/(1 - share);
 }
 
+
+scalar jacobianViolation
+(
+    const prismLayers& layers,
+    const face& f,
+    const label i,
+    const scalar target
+)
+{
+    scalar sum = 0;
+
+    for (const label level : {i - 1, i})
+    {
+        vector before(layers(f[0], level) - layers(f.last(), level));
+
+        forAll(f, k)
+        {
+            const vector edge
+            (
+                layers(f.nextLabel(k), level) - layers(f[k], level)
+            );
+            const vector side(layers(f[k], i) - layers(f[k], i - 1));
+            const scalar lengths = mag(before)*mag(edge)*mag(side);
+            const scalar jacobian =
+                ((before ^ edge) & side)/max(lengths, VSMALL);
+            sum += sqr(max(target - jacobian, scalar(0)));
+            before = edge;
+        }
+    }
+
+    return Foam::sqrt(sum);
+}
+
 } // End namespace Foam
 
 // ************************************************************************* //

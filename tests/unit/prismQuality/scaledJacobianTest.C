@@ -126,4 +126,23 @@ TEST(jacobianPenalty, looksAtTheLayersFromTheLowestUp)
 }
 
 
+TEST(jacobianViolation, countsTheSixCornersOfAPrism)
+{
+    for (const scalar cosine : {1.0, 0.5, 0.1, -0.3})
+    {
+        for (const scalar target : {0.2, 0.8})
+        {
+            const prismLayers layers(sheared(cosine));
+
+            EXPECT_NEAR
+            (
+                jacobianViolation(layers, layers.faces[0], 1, target),
+                ::sqrt(6.0)*max(target - ofTriangle*cosine, 0.0),
+                1e-12
+            );
+        }
+    }
+}
+
+
 // ************************************************************************* //
