@@ -6,7 +6,6 @@
 #include "improveTets.H"
 #include "farFieldMeshControls.H"
 #include "stageProgress.H"
-#include "tetAddressing.H"
 #include "tetImprover.H"
 
 namespace Foam
@@ -30,7 +29,7 @@ void improveTets(const neighbourCells& neighbours, farFieldTets& mesh)
 
     mesh.points = improver.points();
     mesh.tets = improver.tets().remaining();
-    mesh.neighbours = tetNeighbours(mesh.tets, mesh.points.size());
+    mesh.neighbours = improver.tets().remainingNeighbours();
 }
 
 } // End namespace Foam

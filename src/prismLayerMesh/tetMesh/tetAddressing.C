@@ -51,6 +51,7 @@ public:
             const std::pair<label, Rest> key(keyOf(i));
             keys_[ends[key.first]++] = keyed(key.second, i);
         }
+        #pragma omp parallel for schedule(dynamic, 1024)
         for (label p = 0; p < nPoints; ++p)
         {
             std::sort
@@ -60,19 +61,16 @@ public:
         }
     }
 
-    //- Calls visit(p, rest, i, isNew) for the items in their order; isNew is
-    //  false if the last one was equal
+    //- Calls visit(rest, i, isNew) for the items of a point in their order;
+    //  isNew is false if the last one was equal
     template<class Visit>
-    void visit(const Visit& visit) const
+    void visit(const label p, const Visit& visit) const
     {
-        for (label p = 0; p + 1 < starts_.size(); ++p)
+        for (label k = starts_[p]; k < starts_[p + 1]; ++k)
         {
-            for (label k = starts_[p]; k < starts_[p + 1]; ++k)
-            {
-                const bool isNew =
-                    k == starts_[p] || keys_[k].first != keys_[k - 1].first;
-                visit(p, keys_[k].first, keys_[k].second, isNew);
-            }
+            const bool isNew =
+                k == starts_[p] || keys_[k].first != keys_[k - 1].first;
+            visit(keys_[k].first, keys_[k].second, isNew);
         }
     }
 };
@@ -103,20 +101,26 @@ List<FixedList<label, 4>> tetNeighbours
         }
     );
     List<FixedList<label, 4>> neighbours(tets.size(), FixedList<label, 4>(-1));
-    label last = -1;
 
-    buckets.visit
-    (
-        [&](label, const twoPoints&, const label k, const bool isNew)
-        {
-            if (!isNew)
+    #pragma omp parallel for schedule(dynamic, 1024)
+    for (label p = 0; p < nPoints; ++p)
+    {
+        label last = -1;
+
+        buckets.visit
+        (
+            p,
+            [&](const twoPoints&, const label k, const bool isNew)
             {
-                neighbours[k/4][k % 4] = last/4;
-                neighbours[last/4][last % 4] = k/4;
+                if (!isNew)
+                {
+                    neighbours[k/4][k % 4] = last/4;
+                    neighbours[last/4][last % 4] = k/4;
+                }
+                last = k;
             }
-            last = k;
-        }
-    );
+        );
+    }
 
     return neighbours;
 }
@@ -146,17 +150,21 @@ void setTetEdges
     DynamicList<edge> found(2*tets.size());
     tetEdges.setSize(tets.size());
 
-    buckets.visit
-    (
-        [&](const label p, const label q, const label k, const bool isNew)
-        {
-            if (isNew)
+    for (label p = 0; p < nPoints; ++p)
+    {
+        buckets.visit
+        (
+            p,
+            [&](const label q, const label k, const bool isNew)
             {
-                found.append(edge(p, q));
+                if (isNew)
+                {
+                    found.append(edge(p, q));
+                }
+                tetEdges[k/6][k % 6] = found.size() - 1;
             }
-            tetEdges[k/6][k % 6] = found.size() - 1;
-        }
-    );
+        );
+    }
 
     edges.transfer(found);
 }

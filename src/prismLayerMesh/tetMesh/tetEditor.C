@@ -104,7 +104,20 @@ tetEditor::tetEditor(const tetCellList& tets, const label nPoints)
     neighbours_(tetNeighbours(tets, nPoints)),
     pointTets_(nPoints)
 {
+    labelList nTets(nPoints, 0);
+    for (const tetCell& tet : tets)
+    {
+        for (const label p : tet)
+        {
+            ++nTets[p];
+        }
+    }
+
     pointTets_.setSize(nPoints);
+    forAll(nTets, p)
+    {
+        pointTets_[p].setCapacity(nTets[p]);
+    }
 
     forAll(tets_, t)
     {
@@ -259,6 +272,30 @@ tetCellList tetEditor::remaining() const
     }
 
     return tetCellList(std::move(tets));
+}
+
+
+List<FixedList<label, 4>> tetEditor::remainingNeighbours() const
+{
+    labelList positions(size(), -1);
+    label n = 0;
+    forAll(positions, t)
+    {
+        positions[t] = removed(t) ? -1 : n++;
+    }
+
+    List<FixedList<label, 4>> neighbours(n);
+    forAll(positions, t)
+    {
+        for (label i = 0; !removed(t) && i < 4; ++i)
+        {
+            const label neighbour = neighbours_[t][i];
+            neighbours[positions[t]][i] =
+                neighbour < 0 ? -1 : positions[neighbour];
+        }
+    }
+
+    return neighbours;
 }
 
 } // End namespace Foam

@@ -95,6 +95,10 @@ TEST(tetEditor, replacesTetrahedraAndTakesThatBack)
     EXPECT_EQ(editor.remaining().size(), 2);
     EXPECT_EQ(editor.neighbour(two[0], 0), two[1]);
     EXPECT_EQ(editor.pointTets(0), labelList({two[0]}));
+    EXPECT_EQ
+    (
+        editor.remainingNeighbours(), tetNeighbours(editor.remaining(), 5)
+    );
 
     editor.replace(two, three);
     expectConsistent(editor);
