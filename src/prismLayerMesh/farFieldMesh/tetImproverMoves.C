@@ -7,6 +7,7 @@
 #include "farFieldMeshControls.H"
 #include "tetrahedralize.H"
 #include "HashSet.H"
+#include "ListOps.H"
 
 namespace Foam
 {
@@ -83,15 +84,16 @@ void tetImprover::markChanged(const labelUList& points)
     for (const label p : points)
     {
         changed_[p] = pass_;
+        touched_.append(p);
     }
 }
 
 
 bool tetImprover::hasChanged(const label t) const
 {
-    for (const label p : tets_[t])
+    for (label k = 0; t >= 0 && k < 4; ++k)
     {
-        if (changed_[p] + 1 >= pass_)
+        if (changed_[tets_[t][k]] + 1 >= pass_)
         {
             return true;
         }
@@ -101,27 +103,29 @@ bool tetImprover::hasChanged(const label t) const
 }
 
 
-List<labelPair> tetImprover::facesMissingTargets() const
+List<labelPair> tetImprover::allMissingTargets() const
 {
-    DynamicList<labelPair> faces;
+    // Bit i is for face i
+    labelList missing(tets_.size(), 0);
 
-    for (label t = 0; t < tets_.size(); ++t)
+    #pragma omp parallel for schedule(static, 256)
+    forAll(missing, t)
     {
-        if (tets_.removed(t))
-        {
-            continue;
-        }
-
         for (label i = 0; i < 4; ++i)
         {
-            const label neighbour = tets_.neighbour(t, i);
+            if (isOwner(t, i) && violation_.missesTargets(t, i))
+            {
+                missing[t] |= 1 << i;
+            }
+        }
+    }
 
-            if
-            (
-                (neighbour < 0 || neighbour > t)
-             && (hasChanged(t) || (neighbour >= 0 && hasChanged(neighbour)))
-             && violation_.missesTargets(t, i)
-            )
+    DynamicList<labelPair> faces;
+    forAll(missing, t)
+    {
+        for (label i = 0; i < 4; ++i)
+        {
+            if (missing[t] >> i & 1)
             {
                 faces.append(labelPair(t, i));
             }
@@ -129,6 +133,62 @@ List<labelPair> tetImprover::facesMissingTargets() const
     }
 
     return List<labelPair>(std::move(faces));
+}
+
+
+void tetImprover::appendFaces
+(
+    const label t,
+    DynamicList<labelPair>& faces
+) const
+{
+    for (label i = 0; i < 4; ++i)
+    {
+        const label owner = isOwner(t, i) ? t : tets_.neighbour(t, i);
+        label j = i;
+        while (owner != t && tets_.neighbour(owner, j) != t)
+        {
+            j = (j + 1) % 4;
+        }
+        faces.append(labelPair(owner, j));
+    }
+}
+
+
+const List<labelPair>& tetImprover::facesMissingTargets()
+{
+    // Other faces are as they were when the list was made
+    DynamicList<labelPair> faces(missing_);
+    inplaceUniqueSort(touched_);
+    for (const label p : touched_)
+    {
+        for (const label t : tets_.pointTets(p))
+        {
+            appendFaces(t, faces);
+        }
+    }
+    touched_.clear();
+    inplaceUniqueSort(faces);
+
+    DynamicList<labelPair> missing(faces.size());
+    for (const labelPair& f : faces)
+    {
+        const label t = f.first();
+        const label i = f.second();
+
+        if
+        (
+            !tets_.removed(t) && isOwner(t, i)
+         && (hasChanged(t) || hasChanged(tets_.neighbour(t, i)))
+         && violation_.missesTargets(t, i)
+        )
+        {
+            missing.append(f);
+        }
+    }
+    missing_.transfer(missing);
+
+    return missing_;
 }
 
 

@@ -13,6 +13,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <omp.h>
 
 using namespace Foam;
 
@@ -235,12 +236,39 @@ TEST(improveTets, addsPoints)
     EXPECT_GT(mesh.points.size(), nPoints);
     EXPECT_LT(worstAngle(mesh), 67);
     EXPECT_NEAR(volumeOf(mesh), 1, 1e-12);
+    EXPECT_EQ
+    (
+        mesh.neighbours, tetNeighbours(mesh.tets, mesh.points.size())
+    );
 
     // What is good is left alone
     const farFieldTets before(mesh);
     improveTets(neighbourCells(), mesh);
     EXPECT_EQ(mesh.points, before.points);
     EXPECT_EQ(mesh.tets, before.tets);
+}
+
+
+TEST(improveTets, isTheSameOnAnyNumberOfThreads)
+{
+    const farFieldTets before(filledCube(8));
+    const label nThreads = omp_get_max_threads();
+    farFieldTets first(before);
+    omp_set_num_threads(1);
+    improveTets(neighbourCells(), first);
+    EXPECT_NE(first.tets, before.tets);
+
+    for (const label n : {2, 3, 8})
+    {
+        farFieldTets mesh(before);
+        omp_set_num_threads(n);
+        improveTets(neighbourCells(), mesh);
+        EXPECT_EQ(mesh.points, first.points) << n;
+        EXPECT_EQ(mesh.tets, first.tets) << n;
+        EXPECT_EQ(mesh.neighbours, first.neighbours) << n;
+    }
+
+    omp_set_num_threads(nThreads);
 }
 
 
