@@ -219,32 +219,37 @@ cellSizes::cellSizes
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void cellSizes::addCubes
+scalar cellSizes::cubesIn
 (
     const label cubei,
     const point& centre,
     const scalar width,
-    const std::function<bool(const point&)>& inside,
-    scalar& n
+    const std::function<bool(const point&)>& inside
 ) const
 {
     const cube& c = cubes_[cubei];
-    const bool isLeaf = c.children < 0;
+    const scalar inSizes = width/sizeAt(c, centre);
 
-    if (isLeaf && width <= farFieldTuned.maxWidth*sizeAt(c, centre))
+    if (inside && inSizes <= farFieldTuned.sideWidth)
     {
-        n += inside(centre) ? pow3(width/sizeAt(c, centre)) : 0;
-        return;
+        return inside(centre) ? cubesIn(cubei, centre, width, nullptr) : 0;
+    }
+    if (c.children < 0 && inSizes <= farFieldTuned.maxWidth)
+    {
+        return pow3(inSizes);
     }
 
+    scalar n = 0;
     for (label octant = 0; octant < 8; ++octant)
     {
-        addCubes
+        n += cubesIn
         (
-            isLeaf ? cubei : c.children + octant,
-            partCentre(centre, width, octant), width/2, inside, n
+            c.children < 0 ? cubei : c.children + octant,
+            partCentre(centre, width, octant), width/2, inside
         );
     }
+
+    return n;
 }
 
 
@@ -270,10 +275,7 @@ scalar cellSizes::operator()(const point& x) const
 
 scalar cellSizes::nCubes(const std::function<bool(const point&)>& inside) const
 {
-    scalar n = 0;
-    addCubes(0, corner_ + point::uniform(0.5*width_), width_, inside, n);
-
-    return n;
+    return cubesIn(0, corner_ + point::uniform(0.5*width_), width_, inside);
 }
 
 } // End namespace Foam

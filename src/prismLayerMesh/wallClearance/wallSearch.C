@@ -184,17 +184,12 @@ pointIndexHit wallSearch::nearestOpposite
 
 void wallSearch::prepareInFront() const
 {
-    surface_.meshPointMap();
     surface_.localFaces();
     surface_.localPoints();
     surface_.edgeFaces();
     surface_.faceEdges();
-    surface_.faceFaces();
-    surface_.pointFaces();
     surface_.pointEdges();
-    surface_.faceCentres();
     surface_.faceNormals();
-    surface_.pointNormals();
     tree_.getVolumeType(tree_.bb().midpoint());
 }
 

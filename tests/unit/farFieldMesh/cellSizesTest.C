@@ -87,6 +87,20 @@ TEST(cellSizes, nCubesIsTheIntegral)
 }
 
 
+TEST(cellSizes, nCubesAsksOnceForCubesOfTwoSizes)
+{
+    const cellSizes sizes(twoPoints(unbounded, 1000000));
+    label nAsked = 0;
+    const scalar n = sizes.nCubes
+    (
+        [&](const point& x) { ++nAsked; return box.contains(x); }
+    );
+
+    EXPECT_GT(nAsked, n/8);
+    EXPECT_LT(nAsked, n);
+}
+
+
 TEST(cellSizes, nCubesLooksInsideLargeCubesOfOneSize)
 {
     // One cube, whose centre is not inside
