@@ -48,9 +48,9 @@ const struct
     //  are not left out (J): that would change the labels of the others.
     const char* keepFacets = "pYMJQT1e-16";
 
-    //- Radius over shortest edge at most 1.3, dihedral angles from 12 to 120
+    //- Radius over shortest edge at most 1.3, dihedral angles from 12 to 130
     //  degrees, if it can be had, by refinement and then by flips and smoothing
-    const char* shapes = "q1.3/12o/120O4/7";
+    const char* shapes = "q1.3/12o/130O2/7";
 } tuned;
 
 } // End anonymous namespace
