@@ -17,14 +17,37 @@ namespace
 struct levelCorner
 {
     vector edge;
-    scalar length;
 
-    //- e1 x e2/(|e1||e2|) of the edges at the corner
+    //- e1 x e2 of the edges at the corner, and (|e1||e2|)^2
     vector normal;
+    scalar sqrArea;
 
-    //- From the level below a cell to the level above, and its length
+    //- From the level below a cell to the level above, and its length squared
     vector side;
-    scalar height;
+    scalar sqrHeight;
+
+    //- Whether the scaled Jacobian is less than a value. If so, the value
+    //  becomes the Jacobian.
+    bool lower(scalar& value) const
+    {
+        const scalar product = normal & side;
+        const scalar sqrLengths = sqrArea*sqrHeight;
+
+        // Roots only of the few that are less
+        if
+        (
+            value > 0 && product > 0
+         && sqr(product) >= sqr(value)*sqrLengths
+        )
+        {
+            return false;
+        }
+        const scalar jacobian = product/max(Foam::sqrt(sqrLengths), VSMALL);
+        const bool isLess = jacobian < value;
+        value = isLess ? jacobian : value;
+
+        return isLess;
+    }
 };
 
 }
@@ -45,15 +68,33 @@ static void compute
     {
         corners[k].edge =
             layers(f[k + 1 < n ? k + 1 : 0], level) - layers(f[k], level);
-        corners[k].length = mag(corners[k].edge);
     }
 
     for (label k = 0; k < n; ++k)
     {
-        const levelCorner& before = corners[k > 0 ? k - 1 : n - 1];
+        levelCorner& c = corners[k];
+        const vector& before = corners[k > 0 ? k - 1 : n - 1].edge;
+        c.normal = before ^ c.edge;
+        c.sqrArea = magSqr(before)*magSqr(c.edge);
+    }
+}
 
-        corners[k].normal = (before.edge ^ corners[k].edge)
-           /max(before.length*corners[k].length, VSMALL);
+
+//- Sets the sides of the corners of the cell of layer i
+template<class Corners>
+static void setSides
+(
+    const prismLayers& layers,
+    const face& f,
+    const label i,
+    Corners& corners
+)
+{
+    const label n = corners.size();
+    for (label k = 0; k < n; ++k)
+    {
+        corners[k].side = layers(f[k], i) - layers(f[k], i - 1);
+        corners[k].sqrHeight = magSqr(corners[k].side);
     }
 }
 
@@ -70,7 +111,6 @@ static scalar worstJacobian
 )
 {
     const face& f = layers.faces[facei];
-    const label n = corners.size();
     const bool hasArea = facei < layers.nWallFaces();
 
     scalar worst = GREAT;
@@ -79,17 +119,12 @@ static scalar worstJacobian
     // Mostly the upper cells are the worst
     for (label i = layers.nLayers; i >= lowest && worst >= enough; --i)
     {
-        for (label k = 0; k < n; ++k)
-        {
-            corners[k].side = layers(f[k], i) - layers(f[k], i - 1);
-            corners[k].height = max(mag(corners[k].side), VSMALL);
-        }
-
+        setSides(layers, f, i, corners);
         const auto lookAt = [&]()
         {
             for (const levelCorner& c : corners)
             {
-                worst = min(worst, (c.normal & c.side)/c.height);
+                c.lower(worst);
             }
         };
 
@@ -103,6 +138,54 @@ static scalar worstJacobian
     }
 
     return worst;
+}
+
+
+//- jacobianViolation with storage for the corners
+template<class Corners>
+static scalar jacobianViolation
+(
+    const prismLayers& layers,
+    const face& f,
+    const label i,
+    const scalar target,
+    Corners&& corners
+)
+{
+    scalar sum = 0;
+    setSides(layers, f, i, corners);
+
+    for (const label level : {i - 1, i})
+    {
+        compute(layers, f, level, corners);
+        for (const levelCorner& c : corners)
+        {
+            scalar jacobian = target;
+            if (c.lower(jacobian))
+            {
+                sum += sqr(target - jacobian);
+            }
+        }
+    }
+
+    return Foam::sqrt(sum);
+}
+
+
+//- Calls a function with storage for the corners of a face
+template<class Function>
+static scalar ofCorners(const face& f, const Function& function)
+{
+    if (f.size() == 3)
+    {
+        return function(FixedList<levelCorner, 3>());
+    }
+    if (f.size() == 4)
+    {
+        return function(FixedList<levelCorner, 4>());
+    }
+
+    return function(List<levelCorner>(f.size()));
 }
 
 
@@ -154,24 +237,10 @@ scalar worstJacobian
     const label lowest
 )
 {
-    const label n = layers.faces[facei].size();
-
-    if (n == 3)
+    return ofCorners(layers.faces[facei], [&](auto&& corners)
     {
-        return worstJacobian
-        (
-            layers, facei, enough, lowest, FixedList<levelCorner, 3>()
-        );
-    }
-    if (n == 4)
-    {
-        return worstJacobian
-        (
-            layers, facei, enough, lowest, FixedList<levelCorner, 4>()
-        );
-    }
-
-    return worstJacobian(layers, facei, enough, lowest, List<levelCorner>(n));
+        return worstJacobian(layers, facei, enough, lowest, corners);
+    });
 }
 
 
@@ -219,28 +288,10 @@ scalar jacobianViolation
     const scalar target
 )
 {
-    scalar sum = 0;
-
-    for (const label level : {i - 1, i})
+    return ofCorners(f, [&](auto&& corners)
     {
-        vector before(layers(f[0], level) - layers(f.last(), level));
-
-        forAll(f, k)
-        {
-            const vector edge
-            (
-                layers(f.nextLabel(k), level) - layers(f[k], level)
-            );
-            const vector side(layers(f[k], i) - layers(f[k], i - 1));
-            const scalar lengths = mag(before)*mag(edge)*mag(side);
-            const scalar jacobian =
-                ((before ^ edge) & side)/max(lengths, VSMALL);
-            sum += sqr(max(target - jacobian, scalar(0)));
-            before = edge;
-        }
-    }
-
-    return Foam::sqrt(sum);
+        return jacobianViolation(layers, f, i, target, corners);
+    });
 }
 
 } // End namespace Foam
