@@ -24,6 +24,7 @@ static vectorField lineDirections
 {
     vectorField directions(wall.points.size());
 
+    #pragma omp parallel for schedule(static, 256)
     forAll(directions, p)
     {
         directions[p] =
@@ -125,6 +126,7 @@ static void setOffsets
         smoothed += directions - previous;
         previous = directions;
 
+        #pragma omp parallel for schedule(static, 256)
         for (label c = 0; c < nColumns; ++c)
         {
             const scalar height =

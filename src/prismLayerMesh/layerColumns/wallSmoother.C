@@ -20,6 +20,7 @@ wallSmoother::wallSmoother
     weights_(wall.points.size()),
     spread_(wall.points.size())
 {
+    #pragma omp parallel for schedule(static, 256)
     forAll(weights_, p)
     {
         const labelList& neighbours = addressing.pointPoints[p];

@@ -38,14 +38,22 @@ static scalar shareAt(const scalar height, const scalar reach)
 }
 
 
-//- Whether a column is as long as it may be at its first layer
-static bool isStretchedAtFirst(const layerEditor& editor, const label c)
+//- Returns whether each column is as long as it may be at its first layer
+static boolList stretchedAtFirst(const layerEditor& editor)
 {
-    return isStretched
-    (
-        editor.front().visibility, c,
-        editor.proposed().stretch(c, editor.spacing().firstThickness[c])
-    );
+    boolList isLong(editor.front().wallPoints.size());
+
+    #pragma omp parallel for schedule(static, 256)
+    forAll(isLong, c)
+    {
+        const scalar height = editor.spacing().firstThickness[c];
+        isLong[c] = isStretched
+        (
+            editor.front().visibility, c, editor.proposed().stretch(c, height)
+        );
+    }
+
+    return isLong;
 }
 
 
@@ -54,6 +62,7 @@ static bool isStretchedAtFirst(const layerEditor& editor, const label c)
 static labelList fittedFaces(const layerEditor& editor)
 {
     const layerFront& front = editor.front();
+    const boolList isLong(stretchedAtFirst(editor));
 
     return subsetList(identity(front.nWallFaces), [&](const label facei)
     {
@@ -61,7 +70,7 @@ static labelList fittedFaces(const layerEditor& editor)
 
         return std::none_of(f.begin(), f.end(), [&](const label c)
         {
-            return isStretchedAtFirst(editor, c);
+            return isLong[c];
         });
     });
 }
@@ -81,6 +90,7 @@ static scalarField missingHeights
     const prismLayers& layers = editor.layers();
     scalarField missing(faces.size(), 0);
 
+    #pragma omp parallel for schedule(static, 256)
     forAll(faces, k)
     {
         const face& f = layers.faces[faces[k]];
