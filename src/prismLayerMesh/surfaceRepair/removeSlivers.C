@@ -333,16 +333,11 @@ bitSet pointsInConflict(const wallSurface& surface)
     return isFound;
 }
 
-} // End anonymous namespace
-
-
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
-label removeSlivers(const scalar length, wallSurface& surface)
+//- Removes what is lower than a length. Returns the number of changes.
+label removeLower(const scalar length, wallSurface& surface)
 {
     static constexpr label maxSweeps = 20;
 
-    surface.patchIDs = labelList(surface.faces.size(), 0);
     const bitSet wasEmpty(pointsWithEmptyCones(surface));
     bitSet isFixed(surface.points.size());
     wallSurface result(surface);
@@ -375,6 +370,24 @@ label removeSlivers(const scalar length, wallSurface& surface)
 
     removeUnusedPoints(result.faces, result.points);
     surface = result;
+
+    return nChanges;
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+label removeSlivers(const scalar length, wallSurface& surface)
+{
+    surface.patchIDs = labelList(surface.faces.size(), 0);
+    label nChanges = 0;
+
+    for (const scalar share : {1e-6, 1e-4, 1e-2, 1.0})
+    {
+        nChanges += removeLower(share*length, surface);
+    }
 
     return nChanges;
 }
