@@ -9,6 +9,9 @@
 #include "heightLimits.H"
 #include "stackHeights.H"
 
+#include <algorithm>
+#include <functional>
+
 namespace Foam
 {
 
@@ -62,20 +65,52 @@ static heightLimits firstHeights
 }
 
 
+//- Returns the heights [m] of the points of a column along the mean of its
+//  normals
+static scalarList heightsOf(const layerEditor& editor, const label c)
+{
+    scalarList heights(editor.spacing().nLayers + 1);
+    const point root(editor.layers()(c, 0));
+    forAll(heights, i)
+    {
+        heights[i] = editor.front().visibility.heightCosine
+        (
+            c, editor.layers()(c, i) - root
+        );
+    }
+
+    return heights;
+}
+
+
+//- Whether each height is above the one before
+static bool isAscending(const UList<scalar>& heights)
+{
+    return
+        std::adjacent_find
+        (
+            heights.begin(), heights.end(), std::greater_equal<scalar>()
+        )
+     == heights.end();
+}
+
+
 //- Lower the first level of a column by a factor, along the column as it
-//  stands; its last level stays
-static void lowerFirst(layerEditor& editor, const label c, const scalar factor)
+//  stands; its last level stays.
+//  before: the heights of its points, ascending
+static void lowerFirst
+(
+    layerEditor& editor,
+    const label c,
+    const scalar factor,
+    const UList<scalar>& before
+)
 {
     const label n = editor.spacing().nLayers;
     pointField points(n + 1);
-    scalarList before(n + 1);
     forAll(points, i)
     {
         points[i] = editor.layers()(c, i);
-        before[i] = editor.front().visibility.heightCosine
-        (
-            c, points[i] - points[0]
-        );
     }
 
     const scalar first = factor*before[1];
@@ -165,11 +200,15 @@ bool limitHeightJumps(layerEditor& editor, const List<labelPair>& neighbours)
 
     forAll(factors, c)
     {
-        if (factors[c] < 1 && editor.mayMove(c))
+        const bool isHigh = factors[c] < 1 && editor.mayMove(c);
+        const scalarList before(isHigh ? heightsOf(editor, c) : scalarList());
+
+        // A column that bends back has no place for each height
+        if (isHigh && isAscending(before))
         {
             lowered.append(c);
             editor.remember(c);
-            lowerFirst(editor, c, factors[c]);
+            lowerFirst(editor, c, factors[c], before);
 
             if (editor.causes()[c] == squeezeCause::none)
             {

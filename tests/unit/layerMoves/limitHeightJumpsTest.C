@@ -127,4 +127,28 @@ TEST(limitHeightJumps, thoseRolledBackAreWhereTheyWere)
 }
 
 
+TEST(limitHeightJumps, columnsThatBendBackStay)
+{
+    const layerFront front(testSurfaces::frontOf(testSurfaces::cube(16), 0));
+    editedColumns m(front);
+    editedColumns bent(front);
+    for (label i = 0; i < 8; ++i)
+    {
+        retreatColumns(m.editor, labelList(1, 100), squeezeCause::validity);
+        retreatColumns(bent.editor, labelList(1, 100), squeezeCause::validity);
+    }
+    const labelList lowered(limited(m));
+    ASSERT_FALSE(lowered.empty());
+
+    // Their ends are behind the wall
+    for (const label c : lowered)
+    {
+        const label n = bent.spacing.nLayers;
+        const prismLayers& layers = bent.editor.layers();
+        bent.editor.setPoint(c, n, 2*layers(c, 0) - layers(c, n));
+    }
+    EXPECT_TRUE(limited(bent).empty());
+}
+
+
 // ************************************************************************* //
