@@ -38,8 +38,8 @@ struct leaningColumn
         geometry(m.editor)
     {
         targets.faces = faceTargets{::cos(degToRad(60.0)), 3};
-        targets.firstHeightWeight = 10;
-        targets.thicknessWeight = 2;
+        targets.firstHeightWeight = layerMoveControls().firstHeightWeight;
+        targets.thicknessWeight = layerMoveControls().thicknessWeight;
         targets.keep(m.editor, labelList(1, column));
 
         const scalar* heights = m.editor.heights(column);

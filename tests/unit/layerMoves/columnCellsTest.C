@@ -36,8 +36,8 @@ struct movedColumn
     {
         targets.faces = faces;
         targets.jacobians.setSize(front.surface.faces.size(), jacobian);
-        targets.firstHeightWeight = 10;
-        targets.thicknessWeight = 2;
+        targets.firstHeightWeight = layerMoveControls().firstHeightWeight;
+        targets.thicknessWeight = layerMoveControls().thicknessWeight;
         targets.keep(m.editor, labelList(1, column));
         moveBy(0.5*vector(1, 2, 3)/mag(vector(1, 2, 3)));
     }
