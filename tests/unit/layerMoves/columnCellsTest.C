@@ -112,7 +112,9 @@ TEST(columnCells, residualsFollowAMove)
 
     for (const layerFront& front : roundFronts())
     {
+        // Further away, changes of faces and of heights nearly cancel
         movedColumn one(front, steep);
+        one.moveBy(-0.3*vector(1, 2, 3)/mag(vector(1, 2, 3)));
         columnCells cells(one.cells());
         const scalar before = cells.evaluate();
         cells.linearise();
@@ -122,7 +124,7 @@ TEST(columnCells, residualsFollowAMove)
         const scalar change = cells.evaluate() - before;
 
         ASSERT_GT(mag(change), 1e-6*before);
-        EXPECT_NEAR(sumOfSquares(all) - before, change, 0.05*mag(change));
+        EXPECT_NEAR(sumOfSquares(all) - before, change, 0.02*mag(change));
     }
 }
 
