@@ -293,22 +293,20 @@ label sliverRemover::sweep()
     return nChanges;
 }
 
-//- Returns the points of faces whose visibility cone is empty
-bitSet pointsWithEmptyCones(const wallSurface& surface)
+//- Marks the points of faces whose visibility cone is empty
+bitSet markEmptyCones(const wallSurface& surface)
 {
     wallSurface used(surface);
     const labelList newLabels(removeUnusedPoints(used.faces, used.points));
-    const wallAddressing addressing(makeWallAddressing(used));
-    const wallVisibility visibility(makeWallVisibility(used, addressing));
+    const bitSet isEmpty(used.points.size(), pointsWithEmptyCones(used));
 
-    bitSet isEmpty(newLabels.size());
+    bitSet marked(newLabels.size());
     forAll(newLabels, p)
     {
-        const label q = newLabels[p];
-        isEmpty.set(p, q >= 0 && visibility.cones[q].empty());
+        marked.set(p, newLabels[p] >= 0 && isEmpty.test(newLabels[p]));
     }
 
-    return isEmpty;
+    return marked;
 }
 
 
@@ -333,12 +331,13 @@ bitSet pointsInConflict(const wallSurface& surface)
     return isFound;
 }
 
+
 //- Removes what is lower than a length. Returns the number of changes.
 label removeLower(const scalar length, wallSurface& surface)
 {
     static constexpr label maxSweeps = 20;
 
-    const bitSet wasEmpty(pointsWithEmptyCones(surface));
+    const bitSet wasEmpty(markEmptyCones(surface));
     bitSet isFixed(surface.points.size());
     wallSurface result(surface);
     label nChanges;
@@ -360,7 +359,7 @@ label removeLower(const scalar length, wallSurface& surface)
         bitSet conflicts(pointsInConflict(result));
         if (conflicts.none())
         {
-            conflicts = pointsWithEmptyCones(result);
+            conflicts = markEmptyCones(result);
             conflicts -= wasEmpty;
         }
         const label nFixed = isFixed.count();

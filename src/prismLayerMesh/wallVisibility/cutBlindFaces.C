@@ -14,12 +14,6 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-static labelList emptyCones(const wallSurface& wall)
-{
-    return makeWallVisibility(wall, makeWallAddressing(wall)).emptyCones();
-}
-
-
 //- The polygons at points
 static boolList polygonsAt(const wallSurface& wall, const labelUList& points)
 {
@@ -50,7 +44,10 @@ label cutBlindFaces(wallSurface& wall)
         wall.faces.end(),
         [](const face& f) { return f.size() > 3; }
     );
-    const labelList blind(hasPolygons ? emptyCones(wall) : labelList());
+    const labelList blind
+    (
+        hasPolygons ? pointsWithEmptyCones(wall) : labelList()
+    );
     if (blind.empty())
     {
         return 0;
@@ -58,7 +55,7 @@ label cutBlindFaces(wallSurface& wall)
 
     wallSurface trial(wall);
     cutFaces(trial, polygonsAt(wall, blind));
-    const labelList stillBlind(emptyCones(trial));
+    const labelList stillBlind(pointsWithEmptyCones(trial));
     labelList cured(blind);
     inplaceSubsetList
     (

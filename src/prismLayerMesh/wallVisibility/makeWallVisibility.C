@@ -211,6 +211,12 @@ wallVisibility makeWallVisibility
     return visibility;
 }
 
+
+labelList pointsWithEmptyCones(const wallSurface& wall)
+{
+    return makeWallVisibility(wall, makeWallAddressing(wall)).emptyCones();
+}
+
 } // End namespace Foam
 
 // ************************************************************************* //
