@@ -91,9 +91,14 @@ void tetImprover::markChanged(const labelUList& points)
 
 bool tetImprover::hasChanged(const label t) const
 {
-    for (label k = 0; t >= 0 && k < 4; ++k)
+    if (t < 0)
     {
-        if (changed_[tets_[t][k]] + 1 >= pass_)
+        return false;
+    }
+
+    for (const label p : tets_[t])
+    {
+        if (changed_[p] + 1 >= pass_)
         {
             return true;
         }

@@ -200,11 +200,14 @@ bool limitHeightJumps(layerEditor& editor, const List<labelPair>& neighbours)
 
     forAll(factors, c)
     {
-        const bool isHigh = factors[c] < 1 && editor.mayMove(c);
-        const scalarList before(isHigh ? heightsOf(editor, c) : scalarList());
+        if (factors[c] >= 1 || !editor.mayMove(c))
+        {
+            continue;
+        }
 
         // A column that bends back has no place for each height
-        if (isHigh && isAscending(before))
+        const scalarList before(heightsOf(editor, c));
+        if (isAscending(before))
         {
             lowered.append(c);
             editor.remember(c);

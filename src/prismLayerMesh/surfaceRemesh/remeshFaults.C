@@ -50,7 +50,7 @@ static List<labelPair> facesAway
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-labelList withRoomless
+labelList withFacesWithoutRoom
 (
     const labelUList& faces,
     const remesher& mesher,

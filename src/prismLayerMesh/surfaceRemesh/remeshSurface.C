@@ -127,7 +127,7 @@ static remeshedSurface remeshed
     mesher->remesh();
     remeshedSurface result(resultOf(mesher()));
     labelList conflicts(facesInConflict(result.surface));
-    labelList faces(withRoomless(conflicts, mesher(), result.surface));
+    labelList faces(withFacesWithoutRoom(conflicts, mesher(), result.surface));
 
     // The last without intersections, which a round for distances may bring
     remeshedSurface valid;
@@ -162,7 +162,7 @@ static remeshedSurface remeshed
         }
         result = resultOf(mesher());
         conflicts = facesInConflict(result.surface);
-        faces = withRoomless(conflicts, mesher(), result.surface);
+        faces = withFacesWithoutRoom(conflicts, mesher(), result.surface);
     }
 
     if (conflicts.size() && valid.surface.faces.size())

@@ -38,7 +38,8 @@ static wallSurface remeshed(const wallSurface& surface, const bool guarded)
 }
 
 
-//- A ring with a groove 0.6 m deep and 0.04 m wide at its top, which goes round
+//- A ring of radius 1 to 2 m. A groove goes round its top: the groove is 0.6 m
+//  deep and 0.04 m wide at the top.
 static wallSurface groovedRing(const label nSegments)
 {
     const List<vector2D> profile
