@@ -202,7 +202,7 @@ offsetEnvelope envelopeFor
     (
         makeWallClearance
         (
-            context.wall, context.search, context.visibility,
+            context.wall, context.search(), context.visibility,
             2*controls.envelope.scale*request.thickness,
             controls.layers.maxStretch
         )

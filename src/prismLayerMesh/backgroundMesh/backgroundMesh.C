@@ -204,11 +204,7 @@ backgroundMesh makeBackgroundMesh
 }
 
 
-backgroundMesh makeBackgroundMesh
-(
-    const fieldBlock& block,
-    const wallSearch& search
-)
+backgroundMesh makeBackgroundMesh(const fieldBlock& block)
 {
     tetDomain domain(wallAndEnvelope(block.wall, block.envelope));
     const faceList triangles(domain.facets);
@@ -246,7 +242,8 @@ backgroundMesh makeBackgroundMesh
     }
     setTets
     (
-        subset(isFront, filled.tets), triangles, block.pointPoints, search, mesh
+        subset(isFront, filled.tets), triangles, block.pointPoints,
+        block.search(), mesh
     );
 
     return mesh;

@@ -5,6 +5,7 @@
 
 #include "fieldBlock.H"
 #include "boundBox.H"
+#include "wallPart.H"
 #include "ListOps.H"
 
 #include <algorithm>
@@ -69,28 +70,21 @@ static void divide
 }
 
 
-//- The faces whose own boxes overlap a box
-static labelList facesIn(const wallSurface& wall, const boundBox& box)
-{
-    return subsetList(identity(wall.faces.size()), [&](const label facei)
-    {
-        return boundBox(wall.points, wall.faces[facei], false).overlaps(box);
-    });
-}
-
-
 //- The points that a block is for, then the others of its faces
 static labelList pointsOf
 (
     const wallSurface& wall,
     const labelList& own,
-    const labelUList& faces
+    const UList<bool>& faces
 )
 {
     boolList taken(wall.points.size(), false);
-    for (const label facei : faces)
+    forAll(faces, facei)
     {
-        UIndirectList<bool>(taken, wall.faces[facei]) = true;
+        if (faces[facei])
+        {
+            UIndirectList<bool>(taken, wall.faces[facei]) = true;
+        }
     }
     UIndirectList<bool>(taken, own) = false;
 
@@ -98,6 +92,85 @@ static labelList pointsOf
     points.append(findIndices(taken, true));
 
     return points;
+}
+
+
+//- The points and faces of a block as a wall
+static wallSurface blockWall
+(
+    const wallSurface& wall,
+    const labelUList& points,
+    const UList<bool>& inside
+)
+{
+    wallSurface result;
+    result.points = pointField(wall.points, points);
+    result.faces = faceList(wall.faces, findIndices(inside, true));
+
+    const labelList local(invert(wall.points.size(), points));
+    for (face& f : result.faces)
+    {
+        inplaceRenumber(local, f);
+    }
+
+    return result;
+}
+
+
+//- The part of the wall that a block depends on: what is in reach of the block,
+//  and all faces around the points of the block and around their neighbours
+static wallPart surroundings
+(
+    const wallSurface& wall,
+    const boundBox& box,
+    const scalar reach,
+    const UList<bool>& inside
+)
+{
+    boolList faces(withFacesAround(wall, withFacesAround(wall, inside)));
+    const boolList inReach(facesIn(wall, widened(box, reach)));
+    forAll(faces, facei)
+    {
+        faces[facei] = faces[facei] || inReach[facei];
+    }
+
+    return makeWallPart(wall, faces);
+}
+
+
+//- Sets what is whole, and the neighbours of points.
+//  around: the addressing of the surroundings
+//  nearPoints: labels in the surroundings of the points of the block
+static void setNeighbours
+(
+    const wallAddressing& around,
+    const labelUList& nearPoints,
+    fieldBlock& block
+)
+{
+    labelList nFaces(block.points.size(), 0);
+    for (const face& f : block.wall.faces)
+    {
+        for (const label p : f)
+        {
+            ++nFaces[p];
+        }
+    }
+
+    const labelList local(invert(around.pointFaces.size(), nearPoints));
+    block.isWhole.setSize(nFaces.size());
+    block.pointPoints.setSize(nFaces.size());
+    forAll(block.points, p)
+    {
+        const label q = nearPoints[p];
+        block.isWhole[p] = nFaces[p] == around.pointFaces[q].size();
+        block.pointPoints[p] =
+            UIndirectList<label>(local, around.pointPoints[q]);
+        inplaceSubsetList
+        (
+            block.pointPoints[p], [](const label r) { return r >= 0; }
+        );
+    }
 }
 
 
@@ -120,7 +193,7 @@ labelListList divideWall
 
 fieldBlock makeFieldBlock
 (
-    const wallContext& context,
+    const wallSurface& wall,
     const envelopeRadii& radii,
     const labelList& own,
     const blockControls& controls,
@@ -128,46 +201,24 @@ fieldBlock makeFieldBlock
     const scalar maxStretch
 )
 {
-    const wallSurface& wall = context.wall;
-    const wallAddressing& addressing = context.addressing;
-    boundBox box(wall.points, own, false);
-    const point reach(point::uniform(reachOf(radii.radius, own, controls)));
-    box.min() -= reach;
-    box.max() += reach;
+    const scalar reach = reachOf(radii.radius, own, controls);
+    const boundBox box(widened(boundBox(wall.points, own, false), reach));
+    const boolList inside(facesIn(wall, box));
 
-    const labelList inside(facesIn(wall, box));
     fieldBlock block;
     block.points = pointsOf(wall, own, inside);
     block.nOwn = own.size();
-    block.envelope =
-        makeOffsetEnvelope(context, radii, block.points, mesh, maxStretch);
-    block.wall.points = pointField(wall.points, block.points);
+    block.wall = blockWall(wall, block.points, inside);
 
-    const labelList local(invert(wall.points.size(), block.points));
-    labelList nFaces(block.points.size(), 0);
-    block.wall.faces = faceList(wall.faces, inside);
-    for (face& f : block.wall.faces)
-    {
-        inplaceRenumber(local, f);
-        for (const label p : f)
-        {
-            ++nFaces[p];
-        }
-    }
-
-    block.isWhole.setSize(nFaces.size());
-    block.pointPoints.setSize(nFaces.size());
-    forAll(block.points, p)
-    {
-        const label q = block.points[p];
-        block.isWhole[p] = nFaces[p] == addressing.pointFaces[q].size();
-        block.pointPoints[p] =
-            UIndirectList<label>(local, addressing.pointPoints[q]);
-        inplaceSubsetList
-        (
-            block.pointPoints[p], [](const label r) { return r >= 0; }
-        );
-    }
+    const wallPart near(surroundings(wall, box, reach, inside));
+    wallContext context(near.wall);
+    const labelList nearPoints(near.localPoints(block.points));
+    block.envelope = makeOffsetEnvelope
+    (
+        context, radii.at(near.points), nearPoints, mesh, maxStretch
+    );
+    setNeighbours(context.addressing, nearPoints, block);
+    block.search = context.releaseSearch();
 
     return block;
 }

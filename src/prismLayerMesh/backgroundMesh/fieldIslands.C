@@ -14,70 +14,6 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Normals of points, smoothed between points that are on no sharp edge: a
-//  crease between coarse triangles that were divided is no curve
-static vectorField smoothedNormals
-(
-    const wallContext& context,
-    const label nPasses
-)
-{
-    const labelListList& neighbours = context.addressing.pointPoints;
-    vectorField normals(context.visibility.meanNormals);
-
-    for (label pass = 0; pass < nPasses; ++pass)
-    {
-        const vectorField old(normals);
-
-        #pragma omp parallel for schedule(static, 256)
-        forAll(normals, p)
-        {
-            vector sum(Zero);
-            label nFlat = 0;
-            for (const label q : neighbours[p])
-            {
-                const bool isFlat = context.kinds[q] == pointKind::flat;
-                sum += isFlat ? old[q] : vector(Zero);
-                nFlat += isFlat;
-            }
-            normals[p] = nFlat ? 0.5*(old[p] + sum/nFlat) : old[p];
-        }
-    }
-
-    return normals;
-}
-
-
-//- Whether the wall is curved inwards at a point that is on no sharp edge: the
-//  normals of a neighbour and of the point come together within a length of
-//  'radius/curvature'
-static bool isCurvedInwards
-(
-    const wallContext& context,
-    const vectorField& normals,
-    const label p,
-    const scalar radius,
-    const scalar curvature
-)
-{
-    const pointField& points = context.wall.points;
-
-    for (const label q : context.addressing.pointPoints[p])
-    {
-        const vector d(points[q] - points[p]);
-        const scalar turn = (normals[q] - normals[p]) & d;
-        const bool isFlat = context.kinds[q] == pointKind::flat;
-
-        if (isFlat && -turn*radius > curvature*magSqr(d))
-        {
-            return true;
-        }
-    }
-
-    return false;
-}
-
-
 //- Whether a point disturbs the field
 static boolList disturbingPoints
 (
@@ -86,7 +22,6 @@ static boolList disturbingPoints
     const islandControls& controls
 )
 {
-    const vectorField normals(smoothedNormals(context, controls.nPasses));
     boolList disturbs(radii.radius.size());
 
     #pragma omp parallel for schedule(static, 256)
@@ -95,14 +30,7 @@ static boolList disturbingPoints
         disturbs[p] = isOnConcaveEdge(context.kinds[p])
          || context.kinds[p] == pointKind::empty
          || radii.radius[p] < sheetControls::limitedShare*radii.wanted[p]
-         || (
-                context.kinds[p] == pointKind::flat
-             && isCurvedInwards
-                (
-                    context, normals, p, radii.radius[p],
-                    controls.curvature
-                )
-            );
+         || context.curvature[p]*radii.radius[p] > controls.curvature;
     }
 
     return disturbs;

@@ -29,21 +29,24 @@ blockwiseLines::blockwiseLines
     starts_(starts),
     controls_(controls),
     team_(team),
-    columns_
-    (
-        invertOneToMany(wall.context.wall.points.size(), starts.wallPoints)
-    ),
+    nSamples_(starts.spacing.nLayers),
     made_
     {
         gradientLines
         {
-            starts.nSamples(), pointField(nColumns*starts.nSamples()),
-            scalarField(nColumns*starts.nSamples())
+            nSamples_, pointField(nColumns*nSamples_),
+            scalarField(nColumns*nSamples_)
         },
         scalarField(nColumns)
     },
     toOwners_(team.size())
-{}
+{
+    const label nPoints = wall.wall.points.size();
+    for (label c = nPoints; c < starts.wallPoints.size(); ++c)
+    {
+        furtherColumns_(starts.wallPoints[c]).append(c);
+    }
+}
 
 
 labelList blockwiseLines::columnsAt(const labelUList& points) const
@@ -51,10 +54,20 @@ labelList blockwiseLines::columnsAt(const labelUList& points) const
     DynamicList<label> columns(points.size());
     for (const label p : points)
     {
-        columns.append(columns_[p]);
+        columns.append(p);
+        if (furtherColumns_.found(p))
+        {
+            columns.append(furtherColumns_[p]);
+        }
     }
 
     return labelList(std::move(columns));
+}
+
+
+labelList blockwiseLines::pointsUnder(const labelUList& columns) const
+{
+    return labelList(UIndirectList<label>(starts_.wallPoints, columns));
 }
 
 
@@ -64,32 +77,23 @@ columnLines blockwiseLines::makeBlock(const labelList& own) const
     (
         makeFieldBlock
         (
-            wall_.context, wall_.radii, own, wall_.controls, wall_.mesh,
+            wall_.wall, wall_.radii, own, wall_.controls, wall_.mesh,
             wall_.maxStretch
         )
     );
-    const backgroundMesh mesh
-    (
-        makeBackgroundMesh(block, wall_.context.search())
-    );
+    const backgroundMesh mesh(makeBackgroundMesh(block));
     const monotoneField field
     (
         makeMonotoneField(mesh, cotangentWeights(mesh), controls_)
     );
 
     const labelList columns(columnsAt(block.points));
-    const labelList local(invert(columns_.size(), block.points));
-    const label n = starts_.nSamples();
-    columnStarts starts;
-    starts.wallPoints.setSize(columns.size());
-    starts.directions = vectorField(starts_.directions, columns);
-    starts.arcLengths.setSize(n*columns.size());
-    forAll(columns, i)
+    const labelList local(invert(wall_.wall.points.size(), block.points));
+    const columnStarts starts
     {
-        starts.wallPoints[i] = local[starts_.wallPoints[columns[i]]];
-        SubList<scalar>(starts.arcLengths, n, n*i) =
-            SubList<scalar>(starts_.arcLengths, n, n*columns[i]);
-    }
+        labelList(UIndirectList<label>(local, pointsUnder(columns))),
+        vectorField(starts_.directions, columns), starts_.spacing.at(columns)
+    };
 
     return makeColumnLines(mesh, field.values, starts);
 }
@@ -102,7 +106,7 @@ void blockwiseLines::write
     std::FILE* out
 ) const
 {
-    const size_t n = nColumns*starts_.nSamples();
+    const size_t n = nColumns*nSamples_;
     std::fwrite(made.slopes.cdata(), sizeof(scalar), nColumns, out);
     std::fwrite(made.lines.energies.cdata(), sizeof(scalar), n, out);
     std::fwrite(made.lines.points.cdata(), sizeof(point), n, out);
@@ -111,7 +115,7 @@ void blockwiseLines::write
 
 bool blockwiseLines::read(const labelUList& columns, std::FILE* in)
 {
-    const label n = starts_.nSamples();
+    const label n = nSamples_;
     columnLines lines;
     lines.slopes.setSize(columns.size());
     lines.lines.energies.setSize(n*columns.size());
@@ -140,7 +144,7 @@ bool blockwiseLines::read(const labelUList& columns, std::FILE* in)
 
 void blockwiseLines::set(const labelUList& columns, const columnLines& lines)
 {
-    const label n = starts_.nSamples();
+    const label n = nSamples_;
 
     if (!team_.isAlone())
     {
@@ -168,7 +172,7 @@ void blockwiseLines::addForOwners
     const columnLines& lines
 )
 {
-    const label n = starts_.nSamples();
+    const label n = nSamples_;
 
     forAll(columns, i)
     {
@@ -189,7 +193,7 @@ void blockwiseLines::exchange()
         return;
     }
 
-    const label n = starts_.nSamples();
+    const label n = nSamples_;
     const List<message> received(team_.exchange(toOwners_));
     toOwners_.clear();
     for (const message& m : received)
@@ -209,25 +213,14 @@ void blockwiseLines::exchange()
 
 void blockwiseLines::makeStraight(const labelList& own)
 {
-    const label n = starts_.nSamples();
     const labelList columns(columnsAt(own));
-    scalarField arcLengths(n*columns.size());
-    forAll(columns, i)
-    {
-        SubList<scalar>(arcLengths, n, n*i) =
-            SubList<scalar>(starts_.arcLengths, n, n*columns[i]);
-    }
-
-    const labelList points
-    (
-        UIndirectList<label>(starts_.wallPoints, columns)
-    );
     const columnLines straight
     {
         makeStraightLines
         (
-            pointField(wall_.context.wall.points, points),
-            vectorField(starts_.directions, columns), arcLengths
+            pointField(wall_.wall.points, pointsUnder(columns)),
+            vectorField(starts_.directions, columns),
+            requestedHeights(starts_.spacing.at(columns))
         ),
         scalarField(columns.size(), 0)
     };

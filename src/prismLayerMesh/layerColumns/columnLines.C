@@ -24,7 +24,7 @@ columnLines makeColumnLines
         makeGradientLines
         (
             mesh, isotropic, starts.wallPoints, starts.directions,
-            starts.arcLengths, weighting
+            requestedHeights(starts.spacing), weighting
         ),
         scalarField(mag(scaledGradients(mesh, isotropic)), starts.wallPoints)
     };

@@ -147,6 +147,18 @@ static scalarField closenessOf
 }
 
 
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+envelopeRadii envelopeRadii::at(const labelUList& points) const
+{
+    return envelopeRadii
+    {
+        scalarField(wanted, points), scalarField(room, points),
+        scalarField(radius, points), scalarField(edgeLengths, points)
+    };
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 envelopeRadii makeEnvelopeRadii

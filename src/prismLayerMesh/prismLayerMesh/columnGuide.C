@@ -21,7 +21,7 @@ static columnStarts startsOf
     return columnStarts
     {
         front.wallPoints, front.visibility.axes(),
-        requestedHeights(spacing.at(front.wallPoints))
+        spacing.at(front.wallPoints)
     };
 }
 
@@ -165,9 +165,10 @@ static columnLines linesOfOneField
 //  convex parts, and everywhere if there is no field.
 //  parts: of a large wall, see divideWall
 //  islands: see findFieldIslands
+//  Where the wall has parts, the context is dropped, unless the stages are kept.
 static columnGuide fieldGuide
 (
-    const wallContext& context,
+    wallContext& context,
     const wallHeights& heights,
     const guidedColumns& columns,
     const envelopeRadii& radii,
@@ -186,6 +187,7 @@ static columnGuide fieldGuide
 
     if ((!guide.isDivided || keepStages) && columns.team.isMaster())
     {
+        context.complete();
         guide.envelope = makeEnvelope(context, radii, controls, observer);
         guide.fields =
             makeFields(context, guide.envelope, controls.field, observer);
@@ -195,9 +197,13 @@ static columnGuide fieldGuide
 
     if (guide.isDivided)
     {
+        if (!keepStages)
+        {
+            context.drop();
+        }
         const dividedWall divided
         {
-            context, radii, guide.blocks, blockControls(),
+            context.wall, radii, guide.blocks, blockControls(),
             controls.backgroundMesh, controls.layers.maxStretch
         };
         along = makeLinesOfBlocks
@@ -241,7 +247,7 @@ static void broadcast(const columnTeam& team, layerSpacing& spacing)
 //- The master makes the level sets
 static columnGuide levelSetGuide
 (
-    const wallContext& context,
+    wallContext& context,
     const wallHeights& heights,
     const guidedColumns& columns,
     const envelopeRadii& radii,
@@ -253,6 +259,7 @@ static columnGuide levelSetGuide
 
     if (columns.team.isMaster())
     {
+        context.complete();
         guide.envelope = makeEnvelope(context, radii, controls, observer);
         guide.fields =
             makeFields(context, guide.envelope, controls.field, observer);
@@ -294,7 +301,7 @@ labelList guidedColumns::wallPoints() const
 
 columnGuide makeColumnGuide
 (
-    const wallContext& context,
+    wallContext& context,
     const wallHeights& heights,
     const guidedColumns& columns,
     const scalarField& clearance,

@@ -260,7 +260,7 @@ columnLines makeLinesOfBlocks
     (
         failure.empty()
       ? text(wall.parts.size(), " blocks for ", nPointsOf(wall.parts), " of ",
-            wall.context.wall.points.size(), " points")
+            wall.wall.points.size(), " points")
       : "no field in front of " + failure
     );
 

@@ -10,6 +10,7 @@
 #include "stageText.H"
 #include "unitConversion.H"
 #include "wallClearance.H"
+#include "wallPart.H"
 
 namespace Foam
 {
@@ -31,6 +32,42 @@ static List<pointKind> kindsHere
     (
         UIndirectList<pointKind>(kinds, SubList<label>(points, nPoints))
     );
+}
+
+
+//- The room in front of the columns that this process makes. In a team the
+//  search has the part of the wall that the balls may meet, in mirrors too.
+static scalarField clearanceOf
+(
+    const wallContext& context,
+    const guidedColumns& columns,
+    const scalarField& reach,
+    const scalar maxStretch
+)
+{
+    const layerFront& front = columns.own;
+    const auto clearanceBy = [&](const wallSearch& search)
+    {
+        return makeWallClearance
+        (
+            front.surface, search, front.visibility, reach, maxStretch
+        );
+    };
+
+    if (columns.team.isAlone() || reach.empty())
+    {
+        return clearanceBy(context.search());
+    }
+
+    const boolList isNear
+    (
+        facesNear
+        (
+            context.wall, front.surface.points, (maxStretch + 3)*max(reach)
+        )
+    );
+
+    return clearanceBy(wallSearch(makeWallPart(context.wall, isNear).wall));
 }
 
 
@@ -100,14 +137,14 @@ scalarField makeClearance
 )
 {
     observer.begin("wallClearance");
-    const scalarField room(heights.room, front.wallPoints());
+    const scalarField reach
+    (
+        2*controls.envelope.scale
+       *scalarField(heights.room, front.wallPoints())
+    );
     const scalarField clearance
     (
-        makeWallClearance
-        (
-            front.own.surface, context.search(), front.own.visibility,
-            2*controls.envelope.scale*room, controls.layers.maxStretch
-        )
+        clearanceOf(context, front, reach, controls.layers.maxStretch)
     );
     const scalar least = min(front.team.gather(scalarList(1, min(clearance))));
     observer.end(text("room from ", least, " m"));

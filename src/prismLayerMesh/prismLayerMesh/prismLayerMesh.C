@@ -71,6 +71,10 @@ static prismLayerMesh makeLayersOnFront
     }
 
     mesh.share = completeFront(context, processes, mesh.front);
+    if (mesh.share)
+    {
+        context.visibility = wallVisibility();
+    }
     const columnTeam team(mesh.share.get(), processes);
     const guidedColumns front
     {

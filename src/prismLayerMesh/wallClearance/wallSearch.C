@@ -26,13 +26,22 @@ static vectorField unitNormals(const triSurface& surface)
 namespace
 {
 
-//- For indexedOctree: skips the triangles that do not oppose a direction
+//- For indexedOctree: skips the triangles that do not oppose a direction. Of
+//  equally near triangles it takes the first one, whatever the tree is: a
+//  search on a part of a wall finds what a search on the wall does.
 struct oppositeOnly
 {
     const triSurface& surface;
     const vectorField& normals;
     const vector& direction;
     const scalar cosine;
+
+    scalar& leastDistSqr;
+    label& index;
+
+    //- Boxes of the tree at the least distance are looked at in spite of
+    //  rounding
+    static constexpr scalar margin = 1 + 1e-9;
 
     void operator()
     (
@@ -55,10 +64,14 @@ struct oppositeOnly
                 surface[i].nearestPoint(sample, surface.points())
             );
 
-            if (sqr(hit.distance()) < nearestDistSqr)
+            const scalar distSqr = sqr(hit.distance());
+            const bool isFirst = distSqr == leastDistSqr && i < index;
+
+            if (distSqr < leastDistSqr || isFirst)
             {
-                nearestDistSqr = sqr(hit.distance());
-                minIndex = i;
+                leastDistSqr = distSqr;
+                nearestDistSqr = min(nearestDistSqr, margin*distSqr);
+                index = minIndex = i;
                 nearestPoint = hit.rawPoint();
             }
         }
@@ -131,6 +144,29 @@ scalar wallSearch::longestEdgeAt(const point& x) const
 }
 
 
+pointIndexHit wallSearch::nearestInTree
+(
+    const point& x,
+    const scalar distance,
+    const vector& direction,
+    const scalar cosine
+) const
+{
+    scalar leastDistSqr = sqr(distance);
+    label index = -1;
+
+    return tree_.findNearest
+    (
+        x,
+        leastDistSqr,
+        oppositeOnly
+        {
+            surface_, normals_, direction, cosine, leastDistSqr, index
+        }
+    );
+}
+
+
 pointIndexHit wallSearch::nearestOpposite
 (
     const point& x,
@@ -139,14 +175,7 @@ pointIndexHit wallSearch::nearestOpposite
     const scalar cosine
 ) const
 {
-    pointIndexHit nearest
-    (
-        tree_.findNearest
-        (
-            x, sqr(distance),
-            oppositeOnly{surface_, normals_, direction, cosine}
-        )
-    );
+    pointIndexHit nearest(nearestInTree(x, distance, direction, cosine));
 
     // Labels of the triangles of images follow
     for (label s = 0; s < sides_.size(); ++s)
@@ -157,13 +186,12 @@ pointIndexHit wallSearch::nearestOpposite
         if (sides_.isNear(s, x, least))
         {
             const sidePlane side(sides_[s].planeAt(x));
-            const vector reflected(side.reflected(direction));
             const pointIndexHit hit
             (
-                tree_.findNearest
+                nearestInTree
                 (
-                    side.reflectedPoint(x), sqr(least),
-                    oppositeOnly{surface_, normals_, reflected, cosine}
+                    side.reflectedPoint(x), least, side.reflected(direction),
+                    cosine
                 )
             );
 

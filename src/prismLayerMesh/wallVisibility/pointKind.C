@@ -24,6 +24,12 @@ static pointKind kindOfPoint
     }
 
     const vectorField& normals = visibility.cornerNormals[p];
+
+    if (normals.size() < addressing.pointPoints[p].size())
+    {
+        return pointKind::flat;
+    }
+
     bool convex = false;
     bool concave = false;
 

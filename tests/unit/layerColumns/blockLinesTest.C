@@ -32,7 +32,7 @@ static dividedWall divided(const stages& s, const blockControls& controls)
 {
     return dividedWall
     {
-        s.context, s.radii,
+        s.wall, s.radii,
         divideWall(s.wall.points, s.radii.radius, controls), controls
     };
 }
@@ -43,8 +43,7 @@ static columnStarts startsOf(const stages& s)
 {
     return columnStarts
     {
-        identity(s.wall.points.size()), s.context.visibility.axes(),
-        requestedHeights(s.spacing)
+        identity(s.wall.points.size()), s.context.visibility.axes(), s.spacing
     };
 }
 
@@ -121,7 +120,7 @@ TEST(fieldBlock, hasAllFacesOfItsPoints)
         (
             makeFieldBlock
             (
-                s.context, s.radii, part, wall.controls, wall.mesh
+                s.wall, s.radii, part, wall.controls, wall.mesh
             )
         );
         EXPECT_LT(block.points.size(), s.wall.points.size());
@@ -228,7 +227,7 @@ TEST(blockLines, areStraightWhereBlocksFail)
     (
         makeStraightLines
         (
-            s.wall.points, starts.directions, starts.arcLengths
+            s.wall.points, starts.directions, requestedHeights(s.spacing)
         ).points
     );
     label nStraight = 0;

@@ -117,7 +117,7 @@ TEST(offsetEnvelope, noPointIsNearTheWall)
             const scalar height = s.envelope.gaps[i];
             EXPECT_FALSE
             (
-                s.context.search->nearer
+                s.context.search().nearer
                 (
                     s.envelope.points[i], (0.7 - 1e-9)*height
                 )

@@ -1,0 +1,139 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "wallPart.H"
+#include "ListOps.H"
+
+#include <algorithm>
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Whether each point of a wall is a corner of one of the faces
+static boolList pointsOf(const wallSurface& wall, const UList<bool>& faces)
+{
+    boolList isCorner(wall.points.size(), false);
+    forAll(wall.faces, facei)
+    {
+        if (faces[facei])
+        {
+            UIndirectList<bool>(isCorner, wall.faces[facei]) = true;
+        }
+    }
+
+    return isCorner;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+labelList wallPart::localPoints(const labelUList& wallPoints) const
+{
+    labelList local(wallPoints.size());
+    forAll(local, i)
+    {
+        local[i] = std::lower_bound
+        (
+            points.begin(), points.end(), wallPoints[i]
+        ) - points.begin();
+    }
+
+    return local;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+boundBox widened(boundBox box, const scalar distance)
+{
+    const vector all(vector::uniform(distance));
+    box.min() -= all;
+    box.max() += all;
+
+    return box;
+}
+
+
+boolList facesIn(const wallSurface& wall, const boundBox& box)
+{
+    boolList inside(wall.faces.size());
+    forAll(inside, facei)
+    {
+        inside[facei] =
+            boundBox(wall.points, wall.faces[facei], false).overlaps(box);
+    }
+
+    return inside;
+}
+
+
+boolList facesNear
+(
+    const wallSurface& wall,
+    const pointField& points,
+    const scalar distance
+)
+{
+    const label groupSize = 4096;
+    boolList isNear(wall.faces.size(), false);
+    for (label first = 0; first < points.size(); first += groupSize)
+    {
+        const label n = min(groupSize, points.size() - first);
+        const boundBox box(SubList<point>(points, n, first), false);
+        const boolList inside(facesIn(wall, widened(box, distance)));
+        forAll(isNear, facei)
+        {
+            isNear[facei] = isNear[facei] || inside[facei];
+        }
+    }
+
+    return isNear;
+}
+
+
+boolList withFacesAround(const wallSurface& wall, const UList<bool>& faces)
+{
+    const boolList isCorner(pointsOf(wall, faces));
+    boolList around(faces);
+    forAll(around, facei)
+    {
+        const face& f = wall.faces[facei];
+        around[facei] = around[facei] || std::any_of
+        (
+            f.begin(), f.end(), [&](const label p) { return isCorner[p]; }
+        );
+    }
+
+    return around;
+}
+
+
+wallPart makeWallPart(const wallSurface& wall, const UList<bool>& faces)
+{
+    const labelList chosen(findIndices(faces, true));
+    wallPart part;
+    part.points = findIndices(pointsOf(wall, faces), true);
+
+    part.wall.points = pointField(wall.points, part.points);
+    part.wall.faces = faceList(wall.faces, chosen);
+    part.wall.patchIDs = UIndirectList<label>(wall.patchIDs, chosen);
+    part.wall.patchNames = wall.patchNames;
+    part.wall.patchTypes = wall.patchTypes;
+    part.wall.border.sides = wall.border.sides;
+
+    const labelList local(invert(wall.points.size(), part.points));
+    for (face& f : part.wall.faces)
+    {
+        inplaceRenumber(local, f);
+    }
+
+    return part;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
