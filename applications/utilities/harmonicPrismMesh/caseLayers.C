@@ -165,14 +165,9 @@ Foam::layersPiece Foam::caseLayers::makePiece()
 {
     return inTeam(parallel_, [&]()
     {
-        const prismLayers whole
-        (
-            wholeLayers(mesh_.front, mesh_.made.layers.nLayers)
-        );
-
         layersPiece piece(makeLayersPiece
         (
-            whole, mesh_.made.layers, team(),
+            mesh_.made.layers, team(),
             [&](const labelListList& neighbours, const pointField& centres)
             {
                 return parallel_.divide(neighbours, centres);

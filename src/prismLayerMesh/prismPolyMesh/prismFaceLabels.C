@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "prismFaceLabels.H"
-#include "UIndirectList.H"
+#include "ListOps.H"
 
 namespace Foam
 {
@@ -41,6 +41,123 @@ static void setInternalSides
 }
 
 
+//- Sets the first internal face of each stack. Returns the number of internal
+//  faces in the mesh.
+static label setFirstFaces
+(
+    const prismLayers& layers,
+    const columnTeam& team,
+    prismFaceLabels& labels
+)
+{
+    const label n = layers.nLayers;
+    const labelList strides(team.ofAllFaces(labels.strides, layers.faces));
+    labelList firstFaces(strides.size());
+    label next = 0;
+    forAll(strides, facei)
+    {
+        firstFaces[facei] = next;
+        next += n*strides[facei] - 1;
+    }
+
+    labels.firstFaces.setSize(layers.faces.size());
+    forAll(labels.firstFaces, facei)
+    {
+        labels.firstFaces[facei] = firstFaces[team.wholeFace(facei)];
+    }
+
+    return next;
+}
+
+
+//- Sets the faces on the patches of the wall, of which the first one is 'next'.
+//  Returns the first face behind them.
+static label setWallFaces
+(
+    const prismLayers& layers,
+    label next,
+    const columnTeam& team,
+    prismFaceLabels& labels
+)
+{
+    labelList patches(layers.faces.size(), -1);
+    SubList<label>(patches, layers.nWallFaces()) = layers.patchIDs;
+    labelList wallFaces(team.ofAllFaces(patches, layers.faces));
+
+    for (const labelList& ofPatch : invertOneToMany
+        (
+            layers.patchNames.size(), wallFaces
+        ))
+    {
+        for (const label facei : ofPatch)
+        {
+            wallFaces[facei] = next++;
+        }
+    }
+
+    labels.wallFaces.setSize(layers.nWallFaces());
+    forAll(labels.wallFaces, facei)
+    {
+        labels.wallFaces[facei] = wallFaces[team.wholeFace(facei)];
+    }
+
+    return next;
+}
+
+
+//- As setWallFaces, for the faces on layerOuter
+static label setOuterFaces
+(
+    const prismLayers& layers,
+    const label first,
+    const columnTeam& team,
+    prismFaceLabels& labels
+)
+{
+    labels.outerFaces.setSize(layers.faces.size());
+    forAll(labels.outerFaces, facei)
+    {
+        labels.outerFaces[facei] = first + team.wholeFace(facei);
+    }
+
+    return first + team.nWholeFaces(layers.faces.size());
+}
+
+
+//- Sets the sides on open edges, of which the first one is 'next'
+static void setOpenSides
+(
+    const UList<DynamicList<labelPair>>& open,
+    label next,
+    const columnTeam& team,
+    prismFaceLabels& labels
+)
+{
+    for (const auto& edges : open)
+    {
+        List<labelPair> whole(edges);
+        for (labelPair& e : whole)
+        {
+            e.first() = team.wholeFace(e.first());
+        }
+        List<labelPair> all(team.gather(whole));
+        std::sort(all.begin(), all.end());
+
+        forAll(edges, i)
+        {
+            const label at =
+                std::lower_bound(all.begin(), all.end(), whole[i])
+              - all.begin();
+            const label facei = edges[i].first();
+            const label k = edges[i].second();
+            labels.firstSides[facei][k] = next + at*labels.nLayers;
+            labels.sideStrides[facei][k] = 1;
+        }
+        next += all.size()*labels.nLayers;
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 label prismFaceLabels::operator()
@@ -65,89 +182,40 @@ label prismFaceLabels::operator()
 }
 
 
-prismFaceLabels prismFaceLabels::subset(const labelUList& stacks) const
-{
-    const auto of = [&](const labelList& all)
-    {
-        return labelList(UIndirectList<label>(all, stacks));
-    };
-    const auto listsOf = [&](const labelListList& all)
-    {
-        return labelListList(UIndirectList<labelList>(all, stacks));
-    };
-
-    prismFaceLabels some;
-    some.nLayers = nLayers;
-    some.firstFaces = of(firstFaces);
-    some.strides = of(strides);
-    some.outerFaces = of(outerFaces);
-    some.firstSides = listsOf(firstSides);
-    some.sideStrides = listsOf(sideStrides);
-
-    const label nWall = std::lower_bound
-    (
-        stacks.begin(), stacks.end(), wallFaces.size()
-    ) - stacks.begin();
-    some.wallFaces = labelList
-    (
-        UIndirectList<label>(wallFaces, SubList<label>(stacks, nWall))
-    );
-
-    return some;
-}
-
-
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 prismFaceLabels makePrismFaceLabels
 (
     const prismLayers& layers,
     const labelListList& faceNeighbours,
-    const UList<DynamicList<labelPair>>& open
+    const UList<DynamicList<labelPair>>& open,
+    const columnTeam& team
 )
 {
-    const label nFront = layers.faces.size();
-    const label n = layers.nLayers;
     prismFaceLabels labels;
-    labels.nLayers = n;
-    labels.firstFaces = firstInternalFaces(faceNeighbours, n);
-    label next = labels.firstFaces.last();
-    labels.firstFaces.setSize(nFront);
-    labels.strides.setSize(nFront);
-    labels.wallFaces.setSize(layers.nWallFaces());
-    labels.outerFaces.setSize(nFront);
-
-    // As many as there are edges; all are set
-    labels.firstSides = faceNeighbours;
-    labels.sideStrides = faceNeighbours;
-
+    labels.nLayers = layers.nLayers;
+    labels.strides.setSize(layers.faces.size());
     forAll(labels.strides, facei)
     {
         labels.strides[facei] =
             1 + nHigherNeighbours(faceNeighbours[facei], facei);
     }
+
+    // As many as there are edges
+    labels.firstSides = faceNeighbours;
+    labels.sideStrides = faceNeighbours;
+
+    label next = setFirstFaces(layers, team, labels);
     forAll(faceNeighbours, facei)
     {
-        setInternalSides(layers, faceNeighbours, facei, labels);
-    }
-
-    for (const auto& patch : boundaryFaces(layers, open))
-    {
-        for (const prismFaceKey& f : patch)
+        if (team.counts(layers.faces[facei]))
         {
-            if (f.edge < 0)
-            {
-                (f.level ? labels.outerFaces : labels.wallFaces)[f.front] =
-                    next;
-            }
-            else if (f.level == 1)
-            {
-                labels.firstSides[f.front][f.edge] = next;
-                labels.sideStrides[f.front][f.edge] = 1;
-            }
-            ++next;
+            setInternalSides(layers, faceNeighbours, facei, labels);
         }
     }
+    next = setWallFaces(layers, next, team, labels);
+    next = setOuterFaces(layers, next, team, labels);
+    setOpenSides(open, next, team, labels);
 
     return labels;
 }

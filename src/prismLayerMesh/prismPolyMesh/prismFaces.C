@@ -160,23 +160,6 @@ label nHigherNeighbours(const labelUList& faceNeighbours, const label facei)
     );
 }
 
-
-labelList firstInternalFaces
-(
-    const labelListList& faceNeighbours,
-    const label nLayers
-)
-{
-    labelList starts(faceNeighbours.size() + 1, 0);
-    forAll(faceNeighbours, facei)
-    {
-        starts[facei + 1] = starts[facei] + nLayers - 1
-          + nHigherNeighbours(faceNeighbours[facei], facei)*nLayers;
-    }
-
-    return starts;
-}
-
 } // End namespace Foam
 
 // ************************************************************************* //

@@ -4,6 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sharedPiece.H"
+#include "layersDivider.H"
+#include "SubField.H"
 
 namespace Foam
 {
@@ -23,9 +25,10 @@ static labelList processorsOfStacks
     (
         team.facesOnMaster(centresOfStacks(own), own.faces)
     );
+    const labelListList neighbours(divider.neighbours());
     labelList processors
     (
-        team.isMaster() ? divide(divider.neighbours(), centres) : labelList()
+        team.isMaster() ? divide(neighbours, centres) : labelList()
     );
     team.broadcast(processors);
 
@@ -36,16 +39,15 @@ static labelList processorsOfStacks
 //- Set the points of a piece, from the owners of its columns. Collective
 static void setPoints
 (
-    const prismLayers& whole,
     const prismLayers& own,
     const columnTeam& team,
     layersPiece& piece
 )
 {
-    labelList owners(piece.columns);
-    for (label& c : owners)
+    labelList owners(piece.columns.size());
+    forAll(owners, c)
     {
-        c = team.owner(whole.root(c));
+        owners[c] = team.owner(piece.columns[piece.layers.root(c)]);
     }
     piece.layers.points = team.valuesOf
     (
@@ -73,9 +75,27 @@ prismLayers wholeLayers(const layerFront& whole, const label nLayers)
 }
 
 
+pointField centresOfStacks(const prismLayers& layers)
+{
+    pointField centres(layers.faces.size(), Zero);
+    const label n = layers.nLayers + 1;
+
+    forAll(centres, facei)
+    {
+        const face& f = layers.faces[facei];
+        for (const label c : f)
+        {
+            centres[facei] += sum(SubField<point>(layers.points, n, c*n));
+        }
+        centres[facei] /= f.size()*n;
+    }
+
+    return centres;
+}
+
+
 layersPiece makeLayersPiece
 (
-    const prismLayers& whole,
     const prismLayers& own,
     const columnTeam& team,
     const stackDivision& divide
@@ -83,13 +103,18 @@ layersPiece makeLayersPiece
 {
     layersPiece piece;
     {
-        const layersDivider divider(whole);
-        piece = divider.piece
+        const layersDivider divider(own, team);
+        const labelList processors
         (
-            processorsOfStacks(divider, own, team, divide), team.rank()
+            processorsOfStacks(divider, own, team, divide)
+        );
+        piece = divider.assemble
+        (
+            team.exchange(divider.stacksByProcess(processors, team.size())),
+            processors
         );
     }
-    setPoints(whole, own, team, piece);
+    setPoints(own, team, piece);
 
     return piece;
 }

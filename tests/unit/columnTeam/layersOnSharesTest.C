@@ -210,7 +210,10 @@ static prismLayers layersOn(const frontShare& share, const prismLayers& all)
             own.points[own.index(c, i)] = all(share.columns[c], i);
         }
     }
-    own.faces = share.front.surface.faces;
+    const layerFront& front = share.front;
+    own.faces = front.surface.faces;
+    own.patchIDs = SubList<label>(front.surface.patchIDs, front.nWallFaces);
+    own.extraColumnPoints = front.extraColumnPoints();
 
     return own;
 }
@@ -248,8 +251,7 @@ TEST(layersOnShares, piecesHaveTheirStacks)
             (
                 makeLayersPiece
                 (
-                    wholeLayers(mesh.front, all.nLayers), own,
-                    columnTeam(share, processes), divide
+                    own, columnTeam(share, processes), divide
                 ),
                 rank
             )

@@ -3,10 +3,11 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "layersPiece.H"
+#include "layersDivider.H"
 #include "memoryMesh.H"
 #include "openSurfaces.H"
 #include "pieceInLists.H"
+#include "sharedPiece.H"
 #include "testLayers.H"
 #include "testStages.H"
 #include "testSurfaces.H"
@@ -50,7 +51,15 @@ static layersPiece pieceOf
     const label processor
 )
 {
-    layersPiece piece(layersDivider(layers).piece(processors, processor));
+    const layersDivider divider(layers, columnTeam::alone());
+    const List<message> messages
+    (
+        divider.stacksByProcess(processors, nProcessors)
+    );
+    layersPiece piece
+    (
+        divider.assemble(List<message>(1, messages[processor]), processors)
+    );
     forAll(piece.columns, c)
     {
         for (label i = 0; i <= layers.nLayers; ++i)
@@ -112,7 +121,10 @@ static void expectPiecesOfTheMesh(const prismLayers& layers)
 TEST(layersDivider, stacksAreBesideEachOther)
 {
     const prismLayers layers(straightLayers(cube(3), {0, 0.1}));
-    const labelListList beside(layersDivider(layers).neighbours());
+    const labelListList beside
+    (
+        layersDivider(layers, columnTeam::alone()).neighbours()
+    );
 
     ASSERT_EQ(beside.size(), layers.faces.size());
     forAll(beside, stacki)
@@ -130,7 +142,11 @@ TEST(layersDivider, aStackAtTheBorderHasFewerBesideIt)
 {
     const prismLayers layers(onePolygon(4, {0, 0.1}));
 
-    EXPECT_EQ(layersDivider(layers).neighbours(), labelListList(1));
+    EXPECT_EQ
+    (
+        layersDivider(layers, columnTeam::alone()).neighbours(),
+        labelListList(1)
+    );
 }
 
 
