@@ -7,11 +7,9 @@
 #include "layerSurfaces.H"
 #include "readPrismLayerControls.H"
 #include "returnMemory.H"
-#include "sharedFront.H"
 #include "sharedPiece.H"
 #include "StringStream.H"
 #include "throwingErrors.H"
-#include "wallMessages.H"
 
 namespace Foam
 {
@@ -55,9 +53,7 @@ static auto inTeam(const parallelRun& parallel, const Work& work)
 static List<message> orders
 (
     const processTeam& team,
-    const dictionary& dict,
-    const wallSurface& wall,
-    const localHeights& local
+    const dictionary& dict
 )
 {
     OStringStream text;
@@ -66,8 +62,6 @@ static List<message> orders
 
     message order;
     order.addText(text.str());
-    addWall(order, wall);
-    addHeights(order, local);
 
     List<message> all(team.size(), order);
     all[team.rank()].clear();
@@ -79,6 +73,7 @@ static List<message> orders
 //- The layers of all processes as layers() of caseLayers has them
 static prismLayers gathered
 (
+    const wallSurface& wall,
     const prismLayerMesh& mesh,
     const columnTeam& team,
     const bool hasFarField
@@ -87,7 +82,10 @@ static prismLayers gathered
     const prismLayers& own = mesh.made.layers;
     if (hasFarField || endOnParts(own))
     {
-        return gatherLayers(mesh.front, own.points, own.nLayers, team);
+        return gatherLayers
+        (
+            wall, mesh.front, own.points, own.nLayers, team
+        );
     }
 
     pointField ends(2*own.nColumns());
@@ -97,7 +95,7 @@ static prismLayers gathered
         ends[2*c + 1] = own(c, own.nLayers);
     }
 
-    return gatherLayers(mesh.front, ends, 1, team);
+    return gatherLayers(wall, mesh.front, ends, 1, team);
 }
 
 } // End namespace Foam
@@ -151,7 +149,10 @@ Foam::caseLayers::caseLayers
 
         if (mesh_.share)
         {
-            whole_ = gathered(mesh_, team(), controls.farField.isWanted());
+            whole_ = gathered
+            (
+                wall, mesh_, team(), controls.farField.isWanted()
+            );
         }
 
         return true;
@@ -187,15 +188,13 @@ Foam::layersPiece Foam::caseLayers::makePiece()
 void Foam::sendOrder
 (
     const parallelRun& parallel,
-    const dictionary& dict,
-    const wallSurface& wall,
-    const localHeights& local
+    const dictionary& dict
 )
 {
     if (parallel.isParallel())
     {
         parallel.begin();
-        parallel.team().exchange(orders(parallel.team(), dict, wall, local));
+        parallel.team().exchange(orders(parallel.team(), dict));
     }
 }
 
@@ -212,9 +211,10 @@ Foam::pieceWriter Foam::makePieceForMaster(const parallelRun& parallel)
     messageReader reader(received[0]);
     IStringStream text(reader.text());
     const prismLayerControls controls(readPrismLayerControls(dictionary(text)));
-    const wallSurface wall(takeWall(reader));
-    const localHeights local(takeHeights(reader));
-    caseLayers layers(parallel, wall, controls, local, silent, false);
+    caseLayers layers
+    (
+        parallel, wallSurface(), controls, localHeights(), silent, false
+    );
 
     if (controls.farField.isWanted())
     {

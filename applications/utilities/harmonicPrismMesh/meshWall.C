@@ -60,7 +60,7 @@ static autoPtr<caseLayers> makeLayers
 {
     try
     {
-        sendOrder(parallel, files.dict(), wall, local);
+        sendOrder(parallel, files.dict());
 
         return autoPtr<caseLayers>::New
         (
@@ -90,6 +90,7 @@ static autoPtr<caseLayers> makeLayers
 //- Makes the far field around layers
 static void addFarField
 (
+    const wallSurface& wall,
     farFieldDomain&& domain,
     const farFieldControls& controls,
     stageLog& log,
@@ -100,7 +101,8 @@ static void addFarField
     const wallAddressing addressing
     (
         mesh.share
-      ? makeWallAddressing(mesh.front.surface) : mesh.front.addressing
+      ? makeWallAddressing(surfaceOfFront(wall, mesh.front))
+      : mesh.front.addressing
     );
     mesh.farField = makeFarField
     (
@@ -142,7 +144,7 @@ void meshWall
     );
     if (controls.farField.isWanted())
     {
-        addFarField(std::move(domain), controls.farField, log, made());
+        addFarField(wall, std::move(domain), controls.farField, log, made());
     }
     if (pictures)
     {

@@ -43,6 +43,16 @@ static string writeMesh
 }
 
 
+//- The piece of this process. The layers of all processes are dropped first.
+static layersPiece takePiece(caseLayers& made)
+{
+    made.layers() = prismLayers();
+    returnMemory();
+
+    return made.makePiece();
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 void writeCase
@@ -70,7 +80,7 @@ void writeCase
     layersPiece piece
     (
         parallel.isParallel() && !hasFarField
-      ? made->makePiece() : layersPiece()
+      ? takePiece(made()) : layersPiece()
     );
     const dictionary processes(made->costs());
     prismLayers layers(std::move(made->layers()));

@@ -117,27 +117,6 @@ static wallSurface blockWall
 }
 
 
-//- The part of the wall that a block depends on: what is in reach of the block,
-//  and all faces around the points of the block and around their neighbours
-static wallPart surroundings
-(
-    const wallSurface& wall,
-    const boundBox& box,
-    const scalar reach,
-    const UList<bool>& inside
-)
-{
-    boolList faces(withFacesAround(wall, withFacesAround(wall, inside)));
-    const boolList inReach(facesIn(wall, widened(box, reach)));
-    forAll(faces, facei)
-    {
-        faces[facei] = faces[facei] || inReach[facei];
-    }
-
-    return makeWallPart(wall, faces);
-}
-
-
 //- Sets what is whole, and the neighbours of points.
 //  around: the addressing of the surroundings
 //  nearPoints: labels in the surroundings of the points of the block
@@ -204,13 +183,17 @@ fieldBlock makeFieldBlock
     const scalar reach = reachOf(radii.radius, own, controls);
     const boundBox box(widened(boundBox(wall.points, own, false), reach));
     const boolList inside(facesIn(wall, box));
+    const boundBox around
+    (
+        widened(boxOfFaces(wall, inside), reach)
+    );
 
     fieldBlock block;
     block.points = pointsOf(wall, own, inside);
     block.nOwn = own.size();
     block.wall = blockWall(wall, block.points, inside);
 
-    const wallPart near(surroundings(wall, box, reach, inside));
+    const wallPart near(makeWallPart(wall, facesIn(wall, around)));
     wallContext context(near.wall);
     const labelList nearPoints(near.localPoints(block.points));
     block.envelope = makeOffsetEnvelope

@@ -37,29 +37,16 @@ static boolList disturbingPoints
 }
 
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
-labelList findFieldIslands
-(
-    const wallContext& context,
-    const envelopeRadii& radii,
-    const islandControls& controls
-)
+//- Lengthens the way that is left at each point to the longest way that its
+//  neighbours leave: Dijkstra, the longest first
+static void spread(const wallContext& context, scalarField& left)
 {
-    const boolList disturbs
-    (
-        disturbingPoints(context, radii, controls)
-    );
-
-    // Dijkstra: the longest way that is left at each point, the longest first
     typedef std::pair<scalar, label> entry;
     std::priority_queue<entry> front;
-    scalarField left(disturbs.size(), -1);
-    forAll(disturbs, p)
+    forAll(left, p)
     {
-        if (disturbs[p])
+        if (left[p] >= 0)
         {
-            left[p] = controls.reach*radii.radius[p];
             front.push(entry(left[p], p));
         }
     }
@@ -87,6 +74,49 @@ labelList findFieldIslands
             }
         }
     }
+}
+
+
+//- Lengthens the ways of copies as their owners have. Returns whether any
+//  process has lengthened one. Collective
+static bool lengthen(const columnTeam& team, scalarField& left)
+{
+    scalarField shortened(-left);
+    const bool changed = team.lowerPointsToOwners(shortened);
+    left = -shortened;
+
+    return changed;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+labelList findFieldIslands
+(
+    const wallContext& context,
+    const envelopeRadii& radii,
+    const columnTeam& team,
+    const islandControls& controls
+)
+{
+    const boolList disturbs
+    (
+        disturbingPoints(context, radii, controls)
+    );
+    scalarField left(disturbs.size(), -1);
+    forAll(disturbs, p)
+    {
+        if (disturbs[p])
+        {
+            left[p] = controls.reach*radii.radius[p];
+        }
+    }
+
+    do
+    {
+        spread(context, left);
+    }
+    while (lengthen(team, left));
 
     return subsetList
     (

@@ -79,28 +79,64 @@ Type columnTeam::reduce(const Type& value, const Operation& op) const
 
 
 template<class Type>
-List<Type> columnTeam::ofWholeWall(const UList<Type>& values) const
+List<Type> columnTeam::pointsOnMaster(const UList<Type>& values) const
 {
     if (isAlone())
     {
         return List<Type>(values);
     }
 
-    DynamicList<label> points;
-    DynamicList<Type> own;
-    forAll(values, p)
-    {
-        if (share_->isOwn[p])
-        {
-            points.append(share_->columns[p]);
-            own.append(values[p]);
-        }
-    }
-    const labelList all(gather(points));
-    List<Type> result(all.size());
-    UIndirectList<Type>(result, all) = gather(own);
+    const labelList points(share_->wallPoints());
+    labelList own(findIndices(share_->isOwn, true));
+    inplaceSubsetList
+    (
+        own, [&](const label c) { return c < points.size(); }
+    );
 
-    return result;
+    return toMaster(values, own, points, share_->nWallPoints, 1);
+}
+
+
+template<class Type>
+List<Type> columnTeam::pointsFromMaster
+(
+    const UList<Type>& whole,
+    const label nEach
+) const
+{
+    return isAlone()
+      ? List<Type>(whole) : askMaster(share_->wallPoints(), whole, nEach);
+}
+
+
+template<class Type>
+void columnTeam::updatePoints(UList<Type>& values) const
+{
+    if (!isAlone())
+    {
+        List<Type> ofColumns
+        (
+            UIndirectList<Type>(values, share_->front.wallPoints)
+        );
+        update(ofColumns);
+        std::copy_n(ofColumns.begin(), values.size(), values.begin());
+    }
+}
+
+
+template<class Type>
+bool columnTeam::lowerPointsToOwners(UList<Type>& values) const
+{
+    if (isAlone())
+    {
+        return false;
+    }
+
+    List<Type> ofColumns(UIndirectList<Type>(values, share_->front.wallPoints));
+    const bool lower = lowerToOwners(ofColumns);
+    std::copy_n(ofColumns.begin(), values.size(), values.begin());
+
+    return lower;
 }
 
 
@@ -124,21 +160,17 @@ List<Type> columnTeam::some
 
 
 template<class Type>
-List<Type> columnTeam::fromMaster
+List<Type> columnTeam::askMaster
 (
+    const labelUList& labels,
     const UList<Type>& whole,
     const label nEach
 ) const
 {
-    if (isAlone())
-    {
-        return List<Type>(whole);
-    }
-
     List<message> asked(size());
     forAll(asked, p)
     {
-        asked[p].addList(p == 0 ? share_->columns : labelList());
+        asked[p].addList(p == 0 ? labels : labelUList::null());
     }
     asked = exchange(asked);
 
@@ -146,13 +178,24 @@ List<Type> columnTeam::fromMaster
     forAll(answers, p)
     {
         messageReader reader(asked[p]);
-        const labelList columns(reader.list<label>());
-        answers[p].addList(some(whole, columns, nEach));
+        answers[p].addList(some(whole, reader.list<label>(), nEach));
     }
     const List<message> received(exchange(answers));
     messageReader reader(received[0]);
 
     return reader.list<Type>();
+}
+
+
+template<class Type>
+List<Type> columnTeam::fromMaster
+(
+    const UList<Type>& whole,
+    const label nEach
+) const
+{
+    return isAlone()
+      ? List<Type>(whole) : askMaster(share_->columns, whole, nEach);
 }
 
 

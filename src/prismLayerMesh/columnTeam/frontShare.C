@@ -289,7 +289,8 @@ frontShare makeFrontShare
 {
     const labelList rings(ringsOf(whole, owners, process));
     frontShare share;
-    share.owners = owners;
+    share.nWallPoints = owners.size();
+    share.nProcesses = nProcesses;
     shareBuilder builder{whole, addressing, rings, share};
     builder.choose();
     builder.addSurface();
@@ -313,7 +314,7 @@ labelList ownersByRange(const label nPoints, const label nProcesses)
     labelList owners(nPoints);
     forAll(owners, p)
     {
-        owners[p] = label(std::int64_t(p)*nProcesses/max(nPoints, label(1)));
+        owners[p] = ownerByRange(p, nPoints, nProcesses);
     }
 
     return owners;

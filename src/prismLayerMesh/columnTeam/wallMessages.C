@@ -120,33 +120,6 @@ wallSurface takeWall(messageReader& reader)
     return wall;
 }
 
-
-void addHeights(message& m, const localHeights& heights)
-{
-    m.addValue(heights.inRegion.size());
-    for (const boolList& inRegion : heights.inRegion)
-    {
-        m.addList(inRegion);
-    }
-    m.addList(heights.firstThickness);
-    m.addList(heights.thickness);
-}
-
-
-localHeights takeHeights(messageReader& reader)
-{
-    localHeights heights;
-    heights.inRegion.setSize(reader.value<label>());
-    for (boolList& inRegion : heights.inRegion)
-    {
-        inRegion = reader.list<bool>();
-    }
-    heights.firstThickness = reader.list<scalar>();
-    heights.thickness = reader.list<scalar>();
-
-    return heights;
-}
-
 } // End namespace Foam
 
 // ************************************************************************* //

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layerReport.H"
+#include "wallPartsInBoxes.H"
 #include "limitHeightJumps.H"
 #include "prismPolyMesh.H"
 #include "IOobject.H"
@@ -53,25 +54,6 @@ static pointField placesOf
     const labelList order(sortedOrder(team.gather(labels)));
 
     return pointField(pointField(team.gather(middles)), order);
-}
-
-
-//- The wall under a share of a front
-static wallSurface wallOf(const layerFront& front)
-{
-    const label nPoints =
-        front.wallPoints.size() - front.extraColumnPoints().size();
-    wallSurface wall;
-    wall.points = SubList<point>(front.surface.points, nPoints);
-    wall.faces = SubList<face>(front.surface.faces, front.nWallFaces);
-    for (face& f : wall.faces)
-    {
-        inplaceRenumber(front.wallPoints, f);
-    }
-    wall.patchIDs = SubList<label>(front.surface.patchIDs, front.nWallFaces);
-    wall.patchNames = front.surface.patchNames;
-
-    return wall;
 }
 
 
@@ -221,9 +203,9 @@ layerReport makeLayerReport
         mesh.share
       ? reportOf
         (
-            wallOf(mesh.share->front),
+            wallOfFront(mesh.share->front),
             edgesOfShare(mesh.share->front, wall.border, team),
-            mesh.heights.request.at(mesh.share->wallPoints())
+            mesh.heights.request
         )
       : reportOf(wall, mesh.addressing.edgeFaces, mesh.heights.request)
     );

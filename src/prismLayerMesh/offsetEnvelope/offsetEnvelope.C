@@ -165,18 +165,25 @@ envelopeRadii makeEnvelopeRadii
 (
     const wallContext& context,
     const scalarField& wanted,
-    const scalarField& clearance
+    const scalarField& clearance,
+    const columnTeam& team
 )
 {
     envelopeRadii radii;
     radii.wanted = wanted;
     radii.room = min(wanted, clearance);
     radii.radius = radii.room;
-    limitGradient
-    (
-        context.wall, context.addressing, sheetControls::maxSlope, radii.radius
-    );
+    do
+    {
+        limitGradient
+        (
+            context.wall, context.addressing, sheetControls::maxSlope,
+            radii.radius
+        );
+    }
+    while (team.lowerPointsToOwners(radii.radius));
     radii.edgeLengths = meanEdges(context.wall, context.addressing);
+    team.updatePoints(radii.edgeLengths);
 
     return radii;
 }

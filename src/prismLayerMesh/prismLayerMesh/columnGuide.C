@@ -4,27 +4,15 @@
 \*---------------------------------------------------------------------------*/
 
 #include "columnGuide.H"
-#include "fieldIslands.H"
+#include "sharedBlocks.H"
+#include "stageText.H"
 #include "straightShares.H"
+#include "wallBlocks.H"
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-static columnStarts startsOf
-(
-    const layerFront& front,
-    const layerSpacing& spacing
-)
-{
-    return columnStarts
-    {
-        front.wallPoints, front.visibility.axes(),
-        spacing.at(front.wallPoints)
-    };
-}
-
 
 //- Straight lines of the columns that this process makes
 static gradientLines straightLines
@@ -36,19 +24,15 @@ static gradientLines straightLines
     return makeStraightLines
     (
         columns.own.surface.points, columns.own.visibility.axes(),
-        requestedHeights(spacing.at(columns.wallPoints()))
+        requestedHeights(spacing.at(columns.own.wallPoints))
     );
 }
 
 
-static columnGuide straightGuide
-(
-    const wallHeights& heights,
-    const guidedColumns& columns
-)
+static columnGuide straightGuide(const guidedColumns& columns)
 {
     columnGuide guide;
-    guide.spacing = heights.graded;
+    guide.spacing = columns.heights.graded;
     guide.noField = "marchingDirections axes needs none";
     guide.fields.failure = guide.noField;
     guide.lines = straightLines(columns, guide.spacing);
@@ -57,58 +41,19 @@ static columnGuide straightGuide
 }
 
 
-//- The points of the parts of a closed wall that is large
-static labelListList partsOf
-(
-    const wallSurface& wall,
-    const scalarField& radius
-)
-{
-    return wall.border.sides.empty()
-      ? divideWall(wall.points, radius, blockControls())
-      : labelListList();
-}
-
-
-//- Whether each column that this process makes is an own one with a line in a
-//  field
-static boolList haveLines
-(
-    const guidedColumns& columns,
-    const columnGuide& guide
-)
-{
-    boolList onPoints(max(columns.whole.wallPoints) + 1, !guide.isDivided);
-    for (const labelList& block : guide.blocks)
-    {
-        UIndirectList<bool>(onPoints, block) = true;
-    }
-
-    boolList have(UIndirectList<bool>(onPoints, columns.wallPoints()));
-    forAll(have, c)
-    {
-        have[c] = have[c] && columns.team.isOwn(c);
-    }
-
-    return have;
-}
-
-
 //- Lines along a field, straightened where the columns need none
 static gradientLines straightened
 (
     const guidedColumns& columns,
-    const columnGuide& guide,
+    const layerSpacing& spacing,
     columnLines& along
 )
 {
-    const layerSpacing& spacing = guide.spacing;
     const gradientLines straight(straightLines(columns, spacing));
-    const boolList have(haveLines(columns, guide));
     const label n = straight.nSamples;
     forAll(along.slopes, c)
     {
-        if (!have[c])
+        if (!along.isSet[c] || !columns.team.isOwn(c))
         {
             along.slopes[c] = 0;
             SubList<point>(along.lines.points, n, n*c) =
@@ -116,7 +61,7 @@ static gradientLines straightened
         }
     }
 
-    const scalarField thickness(spacing.thickness, columns.wallPoints());
+    const scalarField thickness(spacing.thickness, columns.own.wallPoints);
     const scalarField shares
     (
         straightShares(columns.own, along.slopes, thickness, columns.team)
@@ -127,94 +72,196 @@ static gradientLines straightened
 }
 
 
+//- On the master: starts of all columns.
+//  spacing: at all points of the wall
+static columnStarts startsOfAll
+(
+    const guidedColumns& columns,
+    const layerSpacing& spacing
+)
+{
+    const layerFront& front = columns.front;
+    const wallVisibility& visibility = front.visibility.cones.size()
+      ? front.visibility : columns.whole->context.visibility;
+
+    return columnStarts
+    {
+        front.wallPoints, visibility.axes(), spacing.at(front.wallPoints)
+    };
+}
+
+
 //- The lines of one field for all of the wall, which the master makes.
-//  Collective
+//  spacing: on the master, at all points of the wall. Collective
 static columnLines linesOfOneField
 (
-    const columnGuide& guide,
+    const wallFields& fields,
+    const layerSpacing& spacing,
     const guidedColumns& columns,
     const lineDirections weighting = lineDirections::unit
 )
 {
+    const columnTeam& team = columns.team;
     columnLines all;
-    if (columns.team.isMaster())
+    if (columns.whole)
     {
         all = makeColumnLines
         (
-            guide.fields.background, guide.fields.isotropic,
-            startsOf(columns.whole, guide.spacing), weighting
+            fields.background, fields.isotropic, startsOfAll(columns, spacing),
+            weighting
         );
     }
-    if (columns.team.isAlone())
+    if (team.isAlone())
     {
         return all;
     }
 
+    labelList n(1, all.lines.nSamples);
+    team.broadcast(n);
     columnLines own;
-    own.lines.nSamples = guide.spacing.nLayers;
-    own.lines.points =
-        columns.team.fromMaster(all.lines.points, own.lines.nSamples);
-    own.slopes = columns.team.fromMaster(all.slopes);
+    own.lines.nSamples = n[0];
+    own.lines.points = team.fromMaster(all.lines.points, n[0]);
+    own.slopes = team.fromMaster(all.slopes);
+    own.isSet.setSize(own.slopes.size(), true);
 
     return own;
+}
+
+
+//- On the master: radii at all points of the wall. Collective
+static envelopeRadii radiiOfAll
+(
+    const columnTeam& team,
+    const envelopeRadii& radii
+)
+{
+    return envelopeRadii
+    {
+        scalarField(team.pointsOnMaster(radii.wanted)),
+        scalarField(team.pointsOnMaster(radii.room)),
+        scalarField(team.pointsOnMaster(radii.radius)),
+        scalarField(team.pointsOnMaster(radii.edgeLengths))
+    };
+}
+
+
+//- Lines in the fields of blocks. Collective
+static columnLines linesOfBlocks
+(
+    const guidedColumns& columns,
+    const envelopeRadii& radii,
+    const labelListList& blocks,
+    const prismLayerControls& controls,
+    const stageObserver& observer,
+    columnGuide& guide
+)
+{
+    observer.begin("columnLines");
+    const wallSurface& wall = columns.context.wall;
+    const layerFront& front = columns.own;
+    columnLines lines;
+
+    if (columns.team.isAlone())
+    {
+        const columnStarts starts
+        {
+            front.wallPoints, front.visibility.axes(),
+            guide.spacing.at(front.wallPoints)
+        };
+        const dividedWall divided
+        {
+            wall, radii, blocks, blockControls(), controls.backgroundMesh,
+            controls.layers.maxStretch
+        };
+        lines =
+            makeColumnLines(divided, starts, controls.field, guide.noField);
+    }
+    else
+    {
+        const sharedWall shared
+        {
+            columns.team, front, radii, guide.spacing, blocks,
+            blockControls(), controls.backgroundMesh,
+            controls.layers.maxStretch
+        };
+        lines = makeColumnLines(shared, controls.field, guide.noField);
+    }
+
+    const label nPoints = columns.team.nWallPoints(wall.points.size());
+    observer.end(sizesOf(blocks, nPoints, guide.noField));
+
+    return lines;
+}
+
+
+//- The fields of all of the wall, which the master makes. Collective
+static void makeWholeFields
+(
+    const guidedColumns& columns,
+    const envelopeRadii& radii,
+    const prismLayerControls& controls,
+    const stageObserver& observer,
+    columnGuide& guide
+)
+{
+    const envelopeRadii all(radiiOfAll(columns.team, radii));
+    if (columns.whole)
+    {
+        wallContext& context = columns.whole->context;
+        context.complete();
+        guide.envelope = makeEnvelope(context, all, controls, observer);
+        guide.fields =
+            makeFields(context, guide.envelope, controls.field, observer);
+    }
 }
 
 
 //- The lines of the isotropic field, the exact and the smooth one: on the lines
 //  of the others columns beside concave edges cross. They are straight on
 //  convex parts, and everywhere if there is no field.
-//  parts: of a large wall, see divideWall
-//  islands: see findFieldIslands
-//  Where the wall has parts, the context is dropped, unless the stages are kept.
 static columnGuide fieldGuide
 (
-    wallContext& context,
-    const wallHeights& heights,
     const guidedColumns& columns,
     const envelopeRadii& radii,
-    const labelListList& parts,
-    const labelUList& islands,
     const prismLayerControls& controls,
     const stageObserver& observer,
     const bool keepStages
 )
 {
     columnGuide guide;
-    guide.spacing = heights.graded;
-    guide.isDivided = parts.size();
-    guide.blocks = partsWith(parts, islands);
+    guide.spacing = columns.heights.graded;
+    const wallBlocks blocks
+    (
+        makeWallBlocks(columns.context, radii, columns.team)
+    );
     columnLines along;
 
-    if ((!guide.isDivided || keepStages) && columns.team.isMaster())
+    if (!blocks.isDivided || keepStages)
     {
-        context.complete();
-        guide.envelope = makeEnvelope(context, radii, controls, observer);
-        guide.fields =
-            makeFields(context, guide.envelope, controls.field, observer);
+        makeWholeFields(columns, radii, controls, observer, guide);
         guide.field = guide.fields.anisotropic;
     }
     guide.fields.failure = columns.team.textOfMaster(guide.fields.failure);
 
-    if (guide.isDivided)
+    if (blocks.isDivided)
     {
         if (!keepStages)
         {
-            context.drop();
+            columns.context.drop();
         }
-        const dividedWall divided
-        {
-            context.wall, radii, guide.blocks, blockControls(),
-            controls.backgroundMesh, controls.layers.maxStretch
-        };
-        along = makeLinesOfBlocks
+        along = linesOfBlocks
         (
-            divided, startsOf(columns.whole, guide.spacing), controls.field,
-            observer, guide.noField, columns.team
+            columns, radii, blocks.points, controls, observer, guide
         );
     }
     else if (guide.fields.failure.empty())
     {
-        along = linesOfOneField(guide, columns);
+        along = linesOfOneField
+        (
+            guide.fields,
+            columns.whole ? columns.whole->heights.graded : layerSpacing(),
+            columns
+        );
     }
     else
     {
@@ -224,31 +271,15 @@ static columnGuide fieldGuide
         return guide;
     }
 
-    guide.lines = straightened(columns, guide, along);
+    guide.lines = straightened(columns, guide.spacing, along);
 
     return guide;
 }
 
 
-//- Gives the spacing of the master to all
-static void broadcast(const columnTeam& team, layerSpacing& spacing)
-{
-    labelList n(1, spacing.nLayers);
-    team.broadcast(n);
-    spacing.nLayers = n[0];
-    team.broadcast(spacing.firstThickness);
-    team.broadcast(spacing.ratio);
-    team.broadcast(spacing.thickness);
-    team.broadcast(spacing.layersAsked);
-    team.broadcast(spacing.given);
-}
-
-
-//- The master makes the level sets
+//- The master makes the level sets. Collective
 static columnGuide levelSetGuide
 (
-    wallContext& context,
-    const wallHeights& heights,
     const guidedColumns& columns,
     const envelopeRadii& radii,
     const prismLayerControls& controls,
@@ -256,44 +287,32 @@ static columnGuide levelSetGuide
 )
 {
     columnGuide guide;
+    layerSpacing spacing;
+    makeWholeFields(columns, radii, controls, observer, guide);
 
-    if (columns.team.isMaster())
+    if (columns.whole)
     {
-        context.complete();
-        guide.envelope = makeEnvelope(context, radii, controls, observer);
-        guide.fields =
-            makeFields(context, guide.envelope, controls.field, observer);
         levelSetLayers onSets
         (
             makeLevelSets
             (
-                context, guide.fields, heights.graded, controls, observer
+                columns.whole->context, guide.fields,
+                columns.whole->heights.graded, controls, observer
             )
         );
         guide.field = std::move(onSets.field);
-        guide.spacing = std::move(onSets.spacing);
+        spacing = std::move(onSets.spacing);
     }
-    broadcast(columns.team, guide.spacing);
+    guide.spacing = spacingOnShare(spacing, columns.team);
 
     guide.lines = controls.layers.alongField
-      ? linesOfOneField(guide, columns, lineDirections::agreeing).lines
+      ? linesOfOneField
+        (
+            guide.fields, spacing, columns, lineDirections::agreeing
+        ).lines
       : straightLines(columns, guide.spacing);
 
     return guide;
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-labelList guidedColumns::wallPoints() const
-{
-    labelList points(own.wallPoints);
-    for (label& p : points)
-    {
-        p = team.wholeColumn(p);
-    }
-
-    return points;
 }
 
 
@@ -301,8 +320,6 @@ labelList guidedColumns::wallPoints() const
 
 columnGuide makeColumnGuide
 (
-    wallContext& context,
-    const wallHeights& heights,
     const guidedColumns& columns,
     const scalarField& clearance,
     const prismLayerControls& controls,
@@ -314,36 +331,21 @@ columnGuide makeColumnGuide
 
     if (!layers.alongField && !layers.onLevelSets)
     {
-        return straightGuide(heights, columns);
+        return straightGuide(columns);
     }
 
     const envelopeRadii radii
     (
         makeEnvelopeRadii
         (
-            context, controls.envelope.scale*heights.room,
-            columns.team.ofWholeWall(columns.own.smallest(clearance))
+            columns.context, controls.envelope.scale*columns.heights.room,
+            columns.own.smallest(clearance), columns.team
         )
     );
-    if (layers.onLevelSets)
-    {
-        return levelSetGuide
-        (
-            context, heights, columns, radii, controls, observer
-        );
-    }
 
-    const labelListList parts(partsOf(context.wall, radii.radius));
-    const labelList islands
-    (
-        parts.size() ? findFieldIslands(context, radii) : labelList()
-    );
-
-    return fieldGuide
-    (
-        context, heights, columns, radii, parts, islands, controls, observer,
-        keepStages
-    );
+    return layers.onLevelSets
+      ? levelSetGuide(columns, radii, controls, observer)
+      : fieldGuide(columns, radii, controls, observer, keepStages);
 }
 
 } // End namespace Foam

@@ -229,45 +229,6 @@ wallFields makeFields
 }
 
 
-static label nPointsOf(const labelListList& parts)
-{
-    label n = 0;
-    for (const labelList& part : parts)
-    {
-        n += part.size();
-    }
-
-    return n;
-}
-
-
-columnLines makeLinesOfBlocks
-(
-    const dividedWall& wall,
-    const columnStarts& starts,
-    const fieldControls& controls,
-    const stageObserver& observer,
-    string& failure,
-    const columnTeam& team
-)
-{
-    observer.begin("columnLines");
-    const columnLines made
-    (
-        makeColumnLines(wall, starts, controls, failure, team)
-    );
-    observer.end
-    (
-        failure.empty()
-      ? text(wall.parts.size(), " blocks for ", nPointsOf(wall.parts), " of ",
-            wall.wall.points.size(), " points")
-      : "no field in front of " + failure
-    );
-
-    return made;
-}
-
-
 levelSetLayers makeLevelSets
 (
     const wallContext& context,

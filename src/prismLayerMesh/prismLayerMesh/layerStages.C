@@ -10,36 +10,17 @@
 #include "stageText.H"
 #include "unitConversion.H"
 #include "wallClearance.H"
-#include "wallPart.H"
+#include "wallPartsInBoxes.H"
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Kinds of the points under the columns that this process makes
-static List<pointKind> kindsHere
-(
-    const List<pointKind>& kinds,
-    const guidedColumns& front
-)
-{
-    const label nPoints =
-        front.own.wallPoints.size() - front.own.extraColumnPoints().size();
-    const labelList points(front.wallPoints());
-
-    return List<pointKind>
-    (
-        UIndirectList<pointKind>(kinds, SubList<label>(points, nPoints))
-    );
-}
-
-
 //- The room in front of the columns that this process makes. In a team the
 //  search has the part of the wall that the balls may meet, in mirrors too.
 static scalarField clearanceOf
 (
-    const wallContext& context,
     const guidedColumns& columns,
     const scalarField& reach,
     const scalar maxStretch
@@ -54,20 +35,27 @@ static scalarField clearanceOf
         );
     };
 
-    if (columns.team.isAlone() || reach.empty())
+    if (columns.team.isAlone())
     {
-        return clearanceBy(context.search());
+        return clearanceBy(columns.context.search());
     }
 
-    const boolList isNear
+    // A ball is up to maxStretch reaches away, and one reach wide; in a mirror
+    // it is two more reaches away
+    const bool hasMirrors = front.surface.border.sides.size();
+    const scalar farthest = (maxStretch + (hasMirrors ? 3 : 1))*max(reach);
+
+    // Collective, also if a process has no columns
+    const wallPart near
     (
-        facesNear
+        wallPartInBoxes
         (
-            context.wall, front.surface.points, (maxStretch + 3)*max(reach)
+            front, columns.team,
+            boxesAround(front.surface.points, farthest)
         )
     );
 
-    return clearanceBy(wallSearch(makeWallPart(context.wall, isNear).wall));
+    return reach.empty() ? reach : clearanceBy(wallSearch(near.wall));
 }
 
 
@@ -129,8 +117,6 @@ layerFront makeFront
 
 scalarField makeClearance
 (
-    const wallContext& context,
-    const wallHeights& heights,
     const guidedColumns& front,
     const prismLayerControls& controls,
     const stageObserver& observer
@@ -140,11 +126,11 @@ scalarField makeClearance
     const scalarField reach
     (
         2*controls.envelope.scale
-       *scalarField(heights.room, front.wallPoints())
+       *scalarField(front.heights.room, front.own.wallPoints)
     );
     const scalarField clearance
     (
-        clearanceOf(context, front, reach, controls.layers.maxStretch)
+        clearanceOf(front, reach, controls.layers.maxStretch)
     );
     const scalar least = min(front.team.gather(scalarList(1, min(clearance))));
     observer.end(text("room from ", least, " m"));
@@ -167,11 +153,14 @@ layerColumns makeColumns
     (
         makeLayerColumns
         (
-            front.own, clearance, guide.spacing.at(front.wallPoints()),
+            front.own, clearance, guide.spacing.at(front.own.wallPoints),
             guide.lines, controls, front.team
         )
     );
-    observer.end(text(front.whole.wallPoints.size(), " columns"));
+    observer.end
+    (
+        text(front.team.nColumns(front.own.wallPoints.size()), " columns")
+    );
 
     return columns;
 }
@@ -179,8 +168,6 @@ layerColumns makeColumns
 
 madeLayers makeLayers
 (
-    const wallContext& context,
-    const wallHeights& heights,
     const guidedColumns& front,
     const layerSpacing& spacing,
     const layerColumns& columns,
@@ -198,14 +185,20 @@ madeLayers makeLayers
 
     if (made.certified.pointsWithoutHeight.empty())
     {
-        const labelList points(front.wallPoints());
         nameCauses
         (
-            front.own, kindsHere(context.kinds, front),
-            heights.request.at(points), spacing, columns, made
+            front.own, front.context.kinds,
+            front.heights.request.at(front.own.wallPoints), spacing, columns,
+            made
         );
     }
-    observer.end(sizesOf(made, front.whole.surface.faces.size()));
+    observer.end
+    (
+        sizesOf
+        (
+            made, front.team.nWholeFaces(front.own.surface.faces.size())
+        )
+    );
 
     return made;
 }

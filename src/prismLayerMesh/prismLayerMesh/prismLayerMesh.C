@@ -4,10 +4,11 @@
 \*---------------------------------------------------------------------------*/
 
 #include "prismLayerMesh.H"
+#include "distributeFront.H"
 #include "layerStages.H"
 #include "returnMemory.H"
-#include "sharedFront.H"
 #include "stageText.H"
+#include "wallPartsInBoxes.H"
 
 namespace Foam
 {
@@ -34,81 +35,176 @@ static void certifyMesh
 
 
 //- Drops what the layers do not need
-static void dropStages(wallContext& context, prismLayerMesh& mesh)
+static void dropStages(const guidedColumns& columns, prismLayerMesh& mesh)
 {
     mesh.guide = columnGuide();
     mesh.clearance.clear();
-    context.drop();
-    if (mesh.share)
+    if (columns.whole)
     {
-        mesh.front.visibility = wallVisibility();
+        columns.whole->context.drop();
+    }
+    if (columns.whole && !columns.team.isAlone())
+    {
+        columns.whole->heights = wallHeights();
     }
     returnMemory();
 }
 
 
+//- The layers of the columns of this process, until they are certified, unless
+//  points have no layers
+static void makeLayersOnColumns
+(
+    const guidedColumns& columns,
+    const prismLayerControls& controls,
+    const stageObserver& observer,
+    const bool keepStages,
+    prismLayerMesh& mesh
+)
+{
+    mesh.clearance = makeClearance(columns, controls, observer);
+    mesh.guide = makeColumnGuide
+    (
+        columns, mesh.clearance, controls, observer, keepStages
+    );
+    layerColumns made
+    (
+        makeColumns
+        (
+            columns, mesh.clearance, mesh.guide, controls.layers, observer
+        )
+    );
+    const layerSpacing spacing
+    (
+        mesh.guide.spacing.at(columns.own.wallPoints)
+    );
+    mesh.noField = mesh.guide.noField;
+
+    mesh.columns = keepStages ? made : layerColumns();
+    if (!keepStages)
+    {
+        dropStages(columns, mesh);
+    }
+
+    mesh.made =
+        makeLayers(columns, spacing, made, controls.quality, observer);
+    if (mesh.made.certified.pointsWithoutHeight.empty())
+    {
+        certifyMesh(columns, controls.quality, observer, mesh);
+    }
+}
+
+
+//- Drops what the shares of a front have. The surface of a bare front is the
+//  surface of the wall.
+static void keepColumnsOnly(layerFront& front)
+{
+    wallVisibility cones;
+    cones.cones = front.visibility.cones;
+    if (front.isBare())
+    {
+        front.surface = wallSurface();
+    }
+    front.visibility = std::move(cones);
+    front.addressing = wallAddressing();
+}
+
+
+//- As makeLayersOnColumns, on the share of this process. Collective
+static void makeLayersOnShare
+(
+    wholeWall* whole,
+    const prismLayerControls& controls,
+    const stageObserver& observer,
+    const processTeam& processes,
+    prismLayerMesh& mesh
+)
+{
+    mesh.share = distributeFront(mesh.front, processes);
+    if (whole)
+    {
+        keepColumnsOnly(mesh.front);
+        whole->context.drop();
+    }
+    returnMemory();
+
+    const columnTeam team(mesh.share.get(), &processes);
+    const layerFront& own = mesh.share->front;
+    const wallSurface wall(wallOfFront(own));
+    wallContext context
+    (
+        wall,
+        team.pointsFromMaster
+        (
+            whole ? whole->context.kinds : List<pointKind>()
+        ),
+        scalarField
+        (
+            team.pointsFromMaster
+            (
+                whole ? whole->context.curvature : scalarField()
+            )
+        )
+    );
+    mesh.heights =
+        heightsOnShare(whole ? whole->heights : wallHeights(), team);
+    makeLayersOnColumns
+    (
+        guidedColumns{own, team, context, mesh.heights, whole, mesh.front},
+        controls, observer, false, mesh
+    );
+}
+
+
 //- The mesh on a front with multiple normals at angles below one [deg], as far
-//  as layers are possible there. Unless the stages are kept, the context is
-//  dropped on the way.
+//  as layers are possible there. Collective.
+//  whole: null on a process that is not the master
 static prismLayerMesh makeLayersOnFront
 (
-    wallContext& context,
-    const wallHeights& heights,
+    wholeWall* whole,
     const scalar angle,
     const prismLayerControls& controls,
+    const localHeights& local,
     const stageObserver& observer,
     const bool keepStages,
     const processTeam* processes
 )
 {
     prismLayerMesh mesh;
-    context.complete();
-    mesh.front = makeFront(context, angle, observer);
+    if (whole)
+    {
+        whole->context.complete();
+        whole->heights =
+            makeHeights(whole->context, controls.layers, local, observer);
+        mesh.front = makeFront(whole->context, angle, observer);
+    }
+    if (processes)
+    {
+        processes->broadcast(mesh.front.pointsWithoutDirection);
+    }
 
     if (mesh.front.pointsWithoutDirection.size())
     {
         return mesh;
     }
 
-    mesh.share = completeFront(context, processes, mesh.front);
-    if (mesh.share)
+    if (processes)
     {
-        context.visibility = wallVisibility();
-    }
-    const columnTeam team(mesh.share.get(), processes);
-    const guidedColumns front
-    {
-        mesh.front, processes ? mesh.share->front : mesh.front, team
-    };
-    mesh.clearance = makeClearance(context, heights, front, controls, observer);
-    mesh.guide = makeColumnGuide
-    (
-        context, heights, front, mesh.clearance, controls, observer, keepStages
-    );
-    layerColumns columns
-    (
-        makeColumns
-        (
-            front, mesh.clearance, mesh.guide, controls.layers, observer
-        )
-    );
-    const layerSpacing spacing(mesh.guide.spacing.at(front.wallPoints()));
-    mesh.noField = mesh.guide.noField;
-
-    mesh.columns = keepStages ? columns : layerColumns();
-    if (!keepStages)
-    {
-        dropStages(context, mesh);
+        makeLayersOnShare(whole, controls, observer, *processes, mesh);
+        return mesh;
     }
 
-    mesh.made = makeLayers
+    wallContext& context = whole->context;
+    mesh.front.complete(context.addressing, context.visibility);
+    makeLayersOnColumns
     (
-        context, heights, front, spacing, columns, controls.quality, observer
+        guidedColumns
+        {
+            mesh.front, columnTeam::alone(), context, whole->heights, whole,
+            mesh.front
+        },
+        controls, observer, keepStages, mesh
     );
-    if (mesh.made.certified.pointsWithoutHeight.empty())
-    {
-        certifyMesh(front, controls.quality, observer, mesh);
-    }
 
     return mesh;
 }
@@ -118,6 +214,53 @@ static bool hasLayers(const prismLayerMesh& mesh)
 {
     return mesh.front.pointsWithoutDirection.empty()
         && mesh.made.certified.pointsWithoutHeight.empty();
+}
+
+
+//- What the only process keeps of the wall
+static void takeFromWall
+(
+    wholeWall& whole,
+    const bool keepStages,
+    prismLayerMesh& mesh
+)
+{
+    wallContext& context = whole.context;
+    mesh.heights = std::move(whole.heights);
+    if (keepStages)
+    {
+        mesh.addressing = std::move(context.addressing);
+        mesh.visibility = std::move(context.visibility);
+    }
+    else
+    {
+        mesh.addressing = mesh.front.extraColumnPoints().empty()
+          ? mesh.front.addressing : makeWallAddressing(context.wall);
+        mesh.front.visibility = wallVisibility();
+    }
+}
+
+
+//- Throws the error of points without layers. Processes that are not the master
+//  do not know where these points are: they get the error of the master.
+static void endWithoutLayers
+(
+    wholeWall* whole,
+    const prismLayerMesh& mesh,
+    const processTeam* processes
+)
+{
+    if (!whole)
+    {
+        processes->any(false);
+        return;
+    }
+    whole->context.complete();
+
+    throw errorOfPoints
+    (
+        whole->context, mesh.front, mesh.made.certified
+    );
 }
 
 
@@ -133,19 +276,19 @@ prismLayerMesh makePrismLayerMesh
     const processTeam* processes
 )
 {
-    observer.begin("wallVisibility");
-    wallContext context(wall);
-    observer.end(sizesOf(context.kinds));
-
-    const wallHeights heights
-    (
-        makeHeights(context, controls.layers, local, observer)
-    );
+    autoPtr<wholeWall> whole;
+    if (!processes || processes->isMaster())
+    {
+        observer.begin("wallVisibility");
+        whole.reset(new wholeWall(wall));
+        observer.end(sizesOf(whole->context.kinds));
+    }
     const auto makeMesh = [&](const scalar angle)
     {
         return makeLayersOnFront
         (
-            context, heights, angle, controls, observer, keepStages, processes
+            whole.get(), angle, controls, local, observer, keepStages,
+            processes
         );
     };
 
@@ -156,23 +299,15 @@ prismLayerMesh makePrismLayerMesh
     }
     if (!hasLayers(mesh))
     {
-        context.complete();
-        throw errorOfPoints(context, mesh.front, mesh.made.certified);
+        endWithoutLayers(whole.get(), mesh, processes);
     }
-
-    mesh.pointKinds = context.kinds;
-    mesh.heights = heights;
-
-    if (keepStages)
+    if (whole)
     {
-        mesh.addressing = std::move(context.addressing);
-        mesh.visibility = std::move(context.visibility);
+        mesh.pointKinds = whole->context.kinds;
     }
-    else if (!processes)
+    if (!processes)
     {
-        mesh.addressing = mesh.front.extraColumnPoints().empty()
-          ? mesh.front.addressing : makeWallAddressing(wall);
-        mesh.front.visibility = wallVisibility();
+        takeFromWall(whole(), keepStages, mesh);
     }
 
     return mesh;

@@ -36,6 +36,25 @@ string sizesOf(const layerFront& front)
 }
 
 
+string sizesOf
+(
+    const labelListList& blocks,
+    const label nPoints,
+    const string& failure
+)
+{
+    label n = 0;
+    for (const labelList& block : blocks)
+    {
+        n += block.size();
+    }
+
+    return failure.empty()
+      ? text(blocks.size(), " blocks for ", n, " of ", nPoints, " points")
+      : "no field in front of " + failure;
+}
+
+
 string sizesOf(const offsetEnvelope& envelope)
 {
     return text(envelope.nEnvelope, " points, ",

@@ -4,6 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layersDivider.H"
+#include "bitSet.H"
+#include "Map.H"
+#include "placeInList.H"
 
 #include <algorithm>
 
@@ -61,43 +64,39 @@ struct receivedStacks
 } // End anonymous namespace
 
 
-//- Index in an ascending list that has the value
-static label placeIn(const labelUList& ascending, const label value)
+//- Sets the columns of a piece, and the points of the wall under further ones.
+//  nColumns: of the whole front
+static void setColumns
+(
+    const receivedStacks& received,
+    const label nColumns,
+    layersPiece& piece
+)
 {
-    return std::lower_bound(ascending.begin(), ascending.end(), value)
-      - ascending.begin();
-}
-
-
-//- Sets the columns of a piece, and the points of the wall under further ones
-static void setColumns(const receivedStacks& received, layersPiece& piece)
-{
-    DynamicList<labelPair> columns(2*received.corners.size());
+    bitSet isIn(nColumns);
+    Map<label> roots;
     for (const stackCorner& corner : received.corners)
     {
-        columns.append(labelPair(corner.column, corner.root));
-        columns.append(labelPair(corner.root, corner.root));
-    }
-    std::sort(columns.begin(), columns.end());
-    const label n =
-        std::unique(columns.begin(), columns.end()) - columns.begin();
-
-    piece.columns.setSize(n);
-    for (label c = 0; c < n; ++c)
-    {
-        piece.columns[c] = columns[c].first();
-    }
-
-    DynamicList<label> roots;
-    for (label c = 0; c < n; ++c)
-    {
-        if (columns[c].first() != columns[c].second())
+        isIn.set(corner.column);
+        isIn.set(corner.root);
+        if (corner.column != corner.root)
         {
-            roots.append(placeIn(piece.columns, columns[c].second()));
+            roots.set(corner.column, corner.root);
         }
     }
-    piece.layers.extraColumnPoints = std::move(roots);
-    piece.layers.points.setSize(n*(piece.layers.nLayers + 1));
+    piece.columns = isIn.toc();
+
+    placeInList place(piece.columns);
+    DynamicList<label> points(roots.size());
+    for (const label c : roots.sortedToc())
+    {
+        points.append(place(roots[c]));
+    }
+    piece.layers.extraColumnPoints = std::move(points);
+    piece.layers.points.setSize
+    (
+        piece.columns.size()*(piece.layers.nLayers + 1)
+    );
 }
 
 
@@ -114,6 +113,7 @@ static void setStacks(const receivedStacks& received, layersPiece& piece)
     labels.strides.setSize(n);
     labels.outerFaces.setSize(n);
 
+    placeInList place(piece.columns);
     forAll(received.stacks, i)
     {
         const stackRecord& record = received.stacks[i].record;
@@ -131,9 +131,8 @@ static void setStacks(const receivedStacks& received, layersPiece& piece)
         f.setSize(record.nCorners);
         forAll(f, k)
         {
-            f[k] = placeIn
+            f[k] = place
             (
-                piece.columns,
                 received.corners[received.stacks[i].firstCorner + k].column
             );
         }
@@ -170,9 +169,10 @@ static void setEdges(const receivedStacks& received, layersPiece& piece)
             }
         }
     }
+    placeInList place(piece.stacks);
     for (const stackSide& side : received.sides)
     {
-        const label i = placeIn(piece.stacks, side.stack);
+        const label i = place(side.stack);
         labels.firstSides[i][side.k] = side.firstSide;
         labels.sideStrides[i][side.k] = side.sideStride;
     }
@@ -195,7 +195,7 @@ layersPiece layersDivider::assemble
     piece.patchNames = patches_.names;
     piece.patchTypes = patches_.types();
     piece.open.setSize(open_.size());
-    setColumns(received, piece);
+    setColumns(received, team_.nColumns(layers_.nColumns()), piece);
     setStacks(received, piece);
     setEdges(received, piece);
 

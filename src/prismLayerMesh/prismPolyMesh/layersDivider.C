@@ -137,21 +137,27 @@ layersDivider::layersDivider
 
 labelListList layersDivider::neighbours() const
 {
-    List<message> sent(team_.size());
+    DynamicList<label> stacks, sizes, others;
     forAll(layers_.faces, facei)
     {
         if (team_.counts(layers_.faces[facei]))
         {
-            labelList others(faceNeighbours_[facei]);
-            inplaceSubsetList(others, [](const label o) { return o >= 0; });
-            for (label& other : others)
+            const label n = others.size();
+            for (const label other : faceNeighbours_[facei])
             {
-                other = team_.wholeFace(other);
+                if (other >= 0)
+                {
+                    others.append(team_.wholeFace(other));
+                }
             }
-            sent[0].addValue(team_.wholeFace(facei));
-            sent[0].addList(others);
+            stacks.append(team_.wholeFace(facei));
+            sizes.append(others.size() - n);
         }
     }
+    List<message> sent(team_.size());
+    sent[0].addList(stacks);
+    sent[0].addList(sizes);
+    sent[0].addList(others);
 
     labelListList beside
     (
@@ -160,10 +166,17 @@ labelListList layersDivider::neighbours() const
     for (const message& m : team_.exchange(sent))
     {
         messageReader reader(m);
-        while (!reader.atEnd())
+        if (!reader.atEnd())
         {
-            const label whole = reader.value<label>();
-            beside[whole] = reader.list<label>();
+            const labelList received(reader.list<label>());
+            const labelList nOthers(reader.list<label>());
+            const labelList all(reader.list<label>());
+            label start = 0;
+            forAll(received, i)
+            {
+                beside[received[i]] = SubList<label>(all, nOthers[i], start);
+                start += nOthers[i];
+            }
         }
     }
 

@@ -58,23 +58,6 @@ static void setPoints
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-prismLayers wholeLayers(const layerFront& whole, const label nLayers)
-{
-    const wallSurface& surface = whole.surface;
-    prismLayers layers;
-    layers.nLayers = nLayers;
-    layers.points.setSize(surface.points.size()*(nLayers + 1));
-    layers.extraColumnPoints = whole.extraColumnPoints();
-    layers.faces = surface.faces;
-    layers.patchIDs = SubList<label>(surface.patchIDs, whole.nWallFaces);
-    layers.patchNames = surface.patchNames;
-    layers.patchTypes = surface.patchTypes;
-    layers.border = surface.border;
-
-    return layers;
-}
-
-
 pointField centresOfStacks(const prismLayers& layers)
 {
     pointField centres(layers.faces.size(), Zero);

@@ -209,6 +209,10 @@ wallAddressing makeWallAddressing(const wallSurface& wall)
     forAll(corners, p)
     {
         UList<wallCorner> around(corners[p]);
+        if (around.empty())
+        {
+            continue;
+        }
         sortByRotation(around, wall.points);
 
         labelList& faces = addressing.pointFaces[p];

@@ -71,44 +71,33 @@ boolList facesIn(const wallSurface& wall, const boundBox& box)
 }
 
 
-boolList facesNear
-(
-    const wallSurface& wall,
-    const pointField& points,
-    const scalar distance
-)
+boundBox boxOfFaces(const wallSurface& wall, const UList<bool>& faces)
+{
+    boundBox box(boundBox::invertedBox);
+    forAll(faces, facei)
+    {
+        if (faces[facei])
+        {
+            box.add(wall.points, wall.faces[facei]);
+        }
+    }
+
+    return box;
+}
+
+
+List<boundBox> boxesAround(const pointField& points, const scalar distance)
 {
     const label groupSize = 4096;
-    boolList isNear(wall.faces.size(), false);
+    DynamicList<boundBox> boxes;
     for (label first = 0; first < points.size(); first += groupSize)
     {
         const label n = min(groupSize, points.size() - first);
         const boundBox box(SubList<point>(points, n, first), false);
-        const boolList inside(facesIn(wall, widened(box, distance)));
-        forAll(isNear, facei)
-        {
-            isNear[facei] = isNear[facei] || inside[facei];
-        }
+        boxes.append(widened(box, distance));
     }
 
-    return isNear;
-}
-
-
-boolList withFacesAround(const wallSurface& wall, const UList<bool>& faces)
-{
-    const boolList isCorner(pointsOf(wall, faces));
-    boolList around(faces);
-    forAll(around, facei)
-    {
-        const face& f = wall.faces[facei];
-        around[facei] = around[facei] || std::any_of
-        (
-            f.begin(), f.end(), [&](const label p) { return isCorner[p]; }
-        );
-    }
-
-    return around;
+    return List<boundBox>(std::move(boxes));
 }
 
 

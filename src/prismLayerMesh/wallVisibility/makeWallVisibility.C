@@ -205,7 +205,10 @@ wallVisibility makeWallVisibility
     #pragma omp parallel for schedule(static, 256) if (isClosed)
     for (label p = 0; p < nPoints; ++p)
     {
-        setPoint(wall, addressing, faceNormals, p, visibility);
+        if (addressing.pointFaces[p].size())
+        {
+            setPoint(wall, addressing, faceNormals, p, visibility);
+        }
     }
 
     return visibility;

@@ -17,7 +17,6 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <mutex>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -311,63 +310,6 @@ TEST(layersOnShares, percentilesAreThoseOfAllValues)
             EXPECT_EQ(spread.max, one.max);
             EXPECT_NEAR(spread.mean, one.mean, 1e-15);
         });
-    }
-}
-
-
-TEST(layersOnShares, aStageThatThrowsEndsAllProcesses)
-{
-    const wallSurface wall(testSurfaces::lBlock(4));
-    prismLayerControls controls;
-    controls.layers = testSurfaces::layersOf(4, 0.1);
-    const label n = 3;
-
-    for
-    (
-        const word& stage
-      : wordList
-        ({
-            "wallVisibility", "layerSpacing", "layerFront", "wallClearance",
-            "offsetEnvelope", "layerColumns", "prismLayers", "prismQuality"
-        })
-    )
-    {
-        // The master alone makes the only field
-        const label nThrow = stage == "offsetEnvelope" ? 1 : n;
-
-        for (label rank = 0; rank < nThrow; ++rank)
-        {
-            std::atomic<label> nEnded(0);
-
-            threadTeam::run(n, [&](const threadTeam& team)
-            {
-                const auto begin = [&](const word& begun)
-                {
-                    if (begun == stage && team.rank() == rank)
-                    {
-                        throw std::runtime_error("in " + stage);
-                    }
-                };
-                const stageObserver observer{begin, [](const string&) {}};
-
-                try
-                {
-                    team.guard([&]()
-                    {
-                        return makePrismLayerMesh
-                        (
-                            wall, controls, localHeights(), observer, false,
-                            &team
-                        );
-                    });
-                }
-                catch (const std::runtime_error& e)
-                {
-                    nEnded += std::string(e.what()) == "in " + stage;
-                }
-            });
-            EXPECT_EQ(nEnded, n) << stage << " on process " << rank;
-        }
     }
 }
 

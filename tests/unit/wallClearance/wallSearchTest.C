@@ -3,6 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
+#include "wallPart.H"
 #include "wallSearch.H"
 #include "testSurfaces.H"
 
@@ -164,6 +165,48 @@ TEST(wallSearch, oppositionGrowsFrom110To130Degrees)
         EXPECT_GE(opposition, before);
         before = opposition;
     }
+}
+
+
+//- The nearest points of many triangles are the same: the first one counts, on
+//  the wall and on a part of it, whatever the tree is
+TEST(wallSearch, theFirstOfEquallyNearTrianglesIsFound)
+{
+    const wallSurface wall(testSurfaces::sphere(6));
+    const boundBox half(point(0, -1, -1), point(1, 1, 1));
+    const wallPart part(makeWallPart(wall, facesIn(wall, half)));
+    const wallSearch onWall(wall);
+    const wallSearch onPart(part.wall);
+    label nTies = 0;
+
+    forAll(part.points, i)
+    {
+        const point& p = wall.points[part.points[i]];
+        if (p.x() < 0.3)
+        {
+            continue;
+        }
+
+        // Outside of the sphere in front of a point, seen from the far side
+        const point x(1.1*p);
+        const vector d(-p);
+        const pointIndexHit a(onWall.nearestOpposite(x, 0.2, d, -0.5));
+        const pointIndexHit b(onPart.nearestOpposite(x, 0.2, d, -0.5));
+        ASSERT_TRUE(a.hit());
+        ASSERT_TRUE(b.hit());
+        EXPECT_EQ(a.rawPoint(), b.rawPoint());
+        const face& f = wall.faces[a.index()];
+        EXPECT_EQ
+        (
+            part.localPoints(f), labelList(part.wall.faces[b.index()])
+        );
+        for (label facei = 0; facei < a.index(); ++facei)
+        {
+            EXPECT_FALSE(wall.faces[facei].found(part.points[i]));
+        }
+        nTies += f.found(part.points[i]);
+    }
+    EXPECT_GT(nTies, 10);
 }
 
 

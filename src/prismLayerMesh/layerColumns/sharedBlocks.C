@@ -1,0 +1,331 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "sharedBlocks.H"
+#include "blockLines.H"
+#include "ListOps.H"
+
+#include <algorithm>
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Boxes that are the smallest ones around the boxes of all processes.
+//  Collective
+static List<boundBox> united
+(
+    const columnTeam& team,
+    const List<boundBox>& boxes
+)
+{
+    List<point> corners(2*boxes.size());
+    forAll(boxes, i)
+    {
+        corners[2*i] = boxes[i].min();
+        corners[2*i + 1] = boxes[i].max();
+    }
+    const List<point> all(team.gather(corners));
+
+    List<boundBox> result(boxes);
+    for (label k = 0; k < all.size(); k += 2)
+    {
+        boundBox& box = result[k/2 % max(boxes.size(), label(1))];
+        box.min() = min(box.min(), all[k]);
+        box.max() = max(box.max(), all[k + 1]);
+    }
+
+    return result;
+}
+
+
+//- The labels in the share of own points of a block
+static labelList ownPoints(const sharedWall& wall, const labelUList& block)
+{
+    DynamicList<label> own;
+    for (const label whole : block)
+    {
+        if (wall.team.owner(whole) == wall.team.rank())
+        {
+            own.append(wall.team.columnHere(whole));
+        }
+    }
+
+    return labelList(std::move(own));
+}
+
+
+//- How far each block goes beyond its points [m]. Collective
+static scalarList reaches(const sharedWall& wall)
+{
+    scalarList largest(wall.blocks.size(), Zero);
+    forAll(largest, i)
+    {
+        for (const label p : ownPoints(wall, wall.blocks[i]))
+        {
+            largest[i] = max(largest[i], wall.radii.radius[p]);
+        }
+    }
+    const scalarList all(wall.team.gather(largest));
+    forAll(all, k)
+    {
+        scalar& r = largest[k % largest.size()];
+        r = max(r, all[k]);
+    }
+    for (scalar& r : largest)
+    {
+        r *= wall.controls.reach;
+    }
+
+    return largest;
+}
+
+
+//- The boxes of all that blocks depend on, see makeFieldBlock. Collective
+static List<boundBox> boxesOfBlocks(const sharedWall& wall)
+{
+    const scalarList reach(reaches(wall));
+    List<boundBox> boxes(reach.size(), boundBox::invertedBox);
+    forAll(boxes, i)
+    {
+        boxes[i].add
+        (
+            wall.front.surface.points, ownPoints(wall, wall.blocks[i])
+        );
+    }
+    boxes = united(wall.team, boxes);
+
+    const wallSurface surface(wallOfFront(wall.front));
+    const boolList counted(countedWallFaces(wall.front, wall.team));
+    forAll(boxes, i)
+    {
+        boolList inside(facesIn(surface, widened(boxes[i], reach[i])));
+        forAll(inside, facei)
+        {
+            inside[facei] = inside[facei] && counted[facei];
+        }
+        boxes[i] = boxOfFaces(surface, inside);
+    }
+    boxes = united(wall.team, boxes);
+
+    forAll(boxes, i)
+    {
+        boxes[i] = widened(boxes[i], reach[i]);
+    }
+
+    return boxes;
+}
+
+
+//- Labels in the whole front of all further columns, ascending, and the points
+//  of the whole wall under them. Collective
+static List<labelPair> furtherColumns(const sharedWall& wall)
+{
+    const labelList& wallPoints = wall.front.wallPoints;
+    DynamicList<labelPair> own;
+    forAll(wallPoints, c)
+    {
+        if (wallPoints[c] != c && wall.team.isOwn(c))
+        {
+            own.append
+            (
+                labelPair
+                (
+                    wall.team.wholeColumn(c),
+                    wall.team.wholeColumn(wallPoints[c])
+                )
+            );
+        }
+    }
+    List<labelPair> all(wall.team.gather(own));
+    std::sort(all.begin(), all.end());
+
+    return all;
+}
+
+
+//- Values of some columns of the whole front, from their owners. Collective
+template<class Type>
+static List<Type> valuesOf
+(
+    const columnTeam& team,
+    const labelUList& columns,
+    const labelUList& points,
+    const UList<Type>& values,
+    const label nEach = 1
+)
+{
+    labelList owners(points);
+    for (label& p : owners)
+    {
+        p = team.owner(p);
+    }
+
+    return team.valuesOf(columns, owners, values, nEach);
+}
+
+
+//- As valuesOf, for a spacing on points of the wall
+static layerSpacing spacingOf
+(
+    const columnTeam& team,
+    const labelUList& points,
+    const layerSpacing& spacing
+)
+{
+    layerSpacing some;
+    some.nLayers = spacing.nLayers;
+    some.firstThickness =
+        valuesOf(team, points, points, spacing.firstThickness);
+    some.ratio = valuesOf(team, points, points, spacing.ratio);
+    some.thickness = valuesOf(team, points, points, spacing.thickness);
+    some.layersAsked = valuesOf(team, points, points, spacing.layersAsked);
+    if (team.any(spacing.given.size()))
+    {
+        some.given = valuesOf
+        (
+            team, points, points, spacing.given, spacing.nLayers
+        );
+    }
+
+    return some;
+}
+
+
+//- The process that makes each of the blocks, the largest first. The master has
+//  more in memory than the others: it comes last.
+static labelList makersOfBlocks(const sharedWall& wall)
+{
+    const label n = wall.team.size();
+    labelList makers(wall.blocks.size());
+    forAll(makers, k)
+    {
+        makers[k] = n - 1 - k % n;
+    }
+
+    return makers;
+}
+
+
+//- The part of the wall for each block of this process. Collective
+static List<wallPart> partsOfBlocks(const sharedWall& wall)
+{
+    const List<boundBox> boxes(boxesOfBlocks(wall));
+    const labelList order(largestFirst(wall.blocks));
+    const labelList makers(makersOfBlocks(wall));
+    List<partRequest> requests(order.size());
+    forAll(order, k)
+    {
+        requests[k].process = makers[k];
+        requests[k].boxes = List<boundBox>(1, boxes[order[k]]);
+    }
+
+    return wallPartsInBoxes(wall.front, wall.team, requests);
+}
+
+
+//- Sets the columns on the points of a part
+static void setColumns
+(
+    const UList<labelPair>& further,
+    blockWithWall& block
+)
+{
+    block.columns = block.part.points;
+    DynamicList<label> points(identity(block.columns.size()));
+    DynamicList<label> roots;
+    for (const labelPair& two : further)
+    {
+        const label p = findSortedIndex(block.part.points, two.second());
+        if (p >= 0)
+        {
+            block.columns.append(two.first());
+            points.append(p);
+        }
+    }
+    block.starts.wallPoints = std::move(points);
+}
+
+
+//- Sets the data of parts from the owners of their points. Collective
+static void setData(const sharedWall& wall, List<blockWithWall>& blocks)
+{
+    const columnTeam& team = wall.team;
+    DynamicList<label> points, columns, under;
+    for (const blockWithWall& block : blocks)
+    {
+        points.append(block.part.points);
+        columns.append(block.columns);
+        under.append
+        (
+            UIndirectList<label>(block.part.points, block.starts.wallPoints)
+        );
+    }
+    const auto ofPoints = [&](const scalarField& values)
+    {
+        return scalarField(valuesOf(team, points, points, values));
+    };
+    const envelopeRadii radii
+    {
+        ofPoints(wall.radii.wanted), ofPoints(wall.radii.room),
+        ofPoints(wall.radii.radius), ofPoints(wall.radii.edgeLengths)
+    };
+    const layerSpacing spacing(spacingOf(team, points, wall.spacing));
+    const vectorField directions
+    (
+        valuesOf(team, columns, under, wall.front.visibility.axes())
+    );
+
+    label nPoints = 0, nColumns = 0;
+    for (blockWithWall& block : blocks)
+    {
+        const label n = block.part.points.size();
+        const labelList here(identity(n, nPoints));
+        block.radii = radii.at(here);
+        block.starts.spacing = spacing.at
+        (
+            labelList(UIndirectList<label>(here, block.starts.wallPoints))
+        );
+        block.starts.directions = SubList<vector>
+        (
+            directions, block.columns.size(), nColumns
+        );
+        nPoints += n;
+        nColumns += block.columns.size();
+    }
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+List<blockWithWall> blocksOfProcess(const sharedWall& wall)
+{
+    const List<labelPair> further(furtherColumns(wall));
+    List<wallPart> parts(partsOfBlocks(wall));
+    const labelList own
+    (
+        findIndices(makersOfBlocks(wall), wall.team.rank())
+    );
+    const labelList labels
+    (
+        UIndirectList<label>(largestFirst(wall.blocks), own)
+    );
+
+    List<blockWithWall> blocks(labels.size());
+    forAll(blocks, i)
+    {
+        blocks[i].blocki = labels[i];
+        blocks[i].part = std::move(parts[i]);
+        setColumns(further, blocks[i]);
+    }
+    setData(wall, blocks);
+
+    return blocks;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
