@@ -8,93 +8,13 @@
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-static vectorField unitNormals(const triSurface& surface)
-{
-    vectorField normals(surface.size());
-
-    forAll(normals, i)
-    {
-        normals[i] = normalised(surface[i].areaNormal(surface.points()));
-    }
-
-    return normals;
-}
-
-
-namespace
-{
-
-//- For indexedOctree: skips the triangles that do not oppose a direction. Of
-//  equally near triangles it takes the first one, whatever the tree is: a
-//  search on a part of a wall finds what a search on the wall does.
-struct oppositeOnly
-{
-    const triSurface& surface;
-    const vectorField& normals;
-    const vector& direction;
-    const scalar cosine;
-
-    scalar& leastDistSqr;
-    label& index;
-
-    //- Boxes of the tree at the least distance are looked at in spite of
-    //  rounding
-    static constexpr scalar margin = 1 + 1e-9;
-
-    void operator()
-    (
-        const labelUList& indices,
-        const point& sample,
-        scalar& nearestDistSqr,
-        label& minIndex,
-        point& nearestPoint
-    ) const
-    {
-        for (const label i : indices)
-        {
-            if ((normals[i] & direction) > cosine)
-            {
-                continue;
-            }
-
-            const pointHit hit
-            (
-                surface[i].nearestPoint(sample, surface.points())
-            );
-
-            const scalar distSqr = sqr(hit.distance());
-            const bool isFirst = distSqr == leastDistSqr && i < index;
-
-            if (distSqr < leastDistSqr || isFirst)
-            {
-                leastDistSqr = distSqr;
-                nearestDistSqr = min(nearestDistSqr, margin*distSqr);
-                index = minIndex = i;
-                nearestPoint = hit.rawPoint();
-            }
-        }
-    }
-};
-
-} // End anonymous namespace
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 wallSearch::wallSearch(const wallSurface& wall)
 :
     surface_(toTriSurface(wall)),
-    normals_(unitNormals(surface_)),
-    tree_
-    (
-        treeDataTriSurface(true, surface_, 0),
-        searchBox(wall.points),
-        12,
-        10,
-        3
-    ),
+    nearest_(surface_),
+    bounds_(searchBox(wall.points)),
     sides_(wall.border.sides)
 {}
 
@@ -103,13 +23,13 @@ wallSearch::wallSearch(const wallSurface& wall)
 
 bool wallSearch::nearer(const point& x, const scalar distance) const
 {
-    return tree_.findNearest(x, sqr(distance)).hit();
+    return nearest_.nearest(x, distance).hit();
 }
 
 
 wallSearch::foot wallSearch::footOf(const point& x) const
 {
-    const pointIndexHit hit(tree_.findNearest(x, GREAT));
+    const pointIndexHit hit(nearest_.nearest(x, ROOTVGREAT));
     const labelledTri& tri = surface_[hit.index()];
     const barycentric2D weights
     (
@@ -133,36 +53,16 @@ scalar wallSearch::longestEdgeAt(const point& x) const
 {
     const triPointRef tri
     (
-        surface_[tree_.findNearest(x, GREAT).index()].tri(surface_.points())
+        surface_[nearest_.nearest(x, ROOTVGREAT).index()].tri
+        (
+            surface_.points()
+        )
     );
 
     return max
     (
         mag(tri.b() - tri.a()),
         max(mag(tri.c() - tri.b()), mag(tri.a() - tri.c()))
-    );
-}
-
-
-pointIndexHit wallSearch::nearestInTree
-(
-    const point& x,
-    const scalar distance,
-    const vector& direction,
-    const scalar cosine
-) const
-{
-    scalar leastDistSqr = sqr(distance);
-    label index = -1;
-
-    return tree_.findNearest
-    (
-        x,
-        leastDistSqr,
-        oppositeOnly
-        {
-            surface_, normals_, direction, cosine, leastDistSqr, index
-        }
     );
 }
 
@@ -175,7 +75,10 @@ pointIndexHit wallSearch::nearestOpposite
     const scalar cosine
 ) const
 {
-    pointIndexHit nearest(nearestInTree(x, distance, direction, cosine));
+    pointIndexHit nearest
+    (
+        nearest_.nearest(x, distance, direction, cosine)
+    );
 
     // Labels of the triangles of images follow
     for (label s = 0; s < sides_.size(); ++s)
@@ -188,7 +91,7 @@ pointIndexHit wallSearch::nearestOpposite
             const sidePlane side(sides_[s].planeAt(x));
             const pointIndexHit hit
             (
-                nearestInTree
+                nearest_.nearest
                 (
                     side.reflectedPoint(x), least, side.reflected(direction),
                     cosine
@@ -210,15 +113,29 @@ pointIndexHit wallSearch::nearestOpposite
 }
 
 
-void wallSearch::prepareInFront() const
+const wallSearch::octree& wallSearch::tree() const
 {
-    surface_.localFaces();
-    surface_.localPoints();
-    surface_.edgeFaces();
-    surface_.faceEdges();
-    surface_.pointEdges();
-    surface_.faceNormals();
-    tree_.getVolumeType(tree_.bb().midpoint());
+    std::call_once(prepared_, [this]()
+    {
+        tree_.reset
+        (
+            new octree
+            (
+                treeDataTriSurface(true, surface_, 0), bounds_, 12, 10, 3
+            )
+        );
+
+        // What inFront shares between threads
+        surface_.localFaces();
+        surface_.localPoints();
+        surface_.edgeFaces();
+        surface_.faceEdges();
+        surface_.pointEdges();
+        surface_.faceNormals();
+        tree_->getVolumeType(tree_->bb().midpoint());
+    });
+
+    return *tree_;
 }
 
 
@@ -228,13 +145,13 @@ bool wallSearch::overlaps(const boundBox& box) const
     const point centre(box.midpoint());
     const pointIndexHit nearest
     (
-        tree_.findNearest(centre, 0.25*magSqr(box.span()))
+        nearest_.nearest(centre, 0.5*mag(box.span()))
     );
 
     return nearest.hit()
      && (
             box.contains(nearest.hitPoint())
-         || tree_.findBox(treeBoundBox(box)).size()
+         || tree().findBox(treeBoundBox(box)).size()
         );
 }
 
@@ -253,7 +170,7 @@ scalar wallSearch::opposition
     );
     const scalar from = clearanceControls::oppositeFrom;
     const scalar share =
-        (from - (normals_[triangle % surface_.size()] & seen))
+        (from - (nearest_.normals()[triangle % surface_.size()] & seen))
        /(from - clearanceControls::oppositeFully);
 
     return min(max(share, scalar(0)), scalar(1));
