@@ -55,6 +55,7 @@ Usage
 #include "meshWall.H"
 #include "pluginVersion.H"
 #include "readPrismLayerControls.H"
+#include "returnMemory.H"
 #include "surfaceAdvice.H"
 #include "Time.H"
 #include "waitPassively.H"
@@ -169,11 +170,12 @@ static bool helpMaster(const parallelRun& parallel, const caseWriter& writer)
 }
 
 
-//- Lets a lack of memory throw. The handler of OpenFOAM would abort without a
-//  message that says so.
-static void throwIfMemoryLacks()
+//- Lets freed lists return to the system, and a lack of memory throw: the
+//  handler of OpenFOAM would abort without a message that says so
+static void prepareMemory()
 {
     std::set_new_handler(nullptr);
+    keepLongListsApart();
 }
 
 
@@ -189,7 +191,7 @@ int main(int argc, char *argv[])
     #include "setRootCase.H"
     #include "createTime.H"
 
-    throwIfMemoryLacks();
+    prepareMemory();
     Info<< "harmonicPrismMesh " << pluginVersion << nl << endl;
     const prismCase files(args, runTime);
     const parallelRun parallel(runTime);

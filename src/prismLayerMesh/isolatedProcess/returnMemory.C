@@ -20,4 +20,12 @@ void Foam::returnMemory()
     #endif
 }
 
+
+void Foam::keepLongListsApart()
+{
+    #ifdef __GLIBC__
+    mallopt(M_MMAP_THRESHOLD, 4*1024*1024);
+    #endif
+}
+
 // ************************************************************************* //
