@@ -24,6 +24,7 @@ struct frontOutline
     label nColumns = 0;
     label nFaces = 0;
     bool isBare = true;
+    pointOwners owners;
 
     //- Names of the patches, and sides: a wall without points and faces
     wallSurface like;
@@ -32,7 +33,12 @@ struct frontOutline
 } // End anonymous namespace
 
 
-static void addOutline(message& m, const layerFront& whole)
+static void addOutline
+(
+    message& m,
+    const layerFront& whole,
+    const pointOwners& owners
+)
 {
     wallSurface like;
     like.patchNames = whole.surface.patchNames;
@@ -46,6 +52,8 @@ static void addOutline(message& m, const layerFront& whole)
     m.addValue(whole.wallPoints.size());
     m.addValue(whole.surface.faces.size());
     m.addValue(whole.isBare());
+    m.addList(owners.starts());
+    m.addList(owners.processes());
     addWall(m, like);
 }
 
@@ -57,6 +65,8 @@ static frontOutline takeOutline(messageReader& reader)
     outline.nColumns = reader.value<label>();
     outline.nFaces = reader.value<label>();
     outline.isBare = reader.value<bool>();
+    const labelList starts(reader.list<label>());
+    outline.owners = pointOwners(starts, reader.list<label>());
     outline.like = takeWall(reader);
 
     return outline;
@@ -67,7 +77,7 @@ static frontOutline takeOutline(messageReader& reader)
 static List<DynamicList<label>> facesByProcess
 (
     const layerFront& whole,
-    const label nWallPoints,
+    const pointOwners& owners,
     const label nProcesses
 )
 {
@@ -76,10 +86,7 @@ static List<DynamicList<label>> facesByProcess
     {
         for (const label c : whole.surface.faces[facei])
         {
-            DynamicList<label>& ofOwner = faces
-            [
-                ownerByRange(whole.wallPoints[c], nWallPoints, nProcesses)
-            ];
+            DynamicList<label>& ofOwner = faces[owners(whole.wallPoints[c])];
             if (ofOwner.empty() || ofOwner.last() != facei)
             {
                 ofOwner.append(facei);
@@ -96,14 +103,13 @@ static List<DynamicList<label>> facesByProcess
 static List<message> frontMessages
 (
     const layerFront& whole,
+    const pointOwners& owners,
     const label nProcesses
 )
 {
-    const label nWallPoints =
-        whole.wallPoints.size() - whole.extraColumnPoints().size();
     const List<DynamicList<label>> faces
     (
-        facesByProcess(whole, nWallPoints, nProcesses)
+        facesByProcess(whole, owners, nProcesses)
     );
     const labelList columnLabels(identity(whole.wallPoints.size()));
     const labelList faceLabels(identity(whole.surface.faces.size()));
@@ -111,7 +117,7 @@ static List<message> frontMessages
     List<message> messages(nProcesses);
     forAll(messages, p)
     {
-        addOutline(messages[p], whole);
+        addOutline(messages[p], whole, owners);
         frontCollector::addFaces
         (
             messages[p], whole, columnLabels, faceLabels, faces[p]
@@ -137,24 +143,16 @@ struct regionCollector
     labelHashSet asked{};
 
 
-    label owner(const label wholePoint) const
-    {
-        return ownerByRange
-        (
-            wholePoint, outline.nWallPoints, processes.size()
-        );
-    }
-
-
     //- By process, the points without all of their faces
     List<message> questions()
     {
         List<DynamicList<label>> points(processes.size());
         for (const label p : collector.wallPoints())
         {
-            if (owner(p) != processes.rank() && asked.insert(p))
+            const label owner = outline.owners(p);
+            if (owner != processes.rank() && asked.insert(p))
             {
-                points[owner(p)].append(p);
+                points[owner].append(p);
             }
         }
 
@@ -310,10 +308,7 @@ static std::shared_ptr<frontShare> shareOfRegion
     {
         if (region.front.wallPoints[c] == c)
         {
-            owners.append
-            (
-                ownerByRange(region.columns[c], outline.nWallPoints, n)
-            );
+            owners.append(outline.owners(region.columns[c]));
         }
     }
 
@@ -327,6 +322,7 @@ static std::shared_ptr<frontShare> shareOfRegion
     inplaceRenumber(region.columns, share->columns);
     inplaceRenumber(region.faces, share->faces);
     share->nWallPoints = outline.nWallPoints;
+    share->owners = outline.owners;
     share->nColumns = outline.nColumns;
     share->nFaces = outline.nFaces;
     layerFront& front = share->front;
@@ -341,6 +337,7 @@ static std::shared_ptr<frontShare> shareOfRegion
 std::shared_ptr<const frontShare> distributeFront
 (
     const layerFront& whole,
+    const pointOwners& owners,
     const processTeam& processes
 )
 {
@@ -349,7 +346,8 @@ std::shared_ptr<const frontShare> distributeFront
     (
         processes.exchange
         (
-            processes.isMaster() ? frontMessages(whole, n) : List<message>(n)
+            processes.isMaster()
+          ? frontMessages(whole, owners, n) : List<message>(n)
         )
     );
     messageReader reader(received[0]);

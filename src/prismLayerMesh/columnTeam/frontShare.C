@@ -290,7 +290,7 @@ frontShare makeFrontShare
     const labelList rings(ringsOf(whole, owners, process));
     frontShare share;
     share.nWallPoints = owners.size();
-    share.nProcesses = nProcesses;
+    share.owners = pointOwners(owners);
     shareBuilder builder{whole, addressing, rings, share};
     builder.choose();
     builder.addSurface();
@@ -306,18 +306,6 @@ frontShare makeFrontShare
     share.setCopies(some(owners, share.wallPoints()), nProcesses, process);
 
     return share;
-}
-
-
-labelList ownersByRange(const label nPoints, const label nProcesses)
-{
-    labelList owners(nPoints);
-    forAll(owners, p)
-    {
-        owners[p] = ownerByRange(p, nPoints, nProcesses);
-    }
-
-    return owners;
 }
 
 } // End namespace Foam

@@ -95,6 +95,23 @@ static void makeLayersOnColumns
 }
 
 
+//- The processes of points. Columns near edges take more time than others.
+static pointOwners ownersOf
+(
+    const List<pointKind>& kinds,
+    const processTeam& processes
+)
+{
+    boolList isOnEdge(kinds.size());
+    forAll(kinds, p)
+    {
+        isOnEdge[p] = kinds[p] != pointKind::flat;
+    }
+
+    return balancedOwners(isOnEdge, processes.size());
+}
+
+
 //- Drops what the shares of a front have. The surface of a bare front is the
 //  surface of the wall.
 static void keepColumnsOnly(layerFront& front)
@@ -120,11 +137,17 @@ static void makeLayersOnShare
     prismLayerMesh& mesh
 )
 {
-    mesh.share = distributeFront(mesh.front, processes);
+    pointOwners owners;
+    if (whole)
+    {
+        owners = ownersOf(whole->context.kinds, processes);
+        whole->context.drop();
+        returnMemory();
+    }
+    mesh.share = distributeFront(mesh.front, owners, processes);
     if (whole)
     {
         keepColumnsOnly(mesh.front);
-        whole->context.drop();
     }
     returnMemory();
 

@@ -110,7 +110,9 @@ static void expectShares(const wallSurface& wall, const scalar angle)
         {
             const auto share = distributeFront
             (
-                processes.isMaster() ? bare : layerFront(), processes
+                processes.isMaster() ? bare : layerFront(),
+                processes.isMaster() ? pointOwners(owners) : pointOwners(),
+                processes
             );
             const std::lock_guard<std::mutex> lock(reporting);
             expectSameShare
