@@ -5,7 +5,6 @@
 
 #include "patchReport.H"
 #include "bitSet.H"
-#include "DynamicField.H"
 #include "ListOps.H"
 
 namespace Foam
@@ -106,10 +105,12 @@ patchReport wallSample::report(const word& name, const labelUList& faces) const
     addFaces(counted, patch);
 
     const label n = spacing.nLayers - 1;
-    DynamicField<scalar> growth;
-    for (const label facei : counted)
+    scalarField growth(n*counted.size());
+    #pragma omp parallel for schedule(static)
+    forAll(counted, i)
     {
-        growth.append(SubList<scalar>(heights.growthOverRequest, n, facei*n));
+        SubList<scalar>(growth, n, i*n) =
+            SubList<scalar>(heights.growthOverRequest, n, counted[i]*n);
     }
     patch.firstHeight =
         makePercentiles(scalarField(heights.firstOverRequest, counted), team);

@@ -7,6 +7,7 @@
 #include "FixedList.H"
 
 #include <algorithm>
+#include <parallel/algorithm>
 #include <cstring>
 
 namespace Foam
@@ -61,7 +62,11 @@ static percentiles ofOneProcess(scalarField& values)
     {
         const label rank = label(rankOf(percent, values.size()));
 
-        std::nth_element(start, values.begin() + rank, values.end());
+        // By several threads
+        __gnu_parallel::nth_element
+        (
+            start, values.begin() + rank, values.end()
+        );
         start = values.begin() + rank;
 
         return *start;

@@ -206,7 +206,8 @@ wallAddressing makeWallAddressing(const wallSurface& wall)
     addressing.pointFaces.setSize(corners.size());
     addressing.pointPoints.setSize(corners.size());
 
-    forAll(corners, p)
+    #pragma omp parallel for schedule(static, 256)
+    for (label p = 0; p < corners.size(); ++p)
     {
         UList<wallCorner> around(corners[p]);
         if (around.empty())
