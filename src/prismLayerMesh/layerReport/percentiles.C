@@ -7,8 +7,11 @@
 #include "FixedList.H"
 
 #include <algorithm>
-#include <parallel/algorithm>
 #include <cstring>
+
+#if defined(__GLIBCXX__) && defined(_OPENMP)
+#include <parallel/algorithm>
+#endif
 
 namespace Foam
 {
@@ -50,6 +53,18 @@ static scalar valueOf(const std::int64_t order)
 }
 
 
+//- As std::nth_element, on several threads if the library can do that
+template<class Iterator>
+static void setNthElement(Iterator first, Iterator nth, Iterator last)
+{
+    #if defined(__GLIBCXX__) && defined(_OPENMP)
+    __gnu_parallel::nth_element(first, nth, last);
+    #else
+    std::nth_element(first, nth, last);
+    #endif
+}
+
+
 //- The percentiles of the values of one process
 static percentiles ofOneProcess(scalarField& values)
 {
@@ -62,11 +77,7 @@ static percentiles ofOneProcess(scalarField& values)
     {
         const label rank = label(rankOf(percent, values.size()));
 
-        // By several threads
-        __gnu_parallel::nth_element
-        (
-            start, values.begin() + rank, values.end()
-        );
+        setNthElement(start, values.begin() + rank, values.end());
         start = values.begin() + rank;
 
         return *start;
