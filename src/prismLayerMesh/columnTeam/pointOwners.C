@@ -76,8 +76,10 @@ static void divide
     const label nFirst = processes.size()/2;
     const scalar share = scalar(nFirst)/processes.size();
     const label n = points.size();
+
+    // Rounded up: if there are points, the master has some
     const label length =
-        std::int64_t(n)*nFirst/processes.size();
+        (std::int64_t(n)*nFirst + processes.size() - 1)/processes.size();
     const label start = startOfRange(points, isHard, length, share);
     const label end = start + length;
 

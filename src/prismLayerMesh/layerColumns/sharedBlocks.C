@@ -236,7 +236,6 @@ static void setColumns
 {
     block.columns = block.part.points;
     DynamicList<label> points(identity(block.columns.size()));
-    DynamicList<label> roots;
     for (const labelPair& two : further)
     {
         const label p = findSortedIndex(block.part.points, two.second());

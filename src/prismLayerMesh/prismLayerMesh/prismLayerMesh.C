@@ -39,13 +39,12 @@ static void dropStages(const guidedColumns& columns, prismLayerMesh& mesh)
 {
     mesh.guide = columnGuide();
     mesh.clearance.clear();
-    if (columns.whole)
-    {
-        columns.whole->context.drop();
-    }
+    columns.context.drop();
     if (columns.whole && !columns.team.isAlone())
     {
+        columns.whole->context.drop();
         columns.whole->heights = wallHeights();
+        mesh.front.visibility = wallVisibility();
     }
     returnMemory();
 }
@@ -154,23 +153,22 @@ static void makeLayersOnShare
     const columnTeam team(mesh.share.get(), &processes);
     const layerFront& own = mesh.share->front;
     const wallSurface wall(wallOfFront(own));
+    const List<pointKind> noKinds;
+    const scalarField noCurvature;
+    const wallHeights noHeights;
     wallContext context
     (
         wall,
-        team.pointsFromMaster
-        (
-            whole ? whole->context.kinds : List<pointKind>()
-        ),
+        team.pointsFromMaster(whole ? whole->context.kinds : noKinds),
         scalarField
         (
             team.pointsFromMaster
             (
-                whole ? whole->context.curvature : scalarField()
+                whole ? whole->context.curvature : noCurvature
             )
         )
     );
-    mesh.heights =
-        heightsOnShare(whole ? whole->heights : wallHeights(), team);
+    mesh.heights = heightsOnShare(whole ? whole->heights : noHeights, team);
     makeLayersOnColumns
     (
         guidedColumns{own, team, context, mesh.heights, whole, mesh.front},
@@ -197,8 +195,11 @@ static prismLayerMesh makeLayersOnFront
     if (whole)
     {
         whole->context.complete();
-        whole->heights =
-            makeHeights(whole->context, controls.layers, local, observer);
+        if (whole->heights.request.nLayers == 0)
+        {
+            whole->heights =
+                makeHeights(whole->context, controls.layers, local, observer);
+        }
         mesh.front = makeFront(whole->context, angle, observer);
     }
     if (processes)
@@ -318,6 +319,7 @@ prismLayerMesh makePrismLayerMesh
     prismLayerMesh mesh(makeMesh(controls.layers.multipleNormalsAngle));
     if (!hasLayers(mesh) && controls.layers.multipleNormalsAngle > 0)
     {
+        mesh = prismLayerMesh();
         mesh = makeMesh(0);
     }
     if (!hasLayers(mesh))

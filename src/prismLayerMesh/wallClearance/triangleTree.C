@@ -21,7 +21,8 @@ static const scalar productMargin = 1e-9;
 
 static scalar angleBetween(const vector& a, const vector& b)
 {
-    return ::acos(min(max(a & b, scalar(-1)), scalar(1)));
+    // Exact to rounding also for small angles, as acos is not
+    return ::atan2(mag(a ^ b), a & b);
 }
 
 

@@ -85,10 +85,14 @@ TEST(pointOwners, hardPointsAreDividedAsAllAre)
 
 TEST(pointOwners, moreProcessesThanPoints)
 {
-    const pointOwners owners(balancedOwners(boolList(3, true), 8));
-    for (label p = 0; p < 3; ++p)
+    for (const label nPoints : {1, 3, 7})
     {
-        EXPECT_LT(owners(p), 8);
+        const pointOwners owners(balancedOwners(boolList(nPoints, true), 8));
+        EXPECT_EQ(owners(0), 0);
+        for (label p = 0; p < nPoints; ++p)
+        {
+            EXPECT_LT(owners(p), 8);
+        }
     }
 }
 
