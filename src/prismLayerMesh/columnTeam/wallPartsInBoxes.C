@@ -158,25 +158,15 @@ wallPart wallPartInBoxes
 )
 {
     const labelList nBoxes(team.gather(labelList(1, boxes.size())));
-    List<point> corners(2*boxes.size());
-    forAll(boxes, i)
-    {
-        corners[2*i] = boxes[i].min();
-        corners[2*i + 1] = boxes[i].max();
-    }
-    corners = team.gather(corners);
+    const List<boundBox> all(team.gather(boxes));
 
     List<partRequest> requests(team.size());
     label next = 0;
     forAll(requests, p)
     {
         requests[p].process = p;
-        requests[p].boxes.setSize(nBoxes[p]);
-        for (boundBox& box : requests[p].boxes)
-        {
-            box = boundBox(corners[next], corners[next + 1]);
-            next += 2;
-        }
+        requests[p].boxes = SubList<boundBox>(all, nBoxes[p], next);
+        next += nBoxes[p];
     }
 
     return std::move(wallPartsInBoxes(front, team, requests)[0]);

@@ -22,20 +22,14 @@ static List<boundBox> united
     const List<boundBox>& boxes
 )
 {
-    List<point> corners(2*boxes.size());
-    forAll(boxes, i)
-    {
-        corners[2*i] = boxes[i].min();
-        corners[2*i + 1] = boxes[i].max();
-    }
-    const List<point> all(team.gather(corners));
+    const List<boundBox> all(team.gather(boxes));
 
     List<boundBox> result(boxes);
-    for (label k = 0; k < all.size(); k += 2)
+    forAll(all, k)
     {
-        boundBox& box = result[k/2 % max(boxes.size(), label(1))];
-        box.min() = min(box.min(), all[k]);
-        box.max() = max(box.max(), all[k + 1]);
+        boundBox& box = result[k % boxes.size()];
+        box.min() = min(box.min(), all[k].min());
+        box.max() = max(box.max(), all[k].max());
     }
 
     return result;
