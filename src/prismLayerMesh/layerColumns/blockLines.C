@@ -116,7 +116,7 @@ static void write
 }
 
 
-//- Reads what 'write' has written. Returns whether all of it has come.
+//- Reads the output of 'write'. Returns whether it is complete.
 static bool read(std::FILE* in, string& reason, columnLines& lines)
 {
     const auto take = [&](auto& values)

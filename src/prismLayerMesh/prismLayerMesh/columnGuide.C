@@ -194,7 +194,7 @@ static columnLines linesOfBlocks
 }
 
 
-//- The fields of all of the wall, which the master makes. Collective
+//- The master makes the fields of the whole wall. Collective
 static void makeWholeFields
 (
     const guidedColumns& columns,

@@ -11,7 +11,7 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- The neighbours of counted front faces, and 0 for those of others
+//- The neighbours of counted front faces. The lists of other faces have zeros.
 static labelListList neighboursOfCounted
 (
     const prismLayers& layers,
