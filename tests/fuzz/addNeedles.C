@@ -82,7 +82,7 @@ static bool chooseEdge
 }
 
 
-static void addFace(wallSurface& wall, const face& f, const label patchi)
+static void addNeedleFace(wallSurface& wall, const face& f, const label patchi)
 {
     wall.faces.append(f);
     wall.patchIDs.append(patchi);
@@ -105,7 +105,7 @@ static void divide
     second[f.find(a)] = middle;
     wall.faces[facei] = first;
     const label patchi = wall.patchIDs[facei];
-    addFace(wall, second, patchi);
+    addNeedleFace(wall, second, patchi);
 }
 
 } // End namespace randomSurfaces
@@ -144,8 +144,8 @@ void Foam::randomSurfaces::addNeedles(wallSurface& wall, Random& random)
             wall.points.append(off + share*along + width*inward);
             wall.faces[facei] = face({a, b, middle});
             const label patchi = wall.patchIDs[facei];
-            addFace(wall, face({b, c, middle}), patchi);
-            addFace(wall, face({c, a, middle}), patchi);
+            addNeedleFace(wall, face({b, c, middle}), patchi);
+            addNeedleFace(wall, face({c, a, middle}), patchi);
         }
         else
         {

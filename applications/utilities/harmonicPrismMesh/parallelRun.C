@@ -24,7 +24,7 @@ namespace Foam
 //  messages of MPI keep a processor busy, which the master's threads need.
 static const unsigned lookInterval = 5000;
 
-static const auto blocking = UPstream::commsTypes::scheduled;
+static const auto scheduled = UPstream::commsTypes::scheduled;
 
 
 //- Means of the centres of the faces of cells. Centres of cells, and all else
@@ -61,7 +61,7 @@ static pointField centresOfFaces(const polyMesh& mesh)
 static void wake(const label process)
 {
     const char byte = 0;
-    UOPstream::write(blocking, process, &byte, 1);
+    UOPstream::write(scheduled, process, &byte, 1);
 }
 
 
@@ -198,7 +198,7 @@ void parallelRun::requireWritten() const
     for (label other = 1; other < nProcesses_; ++other)
     {
         string message;
-        IPstream stream(blocking, other);
+        IPstream stream(scheduled, other);
         stream >> message;
         if (failure.empty() && message.size())
         {
@@ -207,7 +207,7 @@ void parallelRun::requireWritten() const
     }
     for (label other = 1; other < nProcesses_; ++other)
     {
-        OPstream stream(blocking, other);
+        OPstream stream(scheduled, other);
         stream << failure.empty();
     }
 
@@ -242,12 +242,12 @@ meshPiece parallelRun::receivePiece() const
 bool parallelRun::reportWritten(const string& message) const
 {
     {
-        OPstream stream(blocking, 0);
+        OPstream stream(scheduled, 0);
         stream << message;
     }
 
     bool all = false;
-    IPstream stream(blocking, 0);
+    IPstream stream(scheduled, 0);
     stream >> all;
 
     return all;

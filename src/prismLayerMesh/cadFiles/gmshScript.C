@@ -14,7 +14,7 @@ namespace Foam
 
 //- Lengths in metres. The unit of IGES cannot be set: it is a millimetre.
 static const char* const unit = "Geometry.OCCTargetUnit = \"M\";\n";
-static const char* const igesUnit = "Geometry.OCCScaling = 0.001;\n";
+static const char* const lengthUnit = "Geometry.OCCScaling = 0.001;\n";
 
 
 //- Faces of no solid go if there are solids
@@ -95,7 +95,7 @@ std::string gmshScript
 
     os  << "General.NumThreads = 1;\n"
         << "SetFactory(\"OpenCASCADE\");\n"
-        << (file.ext() == "iges" ? igesUnit : unit)
+        << (file.ext() == "iges" ? lengthUnit : unit)
         << "model = \"" << model << "\";\n"
         << "Merge \"" << file << "\";\n"
         << leaveOutLoose << (unite ? uniteSolids : "") << writeModel;

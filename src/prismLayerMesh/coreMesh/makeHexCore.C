@@ -31,7 +31,7 @@ const struct
     //- Hexahedra of the first level along an edge of the box, at most
     label maxRoots = 1000;
 
-} tuned;
+} hexTuned;
 
 
 } // End anonymous namespace
@@ -53,12 +53,12 @@ static labelVector rootsOf
         largest = max(largest, size(corner));
     }
 
-    const scalar width = min(cmptMin(span), tuned.width*largest);
+    const scalar width = min(cmptMin(span), hexTuned.width*largest);
     labelVector n;
     for (direction d = 0; d < 3; ++d)
     {
         n[d] = min(max(std::ceil(span[d]/width - 1e-9), scalar(1)),
-            scalar(tuned.maxRoots));
+            scalar(hexTuned.maxRoots));
     }
 
     return n;
@@ -89,12 +89,12 @@ polyMeshParts makeHexCore
             }
         }
 
-        return cmptMax(b.span()) > tuned.width*size(centre)
+        return cmptMax(b.span()) > hexTuned.width*size(centre)
           ? hexOctree::parts::eight : hexOctree::parts::none;
     };
     const hexOctree tree
     (
-        box.box, rootsOf(box.box, size), partsOf, tuned.nodesPerCell*maxCells
+        box.box, rootsOf(box.box, size), partsOf, hexTuned.nodesPerCell*maxCells
     );
 
     if (!tree.complete)

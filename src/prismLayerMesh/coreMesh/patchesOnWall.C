@@ -27,7 +27,7 @@ const struct
     //- Where the owner of a face begins: share of the way to its centre
     scalar within = 0.1;
 
-} tuned;
+} tunedPatches;
 
 } // End anonymous namespace
 
@@ -42,7 +42,7 @@ bool stayingCells::looksAtObstacles(const label facei) const
         obstacles_.surface.footOf(f.centre(core_.points)).direction
     );
 
-    return (-fromFoot & f.unitNormal(core_.points)) > tuned.towardsWall;
+    return (-fromFoot & f.unitNormal(core_.points)) > tunedPatches.towardsWall;
 }
 
 
@@ -70,7 +70,7 @@ bool stayingCells::liesOnWall(const label patchi) const
         {
             near = obstacles_.surface.nearer
             (
-                centre, tuned.onWall*width(t.owner[facei])
+                centre, tunedPatches.onWall*width(t.owner[facei])
             );
             looksAtWall = looksAtWall || looksAtObstacles(facei);
         }
@@ -119,7 +119,7 @@ bool stayingCells::inFluid(const label facei) const
 
     return obstacles_.fluid.inFront
     (
-        centre + tuned.within*(boxes_[own].midpoint() - centre)
+        centre + tunedPatches.within*(boxes_[own].midpoint() - centre)
     );
 }
 

@@ -23,7 +23,7 @@ const struct
     //- The gap is in widths of cells, or in such shares of edges
     scalar longEdge = 0.5;
 
-} tuned;
+} tunedCells;
 
 } // End anonymous namespace
 
@@ -107,7 +107,7 @@ void stayingCells::removeAtLongEdges()
         {
             return false;
         }
-        const scalar length = tuned.longEdge
+        const scalar length = tunedCells.longEdge
            *obstacles_.surface.longestEdgeAt(boxes_[a].midpoint());
 
         return length > width(a) && isNear(a, length);
@@ -138,7 +138,7 @@ void stayingCells::removeWide()
 {
     removeBeside([&](const label a, const label b)
     {
-        return width(a) > tuned.wider*width(b);
+        return width(a) > tunedCells.wider*width(b);
     });
 }
 

@@ -72,7 +72,7 @@ static void readSurface(const dictionary& dict, farBoundaryControls& boundary)
 }
 
 
-static farPatch readPatch(const keyType& key, const dictionary& dict)
+static farPatch readFarPatch(const keyType& key, const dictionary& dict)
 {
     checkKeys(dict, {"type", "sides"});
 
@@ -117,7 +117,7 @@ static farBoundaryControls readBoundary(const dictionary& dict)
         readSurface(dict, boundary);
     }
 
-    boundary.patches = readEntries<farPatch>(dict, "patches", readPatch);
+    boundary.patches = readEntries<farPatch>(dict, "patches", readFarPatch);
 
     return boundary;
 }

@@ -16,7 +16,7 @@ namespace Foam
 static constexpr scalar leastVolume = 0.1;
 
 //- They meet near a sharp line if it is within this share of the reach
-static constexpr scalar nearShare = 0.25;
+static constexpr scalar meetingShare = 0.25;
 
 
 namespace
@@ -224,7 +224,7 @@ pointIndexHit tangentPlanes::meet
     }
 
     const point meeting(beside + toAll/det);
-    pointIndexHit hit(lines.findNearest(meeting, nearShare*reach));
+    pointIndexHit hit(lines.findNearest(meeting, meetingShare*reach));
 
     bool isOff = false;
     bool isOnSide = false;

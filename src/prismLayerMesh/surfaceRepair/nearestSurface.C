@@ -17,7 +17,7 @@ namespace Foam
 
 //- A face is along another if the product of their unit normals is larger:
 //  cos(10 degrees)
-static constexpr scalar alongCosine = 0.985;
+static constexpr scalar normalCosine = 0.985;
 
 //- Faces are parts of a plane if the product of their unit normals is larger
 static constexpr scalar flatCosine = 1 - 1e-9;
@@ -165,7 +165,7 @@ void nearestSurface::setPatches
         const face& below = surface_.faces[faces[facei]];
         const vector normal(below.unitNormal(surface_.points));
 
-        if (mag(normal & normals[facei]) < alongCosine)
+        if (mag(normal & normals[facei]) < normalCosine)
         {
             isAcross.set(facei);
             if (isOnlyAlong(other.patchIDs[facei]))

@@ -364,7 +364,7 @@ label removeLower(const scalar length, wallSurface& surface)
         }
         const label nFixed = isFixed.count();
         isFixed |= conflicts;
-        isSound = isFixed.count() == nFixed;
+        isSound = label(isFixed.count()) == nFixed;
     }
 
     removeUnusedPoints(result.faces, result.points);

@@ -14,9 +14,6 @@ using namespace Foam::testSurfaces;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-namespace
-{
-
 //- A value of a variable of the environment that goes with this
 class environmentVariable
 {
@@ -122,8 +119,6 @@ protected:
         return folder_/name;
     }
 };
-
-} // End anonymous namespace
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 

@@ -22,7 +22,7 @@ static List<stringList> namesOf(const std::string& entities)
 
 
 //- A model of solids with so many faces each, whose tags count on from 1
-static cadModel modelOf(const labelList& nFaces)
+static cadModel stepModelOf(const labelList& nFaces)
 {
     cadModel model;
     label tag = 0;
@@ -46,7 +46,7 @@ static stringList labelsAfter
     const labelList& nFaces
 )
 {
-    cadModel model(modelOf(nFaces));
+    cadModel model(stepModelOf(nFaces));
     nameFaces(names, model);
 
     return model.faceLabels;
@@ -150,7 +150,7 @@ TEST(stepFaceNames, staySilentIfPartsCannotBeTold)
 
 TEST(stepFaceNames, ofAShellGoToTheFaces)
 {
-    cadModel model(modelOf({2}));
+    cadModel model(stepModelOf({2}));
     model.solidLabels.clear();
     model.facesOfSolid.clear();
     nameFaces({{"a", "b"}}, model);

@@ -49,7 +49,7 @@ struct curvedCase
 
 //- Bulges out of the duct and into it, half of one, and a vessel whose side is
 //  a whole cylinder
-static const std::vector<std::unique_ptr<curvedCase>>& cases()
+static const std::vector<std::unique_ptr<curvedCase>>& curvedCases()
 {
     static std::vector<std::unique_ptr<curvedCase>> list;
 
@@ -87,7 +87,7 @@ static const std::vector<std::unique_ptr<curvedCase>>& cases()
 
 TEST(curvedSides, layersAreThickAndFollowAField)
 {
-    for (const auto& c : cases())
+    for (const auto& c : curvedCases())
     {
         EXPECT_EQ(c->run.noField, "");
         EXPECT_TRUE(c->run.certificate.valid());
@@ -114,7 +114,7 @@ static scalar heightOf(const curvedCase& c, const point& x)
 
 TEST(curvedSides, facesOnThemHaveTheFirstHeightThatWasAsked)
 {
-    for (const auto& c : cases())
+    for (const auto& c : curvedCases())
     {
         const prismLayers& layers = c->run.made.layers;
         scalarField asked(nLayers + 1);
@@ -142,7 +142,7 @@ TEST(curvedSides, facesOnThemHaveTheFirstHeightThatWasAsked)
 
 TEST(curvedSides, columnsOnThemHaveTheFirstHeightThatWasAsked)
 {
-    for (const auto& c : cases())
+    for (const auto& c : curvedCases())
     {
         const prismLayers& layers = c->run.made.layers;
         scalarField asked(nLayers + 1);
@@ -186,7 +186,7 @@ static scalar distanceFrom
 
 TEST(curvedSides, patchesAreOnTheFacesOfTheSurface)
 {
-    for (const auto& c : cases())
+    for (const auto& c : curvedCases())
     {
         for (const sidePatch& side : c->wall.border.sides)
         {
@@ -204,7 +204,7 @@ TEST(curvedSides, patchesAreOnTheFacesOfTheSurface)
 
 TEST(curvedSides, meshIsConformalAndFillsTheFluid)
 {
-    for (const auto& c : cases())
+    for (const auto& c : curvedCases())
     {
         EXPECT_FALSE(c->mesh().checkTopology(false));
         EXPECT_FALSE(c->mesh().checkFacePyramids(false));

@@ -22,7 +22,7 @@ static farBoundary boundaryOf(const farBoundaryControls& controls)
 }
 
 
-static farBoundary boxOf(const point& low, const point& high)
+static farBoundary boxBoundary(const point& low, const point& high)
 {
     farBoundaryControls controls;
     controls.type = "box";
@@ -89,7 +89,7 @@ static scalar meanQuality(const wallSurface& surface)
 
 TEST(refineSurface, edgesAreAsShortAsTheSizes)
 {
-    wallSurface surface(boxOf(point(-1, -1, -1), point(9, 2, 1)).surface);
+    wallSurface surface(boxBoundary(point(-1, -1, -1), point(9, 2, 1)).surface);
     const auto size = [](const point& x) { return 0.1 + 0.3*mag(x); };
     refineSurface(surface, size, nullptr);
 
@@ -101,7 +101,10 @@ TEST(refineSurface, edgesAreAsShortAsTheSizes)
 
 TEST(refineSurface, theSurfaceStaysWhereItIs)
 {
-    const wallSurface before(boxOf(point(-1, -1, -1), point(9, 2, 1)).surface);
+    const wallSurface before
+    (
+        boxBoundary(point(-1, -1, -1), point(9, 2, 1)).surface
+    );
     wallSurface surface(before);
     refineSurface(surface, [](const point&) { return 0.4; }, nullptr);
 
@@ -182,7 +185,7 @@ TEST(refineSurface, longEdgesWithOneFaceDoNotDivideWithoutEnd)
 
 TEST(refineSurface, trianglesOfABoxAreGood)
 {
-    wallSurface surface(boxOf(point(0, 0, 0), point(20, 2.3, 3)).surface);
+    wallSurface surface(boxBoundary(point(0, 0, 0), point(20, 2.3, 3)).surface);
     refineSurface(surface, [](const point&) { return 0.5; }, nullptr);
     EXPECT_GT(worstQuality(surface), 0.6);
 }

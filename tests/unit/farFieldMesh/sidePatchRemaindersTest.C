@@ -37,7 +37,7 @@ static prismLayers oneLayer(const wallSurface& wall, const scalar height = 0.1)
 }
 
 
-static farBoundary boxOf(const point& low, const point& high)
+static farBoundary boxSides(const point& low, const point& high)
 {
     farBoundaryControls controls;
     controls.type = "box";
@@ -141,7 +141,7 @@ TEST(sidePatchRemainders, ofAPlaneAreTheBoxWithoutTheLayers)
         (
             farFieldBoundaryOf
             (
-                layers, boxOf(point(-2, -2, low), point(3, 3, 2))
+                layers, boxSides(point(-2, -2, low), point(3, 3, 2))
             )
         );
 
@@ -162,7 +162,7 @@ TEST(sidePatchRemainders, haveTheTypesOfTheirSides)
 {
     const farFieldBoundary boundary
     (
-        ofHalfCube(boxOf(point(-2, -2, 0), point(3, 3, 2)))
+        ofHalfCube(boxSides(point(-2, -2, 0), point(3, 3, 2)))
     );
     const wordList& names = boundary.surface.patchNames;
 
@@ -188,7 +188,7 @@ TEST(sidePatchRemainders, ofTwoPlanesMeetOnTheirLine)
     (
         farFieldBoundaryOf
         (
-            layers, boxOf(point(-2, -1, -1), point(3, 3, 2))
+            layers, boxSides(point(-2, -1, -1), point(3, 3, 2))
         )
     );
 
@@ -229,7 +229,7 @@ TEST(sidePatchRemainders, severalBodiesStandOnOnePlane)
     const prismLayers layers(oneLayer(endedOn(both, halfPlanes())));
     const farFieldBoundary boundary
     (
-        farFieldBoundaryOf(layers, boxOf(point(-2, -2, 0), point(5, 3, 2)))
+        farFieldBoundaryOf(layers, boxSides(point(-2, -2, 0), point(5, 3, 2)))
     );
 
     expectFits(boundary, layers);
@@ -253,7 +253,7 @@ TEST(sidePatchRemainders, groundBelowABoxIsNoRemainder)
     const prismLayers layers(oneLayer(endedOn(sheet(4, 0), planes)));
     const farFieldBoundary boundary
     (
-        farFieldBoundaryOf(layers, boxOf(point(0, 0, -1), point(1, 1, 2)))
+        farFieldBoundaryOf(layers, boxSides(point(0, 0, -1), point(1, 1, 2)))
     );
 
     expectFits(boundary, layers);
@@ -273,7 +273,7 @@ TEST(sidePatchRemainders, layersOutsideOfTheBoxAreRefused)
         (
             []()
             {
-                ofHalfCube(boxOf(point(-2, -2, 0), point(1.05, 3, 2)));
+                ofHalfCube(boxSides(point(-2, -2, 0), point(1.05, 3, 2)));
             }
         ),
         {"not around the wall", "(1.1 "}

@@ -15,7 +15,7 @@ using namespace Foam;
 using testSurfaces::shellMesh;
 using testSurfaces::tubeMesh;
 
-static scalarField solve(const backgroundMesh& mesh, const scalarField& weights)
+static scalarField solvedField(const backgroundMesh& mesh, const scalarField& weights)
 {
     fieldControls controls;
     controls.tolerance = 1e-12;
@@ -29,7 +29,7 @@ static scalarField solve(const backgroundMesh& mesh, const scalarField& weights)
 static scalar shellError(const label n)
 {
     const backgroundMesh mesh(shellMesh(n, 1, 2));
-    const scalarField field(solve(mesh, cotangentWeights(mesh)));
+    const scalarField field(solvedField(mesh, cotangentWeights(mesh)));
     scalar sumSqr = 0;
     label nFree = 0;
 
@@ -50,7 +50,7 @@ static scalar shellError(const label n)
 static scalar tubeError(const label n)
 {
     const backgroundMesh mesh(tubeMesh(n, 1, 2));
-    const scalarField field(solve(mesh, cotangentWeights(mesh)));
+    const scalarField field(solvedField(mesh, cotangentWeights(mesh)));
     scalar sumSqr = 0;
     label nFree = 0;
 
@@ -101,7 +101,7 @@ TEST(closedForms, isotropicHasNoCriticalPointBetweenCylinders)
     // Few and small: the principle needs none that is negative
     EXPECT_GT(min(weights), -0.1*max(weights));
 
-    const scalarField field(solve(mesh, weights));
+    const scalarField field(solvedField(mesh, weights));
     EXPECT_TRUE(findCriticalPoints(mesh, field).none());
     EXPECT_GE(min(field), 0);
     EXPECT_LE(max(field), 1);

@@ -13,7 +13,7 @@
 using namespace Foam;
 
 //- Walls on which faces are beyond the bounds with the heights asked for
-static List<wallSurface> walls()
+static List<wallSurface> narrowWalls()
 {
     return
     {
@@ -64,7 +64,7 @@ TEST(giveWay, onlyIfThePriorityIsQuality)
     label nOfHigh = 0;
     bool isNamed = false;
 
-    for (const wallSurface& wall : walls())
+    for (const wallSurface& wall : narrowWalls())
     {
         const prismLayerMesh m(testSurfaces::layeredMesh(wall, 8, 0.1));
         const madeLayers high(withPriorityThickness(m));
@@ -91,7 +91,7 @@ TEST(giveWay, onlyIfThePriorityIsQuality)
 
 TEST(giveWay, thicknessIsThatOfTheColumnsThen)
 {
-    const wallSurface wall(walls()[0]);
+    const wallSurface wall(narrowWalls()[0]);
     const prismLayerMesh m(testSurfaces::layeredMesh(wall, 8, 0.1));
     const prismLayers& layers = m.made.layers;
     EXPECT_FALSE(m.made.gaveWay.empty());

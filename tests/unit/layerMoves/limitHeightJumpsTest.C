@@ -25,7 +25,7 @@ static labelList limited(editedColumns& m)
 
 
 //- First heights of the faces of the wall
-static scalarField firstHeights(const editedColumns& m)
+static scalarField lowestHeights(const editedColumns& m)
 {
     scalarField heights(m.front.nWallFaces);
     stackHeights stack(m.editor.layers());
@@ -62,7 +62,7 @@ TEST(limitHeightJumps, changesAreBoundedBesideSqueezedColumns)
 
     const auto largestChange = [&]()
     {
-        const scalarField h(firstHeights(m));
+        const scalarField h(lowestHeights(m));
         scalar largest = 1;
         for (const labelPair& faces : addressing.edgeFaces)
         {

@@ -40,7 +40,7 @@ static wallSurface parts(const label n)
 }
 
 
-static layerControls controlsOf(const label n, const scalar h1)
+static layerControls localControls(const label n, const scalar h1)
 {
     layerControls controls;
     controls.heights.nSurfaceLayers = n;
@@ -51,7 +51,7 @@ static layerControls controlsOf(const label n, const scalar h1)
 }
 
 
-static layerSpacing spacingOf
+static layerSpacing localSpacing
 (
     const wallSurface& wall,
     const layerControls& controls,
@@ -69,7 +69,7 @@ static std::string errorOf
     const localHeights& local = localHeights()
 )
 {
-    return thrownMessage<error>([&]() { spacingOf(wall, controls, local); });
+    return thrownMessage<error>([&]() { localSpacing(wall, controls, local); });
 }
 
 
@@ -123,10 +123,10 @@ TEST(localEdgeLengths, areMeansThatGrowByTheFactor)
 TEST(makeLayerSpacing, relativeSizesAreMultiplesOfEdges)
 {
     const wallSurface wall(parts(4));
-    layerControls controls(controlsOf(10, 0.1));
+    layerControls controls(localControls(10, 0.1));
     controls.heights.relativeSizes = true;
 
-    const layerSpacing spacing(spacingOf(wall, controls));
+    const layerSpacing spacing(localSpacing(wall, controls));
 
     EXPECT_NEAR(min(spacing.firstThickness), 0.025, 1e-14);
     EXPECT_NEAR(max(spacing.firstThickness), 0.025, 1e-14);
@@ -136,14 +136,14 @@ TEST(makeLayerSpacing, relativeSizesAreMultiplesOfEdges)
 TEST(makeLayerSpacing, metresAndRelativeSizesMix)
 {
     const wallSurface wall(parts(4));
-    layerControls controls(controlsOf(10, 1));
+    layerControls controls(localControls(10, 1));
 
     heightEntries relative;
     relative.relativeSizes = true;
     relative.finalLayerThickness = 0.5;
     controls.patches = List<patchLayers>(1, entryFor("top", relative));
 
-    const layerSpacing spacing(spacingOf(wall, controls));
+    const layerSpacing spacing(localSpacing(wall, controls));
 
     forAll(wall.points, p)
     {
@@ -160,7 +160,7 @@ TEST(makeLayerSpacing, metresAndRelativeSizesMix)
 TEST(makeLayerSpacing, regionsChangeWhatPatchesHave)
 {
     const wallSurface wall(parts(4));
-    layerControls controls(controlsOf(10, 1e-3));
+    layerControls controls(localControls(10, 1e-3));
 
     heightEntries first, ratio;
     first.firstLayerThickness = 1e-4;
@@ -170,7 +170,7 @@ TEST(makeLayerSpacing, regionsChangeWhatPatchesHave)
     controls.regions[0].name = "half";
     controls.regions[0].heights = ratio;
 
-    const layerSpacing spacing(spacingOf(wall, controls, halfRegion(wall)));
+    const layerSpacing spacing(localSpacing(wall, controls, halfRegion(wall)));
 
     forAll(wall.points, p)
     {
@@ -185,7 +185,7 @@ TEST(makeLayerSpacing, regionsChangeWhatPatchesHave)
 TEST(makeLayerSpacing, regionWithoutPointsIsRefused)
 {
     const wallSurface wall(parts(2));
-    layerControls controls(controlsOf(10, 1e-3));
+    layerControls controls(localControls(10, 1e-3));
     controls.regions.setSize(1);
     controls.regions[0].name = "nowhere";
 
@@ -203,7 +203,7 @@ TEST(makeLayerSpacing, regionWithoutPointsIsRefused)
 TEST(makeLayerSpacing, valuesOfFilesReplaceGeneralOnes)
 {
     const wallSurface wall(parts(4));
-    const layerControls controls(controlsOf(10, 1));
+    const layerControls controls(localControls(10, 1));
 
     localHeights local;
     for (const point& x : wall.points)
@@ -211,20 +211,20 @@ TEST(makeLayerSpacing, valuesOfFilesReplaceGeneralOnes)
         local.firstThickness.append(1e-3*(1 + x.x()));
     }
 
-    const layerSpacing first(spacingOf(wall, controls, local));
+    const layerSpacing first(localSpacing(wall, controls, local));
     EXPECT_EQ(first.firstThickness, local.firstThickness);
     EXPECT_NEAR(min(first.ratio), 1.2, 1e-14);
 
     // With the sum of heights too the ratio follows
     local.thickness = 20*local.firstThickness;
-    const layerSpacing both(spacingOf(wall, controls, local));
+    const layerSpacing both(localSpacing(wall, controls, local));
     EXPECT_EQ(both.firstThickness, local.firstThickness);
     EXPECT_NEAR(max(mag(both.thickness/local.thickness - 1)), 0, 1e-12);
     EXPECT_NEAR(max(both.ratio) - min(both.ratio), 0, 1e-12);
 
     // The sum alone keeps the ratio
     local.firstThickness.clear();
-    const layerSpacing total(spacingOf(wall, controls, local));
+    const layerSpacing total(localSpacing(wall, controls, local));
     EXPECT_NEAR(max(mag(total.thickness/local.thickness - 1)), 0, 1e-12);
     EXPECT_NEAR(max(total.ratio), 1.2, 1e-14);
 }
@@ -241,7 +241,7 @@ TEST(makeLayerSpacing, valuesOutOfBoundsNameThePlace)
     OStringStream place;
     place << wall.points[7];
 
-    const std::string message(errorOf(wall, controlsOf(10, 1), local));
+    const std::string message(errorOf(wall, localControls(10, 1), local));
     EXPECT_NE(message.find(place.str()), std::string::npos) << message;
     EXPECT_NE(message.find("thickness is 0.0001"), std::string::npos);
 }
@@ -250,7 +250,7 @@ TEST(makeLayerSpacing, valuesOutOfBoundsNameThePlace)
 TEST(makeLayerSpacing, fewerLayersKeepFirstHeightAndThickness)
 {
     const wallSurface wall(parts(4));
-    layerControls controls(controlsOf(20, 1e-3));
+    layerControls controls(localControls(20, 1e-3));
 
     heightEntries ten, three;
     ten.nSurfaceLayers = 15;
@@ -260,7 +260,7 @@ TEST(makeLayerSpacing, fewerLayersKeepFirstHeightAndThickness)
         entryFor("top", ten), entryFor("low", three)
     });
 
-    const layerSpacing spacing(spacingOf(wall, controls));
+    const layerSpacing spacing(localSpacing(wall, controls));
 
     EXPECT_EQ(spacing.nLayers, 20);
     EXPECT_EQ(min(spacing.firstThickness), 1e-3);
@@ -298,10 +298,10 @@ TEST(makeLayerSpacing, fewerLayersKeepFirstHeightAndThickness)
 TEST(makeLayerSpacing, automaticNumberReachesTheLengthOfEdges)
 {
     const wallSurface wall(testSurfaces::quadCube(4));
-    layerControls controls(controlsOf(0, 1e-3));
+    layerControls controls(localControls(0, 1e-3));
     controls.finalAspect = 0.5;
 
-    const layerSpacing spacing(spacingOf(wall, controls));
+    const layerSpacing spacing(localSpacing(wall, controls));
     const label n = spacing.nLayers;
 
     // 1.2^26 = 114.5 < 125 < 137.4 = 1.2^27
@@ -323,7 +323,7 @@ TEST(makeLayerSpacing, automaticNumberReachesTheLengthOfEdges)
 TEST(makeLayerSpacing, automaticNumberNeedsGrowth)
 {
     const wallSurface wall(testSurfaces::quadCube(2));
-    layerControls controls(controlsOf(0, 1e-3));
+    layerControls controls(localControls(0, 1e-3));
     controls.heights.expansionRatio = 1;
 
     EXPECT_NE
@@ -336,11 +336,14 @@ TEST(makeLayerSpacing, automaticNumberNeedsGrowth)
 TEST(describe, saysPatchesAndWhatYPlusGives)
 {
     const wallSurface wall(parts(2));
-    layerControls controls(controlsOf(10, 1e-3));
+    layerControls controls(localControls(10, 1e-3));
     controls.heights.yPlus = 1;
     controls.heights.Re = 2e6;
 
-    const std::string text(describe(spacingOf(wall, controls), wall, controls));
+    const std::string text
+    (
+        describe(localSpacing(wall, controls), wall, controls)
+    );
 
     EXPECT_NE(text.find("y+ 1"), std::string::npos) << text;
     EXPECT_NE(text.find("Re 2e+06"), std::string::npos) << text;

@@ -69,7 +69,11 @@ static heightSeries read
 }
 
 
-static std::string errorOf(const std::string& text, const label nLayers = n)
+static std::string heightsError
+(
+    const std::string& text,
+    const label nLayers = n
+)
 {
     return thrownMessage([&]() { read(text, nLayers); });
 }
@@ -133,7 +137,7 @@ TEST(readLayerHeights, saysWhatIsTooMuch)
 {
     expectWords
     (
-        errorOf(firstEntry() + finalEntry() + ratioEntry()),
+        heightsError(firstEntry() + finalEntry() + ratioEntry()),
         {
             "determined twice",
             "firstLayerThickness, finalLayerThickness, expansionRatio"
@@ -141,7 +145,7 @@ TEST(readLayerHeights, saysWhatIsTooMuch)
     );
     expectWords
     (
-        errorOf(firstEntry() + "yPlus { target 1; U 1; nu 1e-6; L 1; }"),
+        heightsError(firstEntry() + "yPlus { target 1; U 1; nu 1e-6; L 1; }"),
         {"Both yPlus and firstLayerThickness"}
     );
 }
@@ -151,12 +155,12 @@ TEST(readLayerHeights, determinedRatioIsBounded)
 {
     expectWords
     (
-        errorOf("firstLayerThickness 1e-6; finalLayerThickness 1;"),
+        heightsError("firstLayerThickness 1e-6; finalLayerThickness 1;"),
         {"expansionRatio", "determined by", "finalLayerThickness", "0.5 to 3"}
     );
     expectWords
     (
-        errorOf("firstLayerThickness 1e-6; thickness 1;"),
+        heightsError("firstLayerThickness 1e-6; thickness 1;"),
         {"expansionRatio", "0.5 to 3"}
     );
 }
@@ -166,12 +170,12 @@ TEST(readLayerHeights, determinedThicknessIsBounded)
 {
     expectWords
     (
-        errorOf("firstLayerThickness 1; expansionRatio 3;", 500),
+        heightsError("firstLayerThickness 1; expansionRatio 3;", 500),
         {"thickness", "determined by", "1e+06"}
     );
     expectWords
     (
-        errorOf("finalLayerThickness 1; expansionRatio 3;", 500),
+        heightsError("finalLayerThickness 1; expansionRatio 3;", 500),
         {"firstLayerThickness", "determined by", "1e-12"}
     );
 }
@@ -181,7 +185,7 @@ TEST(readLayerHeights, heightsBeyondNumbersAreRefused)
 {
     expectWords
     (
-        errorOf("firstLayerThickness 1; expansionRatio 3;", 1000),
+        heightsError("firstLayerThickness 1; expansionRatio 3;", 1000),
         {"1000 layers", "expansionRatio is 3", "out of all bounds"}
     );
 }
@@ -191,12 +195,12 @@ TEST(readLayerHeights, thicknessMustHoldTheLayer)
 {
     expectWords
     (
-        errorOf("firstLayerThickness 1; thickness 0.5;"),
+        heightsError("firstLayerThickness 1; thickness 0.5;"),
         {"thickness is 0.5", "more than 1"}
     );
     expectWords
     (
-        errorOf("finalLayerThickness 1; thickness 1;"),
+        heightsError("finalLayerThickness 1; thickness 1;"),
         {"thickness is 1", "more than 1"}
     );
 }
@@ -211,7 +215,7 @@ TEST(readLayerHeights, oneLayerHasOneThickness)
     );
     expectWords
     (
-        errorOf("firstLayerThickness 0.5; thickness 0.6;", 1),
+        heightsError("firstLayerThickness 0.5; thickness 0.6;", 1),
         {"One layer has one thickness", "0.5", "0.6"}
     );
 }
@@ -234,17 +238,17 @@ TEST(readLayerHeights, yPlusNeedsAllItsEntries)
 {
     expectWords
     (
-        errorOf("yPlus { target 1; U 1; nu 1e-6; }"),
+        heightsError("yPlus { target 1; U 1; nu 1e-6; }"),
         {"entry L of yPlus", "missing"}
     );
     expectWords
     (
-        errorOf("yPlus { target 1; U 1; nu 1e-6; L 1; rho 1; }"),
+        heightsError("yPlus { target 1; U 1; nu 1e-6; L 1; rho 1; }"),
         {"Unknown key rho", "target, U, nu, L"}
     );
     expectWords
     (
-        errorOf("yPlus { target 1; U -1; nu 1e-6; L 1; }"),
+        heightsError("yPlus { target 1; U -1; nu 1e-6; L 1; }"),
         {"U is -1"}
     );
 }
@@ -312,7 +316,10 @@ TEST(readLayerHeights, yPlusIsNotRelative)
 {
     expectWords
     (
-        errorOf("relativeSizes yes; yPlus { target 1; U 1; nu 1e-6; L 1; }"),
+        heightsError
+        (
+            "relativeSizes yes; yPlus { target 1; U 1; nu 1e-6; L 1; }"
+        ),
         {"yPlus gives a height in metres", "relativeSizes"}
     );
 }

@@ -47,7 +47,7 @@ struct endedMesh
 
 
 //- Made once: all tests look at the same
-static const std::vector<endedMesh>& meshes()
+static const std::vector<endedMesh>& endedMeshes()
 {
     static std::vector<endedMesh> list;
 
@@ -79,7 +79,7 @@ static const std::vector<endedMesh>& meshes()
 
 TEST(endedMesh, allLayersAreFullAndCertified)
 {
-    for (const endedMesh& m : meshes())
+    for (const endedMesh& m : endedMeshes())
     {
         EXPECT_TRUE(m.run.certificate.valid()) << m.name;
         EXPECT_EQ(m.run.certificate.nCells, nLayers*m.wall.faces.size());
@@ -95,7 +95,7 @@ TEST(endedMesh, allLayersAreFullAndCertified)
 
 TEST(endedMesh, columnsOnSidePatchesAreInTheirPlanes)
 {
-    for (const endedMesh& m : meshes())
+    for (const endedMesh& m : endedMeshes())
     {
         const wallBorder& border = m.layers().border;
         ASSERT_TRUE(border.edges == m.wall.border.edges) << m.name;
@@ -117,7 +117,7 @@ TEST(endedMesh, columnsOnSidePatchesAreInTheirPlanes)
 
 TEST(endedMesh, columnsOnTwoPlanesAreOnTheirLine)
 {
-    const endedMesh& m = meshes()[2];
+    const endedMesh& m = endedMeshes()[2];
     label n = 0;
 
     forAll(m.wall.points, c)
@@ -140,7 +140,7 @@ TEST(endedMesh, columnsOnTwoPlanesAreOnTheirLine)
 
 TEST(endedMesh, otherColumnsAreInTheFluid)
 {
-    for (const endedMesh& m : meshes())
+    for (const endedMesh& m : endedMeshes())
     {
         const Map<labelPair> onBorder(m.layers().border.pointSides());
 
@@ -161,7 +161,7 @@ TEST(endedMesh, otherColumnsAreInTheFluid)
 
 TEST(endedMesh, sidePatchesHaveTheSidesOfTheLayers)
 {
-    for (const endedMesh& m : meshes())
+    for (const endedMesh& m : endedMeshes())
     {
         const polyBoundaryMesh& patches = m.mesh().boundaryMesh();
         const wallBorder& border = m.wall.border;
@@ -190,7 +190,7 @@ TEST(endedMesh, sidePatchesHaveTheSidesOfTheLayers)
 
 TEST(endedMesh, isClosedAndSound)
 {
-    for (const endedMesh& m : meshes())
+    for (const endedMesh& m : endedMeshes())
     {
         EXPECT_FALSE(m.mesh().checkTopology(false)) << m.name;
         EXPECT_FALSE(m.mesh().checkUpperTriangular(false)) << m.name;
@@ -205,7 +205,7 @@ TEST(endedMesh, isClosedAndSound)
 TEST(endedMesh, heightsAreAsAskedAlsoOnTheBorder)
 {
     // On the half sphere, along the normal of its facets
-    const endedMesh& m = meshes()[0];
+    const endedMesh& m = endedMeshes()[0];
 
     for (label c = 0; c < m.layers().nColumns(); ++c)
     {
@@ -223,7 +223,7 @@ TEST(endedMesh, turnedFileGivesTheSameLayers)
             endedOn(reversed(halfCube(4)), halfPlanes()), nLayers, 0.1
         )
     );
-    const prismLayers& layers = meshes()[1].layers();
+    const prismLayers& layers = endedMeshes()[1].layers();
 
     EXPECT_EQ(turned.made.layers.points.size(), layers.points.size());
     EXPECT_LT(max(mag(turned.made.layers.points - layers.points)), 1e-9);

@@ -21,7 +21,7 @@
 using namespace Foam;
 using namespace Foam::testSurfaces;
 
-static const label nProcessors = 4;
+static const label nPieces = 4;
 
 //- Processes of stacks: parts along x, and some stacks anywhere
 static labelList processorsOf(const prismLayers& layers)
@@ -35,7 +35,7 @@ static labelList processorsOf(const prismLayers& layers)
         const point& x = layers(layers.faces[facei][0], 0);
         const scalar share = (x - box.min()).x()/box.span().x();
         processors[facei] =
-            random.sample01<scalar>() < 0.1 ? nProcessors - 1
+            random.sample01<scalar>() < 0.1 ? nPieces - 1
           : share < 0.3 ? 0 : share < 0.7 ? 1 : 2;
     }
 
@@ -54,7 +54,7 @@ static layersPiece pieceOf
     const layersDivider divider(layers, columnTeam::alone());
     const List<message> messages
     (
-        divider.stacksByProcess(processors, nProcessors)
+        divider.stacksByProcess(processors, nPieces)
     );
     layersPiece piece
     (
@@ -84,7 +84,7 @@ static void expectPiecesOfTheMesh(const prismLayers& layers)
         processorOfCell[celli] = processorOfStack[celli/layers.nLayers];
     }
 
-    for (label processor = 0; processor < nProcessors; ++processor)
+    for (label processor = 0; processor < nPieces; ++processor)
     {
         const meshPiece whole
         (

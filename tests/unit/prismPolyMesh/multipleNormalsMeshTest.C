@@ -59,7 +59,7 @@ struct dividedMesh
 
 
 //- Made once: all tests look at the same
-static const std::vector<dividedMesh>& meshes()
+static const std::vector<dividedMesh>& dividedMeshes()
 {
     static std::vector<dividedMesh> list;
 
@@ -101,7 +101,7 @@ static List<prismLayers> frontLayers()
 
 TEST(multipleNormalsMesh, hasFurtherColumns)
 {
-    for (const dividedMesh& m : meshes())
+    for (const dividedMesh& m : dividedMeshes())
     {
         EXPECT_FALSE(m.layers.extraColumnPoints.empty()) << m.name;
     }
@@ -110,7 +110,7 @@ TEST(multipleNormalsMesh, hasFurtherColumns)
 
 TEST(multipleNormalsMesh, ownersAreBeforeNeighbours)
 {
-    for (const dividedMesh& m : meshes())
+    for (const dividedMesh& m : dividedMeshes())
     {
         for (label facei = 0; facei < m().nInternalFaces(); ++facei)
         {
@@ -123,7 +123,7 @@ TEST(multipleNormalsMesh, ownersAreBeforeNeighbours)
 
 TEST(multipleNormalsMesh, isInUpperTriangularOrder)
 {
-    for (const dividedMesh& m : meshes())
+    for (const dividedMesh& m : dividedMeshes())
     {
         EXPECT_FALSE(m().checkUpperTriangular()) << m.name;
     }
@@ -132,7 +132,7 @@ TEST(multipleNormalsMesh, isInUpperTriangularOrder)
 
 TEST(multipleNormalsMesh, hasValidFaces)
 {
-    for (const dividedMesh& m : meshes())
+    for (const dividedMesh& m : dividedMeshes())
     {
         EXPECT_FALSE(m().checkFaceVertices()) << m.name;
     }
@@ -141,7 +141,7 @@ TEST(multipleNormalsMesh, hasValidFaces)
 
 TEST(multipleNormalsMesh, hasClosedCells)
 {
-    for (const dividedMesh& m : meshes())
+    for (const dividedMesh& m : dividedMeshes())
     {
         EXPECT_FALSE(m().checkCellsZipUp()) << m.name;
         EXPECT_FALSE(m().checkClosedCells()) << m.name;
@@ -151,7 +151,7 @@ TEST(multipleNormalsMesh, hasClosedCells)
 
 TEST(multipleNormalsMesh, hasNoFacesThatShareTooManyPoints)
 {
-    for (const dividedMesh& m : meshes())
+    for (const dividedMesh& m : dividedMeshes())
     {
         EXPECT_FALSE(m().checkFaceFaces()) << m.name;
     }
@@ -160,7 +160,7 @@ TEST(multipleNormalsMesh, hasNoFacesThatShareTooManyPoints)
 
 TEST(multipleNormalsMesh, usesAllItsPoints)
 {
-    for (const dividedMesh& m : meshes())
+    for (const dividedMesh& m : dividedMeshes())
     {
         EXPECT_FALSE(m().checkPoints()) << m.name;
     }
@@ -169,7 +169,7 @@ TEST(multipleNormalsMesh, usesAllItsPoints)
 
 TEST(multipleNormalsMesh, hasACleanTopology)
 {
-    for (const dividedMesh& m : meshes())
+    for (const dividedMesh& m : dividedMeshes())
     {
         EXPECT_FALSE(m().checkTopology()) << m.name;
         EXPECT_FALSE(m().boundaryMesh().checkDefinition()) << m.name;
@@ -191,7 +191,7 @@ TEST(multipleNormalsMesh, topologyIsCleanOnAllScrews)
 
 TEST(multipleNormalsMesh, areaVectorsOfEachCellSumToZero)
 {
-    for (const dividedMesh& m : meshes())
+    for (const dividedMesh& m : dividedMeshes())
     {
         const vectorField& areas = m().faceAreas();
         vectorField sums(m().nCells(), Zero);
@@ -213,7 +213,7 @@ TEST(multipleNormalsMesh, areaVectorsOfEachCellSumToZero)
 
 TEST(multipleNormalsMesh, volumesArePositive)
 {
-    for (const dividedMesh& m : meshes())
+    for (const dividedMesh& m : dividedMeshes())
     {
         EXPECT_GT(min(m().cellVolumes()), 0) << m.name;
     }
@@ -222,7 +222,7 @@ TEST(multipleNormalsMesh, volumesArePositive)
 
 TEST(multipleNormalsMesh, facesPointOutOfTheirOwners)
 {
-    for (const dividedMesh& m : meshes())
+    for (const dividedMesh& m : dividedMeshes())
     {
         EXPECT_FALSE(m().checkFacePyramids()) << m.name;
     }
@@ -232,7 +232,7 @@ TEST(multipleNormalsMesh, facesPointOutOfTheirOwners)
 TEST(multipleNormalsMesh, volumesSumToThatBetweenWallAndOuterSurface)
 {
     // But for quadrilaterals that are not plane
-    for (const dividedMesh& m : meshes())
+    for (const dividedMesh& m : dividedMeshes())
     {
         wallSurface outer(m.wall);
         outer.faces = m.layers.faces;
@@ -255,7 +255,7 @@ TEST(multipleNormalsMesh, volumesSumToThatBetweenWallAndOuterSurface)
 
 TEST(multipleNormalsMesh, hasLayersOnEachFrontFace)
 {
-    for (const dividedMesh& m : meshes())
+    for (const dividedMesh& m : dividedMeshes())
     {
         EXPECT_EQ(m().nCells(), 3*m.layers.faces.size()) << m.name;
     }
@@ -264,7 +264,7 @@ TEST(multipleNormalsMesh, hasLayersOnEachFrontFace)
 
 TEST(multipleNormalsMesh, patchesAreTheWallAndTheOuterSurface)
 {
-    for (const dividedMesh& m : meshes())
+    for (const dividedMesh& m : dividedMeshes())
     {
         const polyBoundaryMesh& patches = m().boundaryMesh();
 
@@ -277,7 +277,7 @@ TEST(multipleNormalsMesh, patchesAreTheWallAndTheOuterSurface)
 
 TEST(multipleNormalsMesh, wallPatchIsTheWall)
 {
-    for (const dividedMesh& m : meshes())
+    for (const dividedMesh& m : dividedMeshes())
     {
         const polyPatch& patch = m().boundaryMesh()[0];
 

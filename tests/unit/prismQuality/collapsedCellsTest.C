@@ -146,7 +146,7 @@ static std::string name(const prismLayers& cell)
 }
 
 
-static prismLayers mirrored(prismLayers layers)
+static prismLayers mirroredCell(prismLayers layers)
 {
     for (point& p : layers.points)
     {
@@ -200,7 +200,7 @@ TEST(isPositive, mirrorImagesOfTheseAreNot)
 {
     for (const prismLayers& cell : {wedge(), tetrahedron(), lyingPrism()})
     {
-        EXPECT_FALSE(isPositive(mirrored(cell), 0, 1)) << name(cell);
+        EXPECT_FALSE(isPositive(mirroredCell(cell), 0, 1)) << name(cell);
     }
 }
 
@@ -212,7 +212,7 @@ TEST(isPositive, firstPointOfAFaceDoesNotMatter)
         for (const prismLayers& same : turned(cell))
         {
             EXPECT_TRUE(isPositive(same, 0, 1)) << name(same);
-            EXPECT_FALSE(isPositive(mirrored(same), 0, 1)) << name(same);
+            EXPECT_FALSE(isPositive(mirroredCell(same), 0, 1)) << name(same);
         }
     }
 }

@@ -15,7 +15,7 @@
 
 using namespace Foam;
 
-static const label n = 3;
+static const label nLevels = 3;
 
 //- Layers whose points are off by up to a share of the layer's height
 static prismLayers shaken(const wallSurface& wall, const scalar share)
@@ -24,7 +24,7 @@ static prismLayers shaken(const wallSurface& wall, const scalar share)
     (
         testSurfaces::straightLayers
         (
-            wall, testSurfaces::geometricHeights(n, 0.05, 1.2)
+            wall, testSurfaces::geometricHeights(nLevels, 0.05, 1.2)
         )
     );
 
@@ -58,7 +58,7 @@ static boolList outlying(const polyMesh& mesh, const label nFrontFaces)
                 ) < 0
             )
             {
-                found[celli/n] = true;
+                found[celli/nLevels] = true;
             }
         }
     }

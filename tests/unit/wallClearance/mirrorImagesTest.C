@@ -35,7 +35,7 @@ static sidePatch part(const scalar low)
 }
 
 
-static scalarField clearanceOf(const wallSurface& wall, const scalar reach)
+static scalarField clearanceIn(const wallSurface& wall, const scalar reach)
 {
     const wallSearch search(wall);
 
@@ -84,8 +84,8 @@ TEST(mirrorImages, plateHasTheRoomUpToThePlane)
         wallSurface both(merge(plate, sheet(4, -distance)));
         both.border = wallBorder();
 
-        const scalarField mirrored(clearanceOf(plate, 1));
-        const scalarField slit(clearanceOf(both, 1));
+        const scalarField mirrored(clearanceIn(plate, 1));
+        const scalarField slit(clearanceIn(both, 1));
 
         forAll(mirrored, p)
         {
@@ -98,7 +98,7 @@ TEST(mirrorImages, plateHasTheRoomUpToThePlane)
 
 TEST(mirrorImages, farPlanesLeaveTheReach)
 {
-    for (const scalar c : clearanceOf(plateOver(0.5), 0.4))
+    for (const scalar c : clearanceIn(plateOver(0.5), 0.4))
     {
         EXPECT_EQ(c, 0.4);
     }
@@ -132,7 +132,7 @@ TEST(mirrorImages, bodiesOnThePlaneDoNotSeeThemselves)
     // As the whole body, which is convex
     const wallSurface wall(endedOn(halfSphere(6), halfPlanes()));
 
-    for (const scalar c : clearanceOf(wall, 2))
+    for (const scalar c : clearanceIn(wall, 2))
     {
         EXPECT_EQ(c, 2);
     }

@@ -45,7 +45,7 @@ static label pointAt(const wallSurface& wall, const point& x)
 }
 
 
-static scalar diagonal(const wallSurface& wall)
+static scalar sizeOf(const wallSurface& wall)
 {
     return boundBox(wall.points, false).mag();
 }
@@ -60,7 +60,7 @@ TEST(splitAtSidePatchesErrors, bordersFarFromTheirPlaneAreRefused)
         wallSurface surface(halfCube(4));
         const label p = pointAt(surface, point(0.5, 0, 0));
         ASSERT_GE(p, 0);
-        surface.points[p].z() += sign*1e-3*diagonal(surface);
+        surface.points[p].z() += sign*1e-3*sizeOf(surface);
 
         expectWords
         (

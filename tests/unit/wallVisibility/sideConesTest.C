@@ -13,7 +13,7 @@ using namespace Foam::testSurfaces;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-static wallVisibility visibilityOf(const wallSurface& wall)
+static wallVisibility conesOf(const wallSurface& wall)
 {
     return makeWallVisibility(wall, makeWallAddressing(wall));
 }
@@ -29,8 +29,8 @@ static wallSurface wholeCube(const bool isQuarter)
 //- The same axes and cosines at the same places as on another wall
 static void expectSameCones(const wallSurface& part, const wallSurface& whole)
 {
-    const wallVisibility ofPart(visibilityOf(part));
-    const wallVisibility ofWhole(visibilityOf(whole));
+    const wallVisibility ofPart(conesOf(part));
+    const wallVisibility ofWhole(conesOf(whole));
 
     forAll(part.points, p)
     {
@@ -90,8 +90,8 @@ TEST(sideCones, equalTheWholeBody)
 TEST(sideCones, awayFromTheBorderEqualThoseWithoutOne)
 {
     const wallSurface wall(endedOn(halfSphere(6), halfPlanes()));
-    const wallVisibility ended(visibilityOf(wall));
-    const wallVisibility open(visibilityOf(halfSphere(6)));
+    const wallVisibility ended(conesOf(wall));
+    const wallVisibility open(conesOf(halfSphere(6)));
 
     forAll(wall.points, p)
     {
@@ -109,7 +109,7 @@ TEST(sideCones, awayFromTheBorderEqualThoseWithoutOne)
 TEST(sideCones, axesOnAPlaneAreInIt)
 {
     const wallSurface wall(endedOn(halfSphere(6), halfPlanes()));
-    const wallVisibility visibility(visibilityOf(wall));
+    const wallVisibility visibility(conesOf(wall));
     label n = 0;
 
     forAll(wall.points, p)
@@ -133,7 +133,7 @@ TEST(sideCones, axesOnAPlaneAreInIt)
 TEST(sideCones, axesOnTwoPlanesAreOnTheirLine)
 {
     const wallSurface wall(endedOn(sector(), sectorPlanes()));
-    const wallVisibility visibility(visibilityOf(wall));
+    const wallVisibility visibility(conesOf(wall));
     ASSERT_EQ(visibility.sideLines.size(), wall.points.size());
     label n = 0;
 
@@ -188,7 +188,7 @@ TEST(sideCones, rampIsAWedgeWithItsImage)
         }
         ramp.border.sides[0].normal.z() = below ? 1 : -1;
 
-        const wallVisibility visibility(visibilityOf(ramp));
+        const wallVisibility visibility(conesOf(ramp));
         const label p = ramp.points.find(point(0, 0.5, below ? -0. : 0.));
         ASSERT_GE(p, 0);
         EXPECT_NEAR(visibility.cones[p].axis.z(), 0, 1e-15);

@@ -1,10 +1,10 @@
 /*---------------------------------------------------------------------------*\
     harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
     SPDX-License-Identifier: GPL-3.0-or-later
--------------------------------------------------------------------------------
-Description
-    What nearly all tests include besides etc/precompiled.H; see etc/precompile.
-
 \*---------------------------------------------------------------------------*/
 
-#include <gtest/gtest.h>
+#include "localHeights/regionSearchTest.C"
+#include "localHeights/surfaceValuesTest.C"
+#include "localHeights/readLocalHeightsTest.C"
+
+// ************************************************************************* //

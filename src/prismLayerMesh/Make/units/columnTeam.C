@@ -1,0 +1,16 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "columnTeam/processTeam.C"
+#include "columnTeam/wallMessages.C"
+#include "columnTeam/pointOwners.C"
+#include "columnTeam/frontShare.C"
+#include "columnTeam/frontPart.C"
+#include "columnTeam/distributeFront.C"
+#include "columnTeam/wallPartsInBoxes.C"
+#include "columnTeam/shareCopies.C"
+#include "columnTeam/columnTeam.C"
+
+// ************************************************************************* //

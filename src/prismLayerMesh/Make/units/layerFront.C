@@ -1,0 +1,17 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "layerFront/columnConstraint.C"
+#include "layerFront/directionTriangles.C"
+#include "layerFront/normalSectors.C"
+#include "layerFront/sectorCandidates.C"
+#include "layerFront/sectorSearch.C"
+#include "layerFront/wallSectors.C"
+#include "layerFront/directionsNearEdges.C"
+#include "layerFront/faceSectors.C"
+#include "layerFront/layerFront.C"
+#include "layerFront/makeLayerFront.C"
+
+// ************************************************************************* //

@@ -1,0 +1,11 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "localHeights/regionSearch.C"
+#include "localHeights/surfaceValues.C"
+#include "localHeights/readSurfaceValues.C"
+#include "localHeights/readLocalHeights.C"
+
+// ************************************************************************* //

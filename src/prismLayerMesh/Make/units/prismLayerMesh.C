@@ -1,0 +1,16 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "prismLayerMesh/readPrismLayerControls.C"
+#include "prismLayerMesh/stageText.C"
+#include "prismLayerMesh/adviceOnPoints.C"
+#include "prismLayerMesh/wallPointsError.C"
+#include "prismLayerMesh/fieldStages.C"
+#include "prismLayerMesh/columnGuide.C"
+#include "prismLayerMesh/layerStages.C"
+#include "prismLayerMesh/wholeWall.C"
+#include "prismLayerMesh/prismLayerMesh.C"
+
+// ************************************************************************* //

@@ -1,0 +1,11 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "wallClearance/sideSearch.C"
+#include "wallClearance/triangleTree.C"
+#include "wallClearance/wallSearch.C"
+#include "wallClearance/wallClearance.C"
+
+// ************************************************************************* //

@@ -1,0 +1,18 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "wallSurface/wallSides.C"
+#include "wallSurface/wallAddressing.C"
+#include "wallSurface/packedFaces.C"
+#include "wallSurface/wallPart.C"
+#include "wallSurface/wallSurface.C"
+#include "wallSurface/surfaceMeasures.C"
+#include "wallSurface/cutReflexFaces.C"
+#include "wallSurface/flipCaps.C"
+#include "wallSurface/removeUnused.C"
+#include "wallSurface/renumberWall.C"
+#include "wallSurface/wallPredicates.C"
+
+// ************************************************************************* //

@@ -1,0 +1,11 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "backgroundMesh/fieldIslandsTest.C"
+#include "backgroundMesh/backgroundMeshTest.C"
+#include "backgroundMesh/levelSetTopologyTest.C"
+#include "backgroundMesh/endedBackgroundTest.C"
+
+// ************************************************************************* //

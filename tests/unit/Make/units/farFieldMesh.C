@@ -1,0 +1,20 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "farFieldMesh/coreFaceZonesTest.C"
+#include "farFieldMesh/coreFarFieldTest.C"
+#include "farFieldMesh/cellSizesTest.C"
+#include "farFieldMesh/coarsenCutsTest.C"
+#include "farFieldMesh/refineSurfaceTest.C"
+#include "farFieldMesh/farBoundaryTest.C"
+#include "farFieldMesh/outerTrianglesTest.C"
+#include "farFieldMesh/layerBorderTest.C"
+#include "farFieldMesh/sidePatchRemaindersTest.C"
+#include "farFieldMesh/improveTetsTest.C"
+#include "farFieldMesh/makeFarFieldMeshTest.C"
+#include "farFieldMesh/curvedSidesTest.C"
+#include "farFieldMesh/endedFarFieldTest.C"
+
+// ************************************************************************* //

@@ -1,0 +1,16 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "wallSurface/packedFacesTest.C"
+#include "wallSurface/disjointSetsTest.C"
+#include "wallSurface/cutReflexFacesTest.C"
+#include "wallSurface/flipCapsTest.C"
+#include "wallSurface/renumberWallTest.C"
+#include "wallSurface/removeUnusedTest.C"
+#include "wallSurface/wallSurfaceTest.C"
+#include "wallSurface/surfaceMeasuresTest.C"
+#include "wallSurface/openAddressingTest.C"
+
+// ************************************************************************* //
