@@ -132,6 +132,9 @@ layerReport makeLayerReport
 
     layerReport report;
     report.nCells = certificate.nCells;
+    report.valid = certificate.valid();
+    report.nStacksNotPositive = certificate.nStacksNotPositive;
+    report.nOverlaps = certificate.nOverlaps;
     report.firstHeightChange =
         makePercentiles(changesOverEdges(edgeFaces, heights.first), team);
     report.wall = sample.report("allPatches", identity(wall.faces.size()));

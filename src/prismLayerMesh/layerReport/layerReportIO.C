@@ -145,13 +145,12 @@ dictionary toDictionary(const layerReport& report)
     wall.add("emptyCones", report.points[int(pointKind::empty)]);
     wall.add("pointKinds", pointsDictionary(report));
 
-    // Layers without a valid certificate are not reported
     dictionary certificate;
     certificate.add("cells", report.nCells);
-    certificate.add("invalidCells", label(0));
-    certificate.add("intersectingPairs", label(0));
+    certificate.add("stacksNotPositive", report.nStacksNotPositive);
+    certificate.add("overlaps", report.nOverlaps);
     certificate.add("outlyingCentres", report.outlyingCentres.size());
-    certificate.add("valid", Switch(true));
+    certificate.add("valid", Switch(report.valid));
 
     dictionary patches;
     for (const patchReport& patch : report.patches)

@@ -119,11 +119,10 @@ void write(Ostream& os, const layerReport& report)
     text<< std::fixed;
     addTable(text, report);
 
-    // Layers without a valid certificate are not reported
     text<< std::setprecision(3)
-        << "\nCells " << report.nCells
-        << ", not positive 0, intersecting pairs 0\n"
-        << "First height from face to face changes by a factor of at most "
+        << "\nCells " << report.nCells << ", stacks not positive "
+        << report.nStacksNotPositive << ", overlaps " << report.nOverlaps
+        << "\nFirst height from face to face changes by a factor of at most "
         << report.firstHeightChange.max << ", on 99 % of edges "
         << report.firstHeightChange.p99 << '\n';
 

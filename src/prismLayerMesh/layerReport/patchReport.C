@@ -80,8 +80,8 @@ void wallSample::addFaces(const labelUList& counted, patchReport& patch) const
 
     if (patch.nFaces)
     {
-        // The certificate is valid
-        patch.layersReached = spacing.nLayers;
+        // Layers are on every face
+        patch.layersReached = layers.nLayers;
         patch.fullLayersArea = 100;
         patch.fullThicknessArea = 100*fullArea/max(patch.area, VSMALL);
         patch.worstJacobian = worst;

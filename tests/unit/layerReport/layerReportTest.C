@@ -286,8 +286,8 @@ TEST(toDictionary, certificateColumnsAndStages)
     EXPECT_EQ(dict.subDict("wall").get<label>("points"), 98);
     const dictionary& certificate = dict.subDict("certificate");
     EXPECT_TRUE(certificate.get<bool>("valid"));
-    EXPECT_EQ(certificate.get<label>("invalidCells"), 0);
-    EXPECT_EQ(certificate.get<label>("intersectingPairs"), 0);
+    EXPECT_EQ(certificate.get<label>("stacksNotPositive"), 0);
+    EXPECT_EQ(certificate.get<label>("overlaps"), 0);
 
     const dictionary& columns = dict.subDict("columns");
     EXPECT_EQ(columns.get<label>("total"), 98);
@@ -297,6 +297,44 @@ TEST(toDictionary, certificateColumnsAndStages)
     const dictionary& stages = dict.subDict("stages");
     EXPECT_EQ(stages.subDict("read").get<scalar>("seconds"), 0.75);
     EXPECT_EQ(stages.subDict("field").get<scalar>("peakMemoryMB"), 123);
+}
+
+
+TEST(toDictionary, hasTheNumbersOfTheCertificate)
+{
+    // The column in the middle of a side goes through the opposite side
+    cubeRun run;
+    labelList faces;
+    const label p = run.middlePoint(faces);
+    for (label i = 1; i <= n; ++i)
+    {
+        run.layers.points[run.layers.pointLabel(p, i)].z() = -i;
+    }
+    const layerCertificate expected(certify(run.layers));
+
+    ASSERT_GE(expected.nStacksNotPositive, faces.size());
+    ASSERT_GT(expected.nOverlaps, 0);
+
+    const layerReport report(run.report());
+    const dictionary dict(toDictionary(report));
+    const dictionary& certificate = dict.subDict("certificate");
+
+    EXPECT_FALSE(certificate.get<bool>("valid"));
+    EXPECT_EQ
+    (
+        certificate.get<label>("stacksNotPositive"),
+        expected.nStacksNotPositive
+    );
+    EXPECT_EQ(certificate.get<label>("overlaps"), expected.nOverlaps);
+
+    OStringStream os;
+    write(os, report);
+    const std::string counts
+    (
+        "stacks not positive " + std::to_string(expected.nStacksNotPositive)
+      + ", overlaps " + std::to_string(expected.nOverlaps)
+    );
+    EXPECT_NE(os.str().find(counts), std::string::npos) << os.str();
 }
 
 
