@@ -6,7 +6,7 @@ Application
     moveNumbers
 
 Description
-    What half and double of the tuned numbers of the moves do to the layers.
+    What half and double of each tuned number of the moves do to the layers.
 
     Reads the wall and system/harmonicPrismMeshDict of the case, makes all that
     stands before the moves once, and then the layers with each of the numbers
@@ -39,41 +39,76 @@ using namespace Foam;
 typedef layerMoveControls tuned;
 
 
-//- A tuned number, a scalar or a label
-struct tunedNumber
+//- A tuned number: a scalar, a label, or a list of scalars
+class tunedNumber
 {
-    const char* name;
-    scalar layerMoveControls::* value;
-    label layerMoveControls::* count;
+    scalar tuned::* scalar_ = nullptr;
+    label tuned::* label_ = nullptr;
+    scalarList tuned::* list_ = nullptr;
 
     //- Whether its distance from 1 is what counts
-    bool fromOne;
+    bool fromOne_ = false;
 
-    scalar in(const layerMoveControls& controls) const
-    {
-        return count ? scalar(controls.*count) : controls.*value;
-    }
+public:
 
-    //- Name, value, and changed value, between tabs
-    string change(const layerMoveControls& changed) const
-    {
-        return string(name) + '\t' + Foam::name(in(layerMoveControls()))
-          + '\t' + Foam::name(in(changed));
-    }
+    const char* name;
 
-    void scale(layerMoveControls& controls, const scalar factor) const
+    tunedNumber(const char* n, scalar tuned::* number, bool fromOne = false)
+    :
+        scalar_(number),
+        fromOne_(fromOne),
+        name(n)
+    {}
+
+    tunedNumber(const char* n, label tuned::* number)
+    :
+        label_(number),
+        name(n)
+    {}
+
+    tunedNumber(const char* n, scalarList tuned::* numbers)
+    :
+        list_(numbers),
+        name(n)
+    {}
+
+    string text(const tuned& controls) const
     {
-        if (count)
+        if (label_)
         {
-            controls.*count = label(factor*(controls.*count) + 0.5);
+            return Foam::name(controls.*label_);
         }
-        else if (fromOne)
+
+        string text;
+        for
+        (
+            const scalar value
+          : list_ ? controls.*list_ : scalarList(1, controls.*scalar_)
+        )
         {
-            controls.*value = 1 + factor*(controls.*value - 1);
+            text += (text.empty() ? "" : ", ") + Foam::name(value);
+        }
+
+        return text;
+    }
+
+    void scale(tuned& controls, const scalar factor) const
+    {
+        if (label_)
+        {
+            controls.*label_ = label(factor*(controls.*label_) + 0.5);
+        }
+        else if (list_)
+        {
+            for (scalar& value : controls.*list_)
+            {
+                value *= factor;
+            }
         }
         else
         {
-            controls.*value *= factor;
+            scalar& value = controls.*scalar_;
+            value = fromOne_ ? 1 + factor*(value - 1) : factor*value;
         }
     }
 };
@@ -81,55 +116,56 @@ struct tunedNumber
 
 static const std::initializer_list<tunedNumber> numbers =
 {
-    {"minJacobian", &tuned::minJacobian, nullptr, false},
-    {"goodJacobian", &tuned::goodJacobian, nullptr, false},
-    {"centreJacobian", &tuned::centreJacobian, nullptr, false},
-    {"maxCentreTries", nullptr, &tuned::maxCentreTries, false},
-    {"retreatFactor", &tuned::retreatFactor, nullptr, true},
-    {"straightenShare", &tuned::straightenShare, nullptr, false},
-    {"shortShare", &tuned::shortShare, nullptr, false},
-    {"tallShare", &tuned::tallShare, nullptr, true},
-    {"hopelessShare", &tuned::hopelessShare, nullptr, false},
-    {"maxTurns", nullptr, &tuned::maxTurns, false},
-    {"turnShare", &tuned::turnShare, nullptr, true},
-    {"maxLeans", nullptr, &tuned::maxLeans, false},
-    {"leanGain", &tuned::leanGain, nullptr, true},
-    {"leanSize", &tuned::leanSize, nullptr, false},
-    {"nLeanSides", nullptr, &tuned::nLeanSides, false},
-    {"maxRounds", nullptr, &tuned::maxRounds, false},
-    {"angleMargin", &tuned::angleMargin, nullptr, false},
-    {"skewnessShare", &tuned::skewnessShare, nullptr, true},
-    {"targetJacobian", &tuned::targetJacobian, nullptr, false},
-    {"jacobianShare", &tuned::jacobianShare, nullptr, false},
-    {"jacobianWeight", &tuned::jacobianWeight, nullptr, false},
-    {"targetPlanarity", &tuned::targetPlanarity, nullptr, false},
-    {"planarityWeight", &tuned::planarityWeight, nullptr, false},
-    {"firstHeightWeight", &tuned::firstHeightWeight, nullptr, false},
-    {"thicknessWeight", &tuned::thicknessWeight, nullptr, false},
-    {"heightSlack", &tuned::heightSlack, nullptr, false},
-    {"displacementWeight", &tuned::displacementWeight, nullptr, false},
-    {"lowFirstHeightWeight", &tuned::lowFirstHeightWeight, nullptr, false},
-    {"lowThicknessWeight", &tuned::lowThicknessWeight, nullptr, false},
-    {"bendGain", &tuned::bendGain, nullptr, true},
-    {"bendSlack", &tuned::bendSlack, nullptr, false},
-    {"maxBend", &tuned::maxBend, nullptr, false},
-    {"maxBends", nullptr, &tuned::maxBends, false},
-    {"heightTolerance", &tuned::heightTolerance, nullptr, false},
-    {"largeTolerance", &tuned::largeTolerance, nullptr, false},
-    {"thicknessTolerance", &tuned::thicknessTolerance, nullptr, false},
-    {"thicknessReach", &tuned::thicknessReach, nullptr, false},
-    {"nRings", nullptr, &tuned::nRings, false},
-    {"maxDisplacement", &tuned::maxDisplacement, nullptr, false},
-    {"maxLowerings", nullptr, &tuned::maxLowerings, false},
-    {"leftOutShare", &tuned::leftOutShare, nullptr, false},
-    {"damping", &tuned::damping, nullptr, false},
-    {"maxExcess", &tuned::maxExcess, nullptr, true},
-    {"maxHeightJump", &tuned::maxHeightJump, nullptr, true},
-    {"maxLimits", nullptr, &tuned::maxLimits, false},
-    {"maxSweeps", nullptr, &tuned::maxSweeps, false},
-    {"leastForJump", &tuned::leastForJump, nullptr, true},
-    {"leastOverNeighbour", &tuned::leastOverNeighbour, nullptr, true},
-    {"slack", &tuned::slack, nullptr, false}
+    {"minJacobian", &tuned::minJacobian},
+    {"goodJacobian", &tuned::goodJacobian},
+    {"centreJacobian", &tuned::centreJacobian},
+    {"maxCentreTries", &tuned::maxCentreTries},
+    {"retreatFactor", &tuned::retreatFactor, true},
+    {"straightenShare", &tuned::straightenShare},
+    {"shortShare", &tuned::shortShare},
+    {"tallShare", &tuned::tallShare, true},
+    {"hopelessShare", &tuned::hopelessShare},
+    {"maxTurns", &tuned::maxTurns},
+    {"turnShare", &tuned::turnShare, true},
+    {"maxLeans", &tuned::maxLeans},
+    {"leanGain", &tuned::leanGain, true},
+    {"leanSize", &tuned::leanSize},
+    {"nLeanSides", &tuned::nLeanSides},
+    {"maxRounds", &tuned::maxRounds},
+    {"angleMargin", &tuned::angleMargin},
+    {"skewnessShare", &tuned::skewnessShare, true},
+    {"targetJacobian", &tuned::targetJacobian},
+    {"jacobianShare", &tuned::jacobianShare},
+    {"jacobianWeight", &tuned::jacobianWeight},
+    {"targetPlanarity", &tuned::targetPlanarity},
+    {"planarityWeight", &tuned::planarityWeight},
+    {"firstHeightWeight", &tuned::firstHeightWeight},
+    {"thicknessWeight", &tuned::thicknessWeight},
+    {"heightSlack", &tuned::heightSlack},
+    {"displacementWeight", &tuned::displacementWeight},
+    {"lowFirstHeightWeight", &tuned::lowFirstHeightWeight},
+    {"lowThicknessWeight", &tuned::lowThicknessWeight},
+    {"bendGain", &tuned::bendGain, true},
+    {"bendSlack", &tuned::bendSlack},
+    {"maxBend", &tuned::maxBend},
+    {"maxBends", &tuned::maxBends},
+    {"heightTolerance", &tuned::heightTolerance},
+    {"largeTolerance", &tuned::largeTolerance},
+    {"thicknessTolerance", &tuned::thicknessTolerance},
+    {"reaches", &tuned::reaches},
+    {"thicknessReach", &tuned::thicknessReach},
+    {"nRings", &tuned::nRings},
+    {"maxDisplacement", &tuned::maxDisplacement},
+    {"maxLowerings", &tuned::maxLowerings},
+    {"leftOutShare", &tuned::leftOutShare},
+    {"damping", &tuned::damping},
+    {"maxExcess", &tuned::maxExcess, true},
+    {"maxHeightJump", &tuned::maxHeightJump, true},
+    {"maxLimits", &tuned::maxLimits},
+    {"maxSweeps", &tuned::maxSweeps},
+    {"leastForJump", &tuned::leastForJump, true},
+    {"leastOverNeighbour", &tuned::leastOverNeighbour, true},
+    {"slack", &tuned::slack}
 };
 
 
@@ -241,7 +277,7 @@ int main(int argc, char *argv[])
     );
     const wordList only(args.getOrDefault("numbers", wordList()));
 
-    measure(wall, m, layerMoveControls(), "as they are\t\t");
+    measure(wall, m, tuned(), "as they are\t\t");
 
     for (const tunedNumber& number : numbers)
     {
@@ -253,9 +289,14 @@ int main(int argc, char *argv[])
         {
             if (only.empty() || only.found(number.name))
             {
-                layerMoveControls changed;
+                tuned changed;
                 number.scale(changed, factor);
-                measure(wall, m, changed, number.change(changed));
+                measure
+                (
+                    wall, m, changed,
+                    string(number.name) + '\t' + number.text(tuned())
+                  + '\t' + number.text(changed)
+                );
             }
         }
     }
