@@ -217,7 +217,7 @@ std::string domainJudge::sphereFault() const
 
 std::string domainJudge::fault() const
 {
-    if (asked.controls.boundary.type == "sphere")
+    if (asked.controls.boundary.type == farBoundaryType::sphere)
     {
         return sphereFault();
     }

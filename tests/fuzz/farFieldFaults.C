@@ -159,7 +159,7 @@ std::string farFieldJudge::zoneFault() const
     }
 
     const label first = nLayerCells() + nTets;
-    if (asked.controls.type == "hexCore")
+    if (asked.controls.type == farFieldType::hexCore)
     {
         expected = identity(mesh.nCells() - first, first);
         return
@@ -169,7 +169,7 @@ std::string farFieldJudge::zoneFault() const
     const label all = zones.findZoneID("all");
     if
     (
-        asked.controls.type == "mesh"
+        asked.controls.type == farFieldType::mesh
      && (all < 0 || zones[all].size() != mesh.nCells())
     )
     {

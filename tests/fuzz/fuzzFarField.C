@@ -216,7 +216,7 @@ void farFieldMaker::setSizes()
 void farFieldMaker::setBox()
 {
     farBoundaryControls& boundary = made_.controls.boundary;
-    boundary.type = "box";
+    boundary.type = farBoundaryType::box;
     boundary.box = boxAround(wall_, sides_);
     made_.kind += "box";
 
@@ -252,7 +252,7 @@ void farFieldMaker::setSphere()
 {
     const boundBox bounds(wall_.points, false);
     farBoundaryControls& boundary = made_.controls.boundary;
-    boundary.type = "sphere";
+    boundary.type = farBoundaryType::sphere;
     boundary.radius =
         thickness_ + 0.5*bounds.mag()*logUniform(random_, 1.1, 4);
     boundary.origin =
@@ -344,16 +344,16 @@ fuzzFarField farFieldMaker::make()
     // A mesh ends in planes that are at right angles to each other
     const bool isMeshable = sides_.size() <= 1 || isAlongAxes();
     const scalar share = onParts_ || !isMeshable ? 0.02 : 0.5;
-    word& type = made_.controls.type;
+    farFieldType& type = made_.controls.type;
     type =
-        chance(random_, share) ? "mesh"
-      : chance(random_, 0.9) ? "hexCore" : "tet";
-    made_.kind = type + ' ';
+        chance(random_, share) ? farFieldType::mesh
+      : chance(random_, 0.9) ? farFieldType::hexCore : farFieldType::tet;
+    made_.kind = farFieldTypes[int(type)] + ' ';
 
     const bool isBounded =
         !made_.fluidInside
      || (sides_.size() && !onParts_ && chance(random_, 0.3));
-    if (type == "mesh")
+    if (type == farFieldType::mesh)
     {
         setMesh();
     }

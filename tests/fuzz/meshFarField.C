@@ -113,7 +113,7 @@ farFieldMesh farFieldStage::make() const
     farFieldDomain domain;
     domain.core = asked_.core;
     domain.bounds = makeSizeBounds(controls, time_());
-    if (controls.boundary.type.size())
+    if (controls.boundary.type != farBoundaryType::none)
     {
         domain.boundary = makeFarBoundary(controls.boundary, nullptr);
     }
@@ -136,7 +136,7 @@ bool farFieldStage::isNearLayers() const
         // Coarse triangles of a sphere are inside of it
         if
         (
-            boundary.type == "sphere"
+            boundary.type == farBoundaryType::sphere
          && mag(x - boundary.origin) > 0.5*boundary.radius
         )
         {

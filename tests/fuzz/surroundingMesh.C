@@ -237,7 +237,7 @@ static polyMeshParts makeTetrahedra
 )
 {
     farBoundaryControls boxControls;
-    boxControls.type = "box";
+    boxControls.type = farBoundaryType::box;
     boxControls.box = around.box;
     wallSurface surface(makeFarBoundary(boxControls, nullptr).surface);
     widths.coarsen();

@@ -100,8 +100,8 @@ static void writeWall(std::FILE* out, const wallSurface& wall)
 static dictionary entryOf(const farBoundaryControls& b)
 {
     dictionary boundary;
-    boundary.add("type", b.type);
-    if (b.type == "box")
+    boundary.add("type", farBoundaryTypes[int(b.type)]);
+    if (b.type == farBoundaryType::box)
     {
         boundary.add("min", b.box.min());
         boundary.add("max", b.box.max());
@@ -130,16 +130,16 @@ static dictionary entryOf(const farBoundaryControls& b)
 static string entryOf(const farFieldControls& controls)
 {
     dictionary dict;
-    dict.add("type", controls.type);
+    dict.add("type", farFieldTypes[int(controls.type)]);
     dict.add("growthRate", controls.growthRate);
     dict.add("maxCellSize", controls.maxCellSize);
     dict.add("maxCells", controls.maxCells);
-    if (controls.type != "tet")
+    if (controls.type != farFieldType::tet)
     {
         dict.add("gap", controls.gap);
     }
 
-    if (controls.boundary.type.size())
+    if (controls.boundary.type != farBoundaryType::none)
     {
         dict.add("boundary", entryOf(controls.boundary));
     }

@@ -54,7 +54,7 @@ void Foam::prismCase::checkOverwrite
 {
     const bool replaces =
         overwrite_
-     || (farField.type == "mesh" && farField.region.empty());
+     || (farField.type == farFieldType::mesh && farField.region.empty());
 
     for (const fileName& file : {outerFile(), sidesFile()})
     {

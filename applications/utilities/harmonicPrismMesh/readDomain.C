@@ -45,7 +45,7 @@ farFieldDomain readFarField
 
     if
     (
-        !fluidOutside && controls.boundary.type.size()
+        !fluidOutside && controls.boundary.type != farBoundaryType::none
      && wall.border.sides.empty()
     )
     {
@@ -56,7 +56,7 @@ farFieldDomain readFarField
 
     domain.bounds = makeSizeBounds(controls, time);
 
-    if (controls.type == "mesh")
+    if (controls.type == farFieldType::mesh)
     {
         log.begin("readMesh");
         domain.core = files.readCore(controls.region);
@@ -72,13 +72,13 @@ farFieldDomain readFarField
         [&](const fileName& file) { return files.surfaceFile(file); }
     );
 
-    string names;
+    string names(farBoundaryTypes[int(controls.boundary.type)]);
     for (const word& patch : domain.boundary.surface.patchNames)
     {
         names += ' ' + patch;
         requireNotOf(wall, patch);
     }
-    log.end(controls.boundary.type + names);
+    log.end(names);
 
     return domain;
 }

@@ -27,7 +27,7 @@ struct coreBoundaryMaker
 
     const List<sidePatch>& sides = layers.border.sides;
 
-    bool isHexCore() const { return controls.type == "hexCore"; }
+    bool isHexCore() const { return controls.type == farFieldType::hexCore; }
 
     //- Patches of the core for all side patches
     void addSidePatches();
@@ -102,7 +102,7 @@ farBoundary coreBoundaryMaker::outerBox() const
     }
 
     farBoundaryControls boxControls;
-    boxControls.type = "box";
+    boxControls.type = farBoundaryType::box;
     boxControls.box = coreBox(layers, domain);
 
     return makeFarBoundary(boxControls, nullptr);

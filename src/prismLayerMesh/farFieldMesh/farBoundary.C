@@ -263,11 +263,11 @@ farBoundary makeFarBoundary
 {
     farBoundary boundary;
 
-    if (controls.type == "box")
+    if (controls.type == farBoundaryType::box)
     {
         boundary.surface = boxSurface(controls.box);
     }
-    else if (controls.type == "sphere")
+    else if (controls.type == farBoundaryType::sphere)
     {
         const point origin(controls.origin);
         const scalar radius = controls.radius;
@@ -278,13 +278,13 @@ farBoundary makeFarBoundary
             return origin + radius*normalised(x - origin);
         };
     }
-    else if (controls.type == "surface")
+    else if (controls.type == farBoundaryType::surface)
     {
         boundary.surface = readSurface(controls, file);
     }
 
     setPatches(controls.patches, boundary);
-    if (controls.type != "box")
+    if (controls.type != farBoundaryType::box)
     {
         boundary.boxPatches.clear();
     }

@@ -62,7 +62,8 @@ cellSizes sizesFromLayers
 
 bool hasOwnSizes(const farFieldControls& controls)
 {
-    return controls.type == "mesh" || controls.boundary.type == "surface";
+    return controls.type == farFieldType::mesh
+        || controls.boundary.type == farBoundaryType::surface;
 }
 
 

@@ -247,7 +247,7 @@ farFieldMesh makeFarFieldMesh
     coreCut cut;
     const tetBoundary far
     (
-        controls.type == "tet"
+        controls.type == farFieldType::tet
       ? makeTetBoundary(layers, domain.boundary, std::cref(fromLayers))
       : makeCoreBoundary
         (
@@ -276,7 +276,7 @@ farFieldMesh makeFarFieldMesh
 
     farFieldMesh made(joinCells(mesh, domain.core, cut));
     made.notes = coreNotes(domain.core, cut, made, std::cref(fromLayers));
-    if (controls.type == "hexCore")
+    if (controls.type == farFieldType::hexCore)
     {
         dropEmptySides(layers.border.sides, made);
         addHexCoreZone(mesh.tets.size(), cut.cells.size(), made);

@@ -214,7 +214,7 @@ scalarField makeHarmonicField
 {
     scalarField field(mesh.wallIndicator());
 
-    if (controls.solver == "iteration")
+    if (controls.solver == fieldSolver::iteration)
     {
         iterate(mesh, edgeWeights, controls.tolerance, field);
     }

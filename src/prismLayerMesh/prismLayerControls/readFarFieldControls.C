@@ -9,6 +9,11 @@
 namespace Foam
 {
 
+const wordList farFieldTypes({"none", "tet", "hexCore", "mesh"});
+
+const wordList farBoundaryTypes({"box", "sphere", "surface"});
+
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Keys of all kinds of boundary
@@ -99,16 +104,16 @@ static farBoundaryControls readBoundary(const dictionary& dict)
 
     farBoundaryControls boundary;
 
-    if (!readChoice(dict, "type", {"box", "sphere", "surface"}, boundary.type))
+    if (!readChoice(dict, "type", farBoundaryTypes, boundary.type))
     {
         missingEntry(dict, "type");
     }
 
-    if (boundary.type == "box")
+    if (boundary.type == farBoundaryType::box)
     {
         readBox(dict, boundary);
     }
-    else if (boundary.type == "sphere")
+    else if (boundary.type == farBoundaryType::sphere)
     {
         readSphere(dict, boundary);
     }
@@ -137,7 +142,7 @@ static sizeRegion readSizeRegion(const keyType&, const dictionary& dict)
 
 
 //- Refuses the entries of other types of far field
-static void refuseOtherTypes(const dictionary& dict, const word& type)
+static void refuseOtherTypes(const dictionary& dict, const farFieldType type)
 {
     const auto refuse = [&](const word& key, const char* types)
     {
@@ -145,20 +150,20 @@ static void refuseOtherTypes(const dictionary& dict, const word& type)
         {
             entryError(dict, key)
                 << "The entry " << key << " is for a far field of type "
-                << types << ", but farField.type is " << type
-                << exit(FatalIOError);
+                << types << ", but farField.type is "
+                << farFieldTypes[int(type)] << exit(FatalIOError);
         }
     };
 
-    if (type == "mesh")
+    if (type == farFieldType::mesh)
     {
         refuse("boundary", "tet or hexCore");
     }
-    if (type == "tet")
+    if (type == farFieldType::tet)
     {
         refuse("gap", "hexCore or mesh");
     }
-    if (type == "tet" || type == "hexCore")
+    if (type == farFieldType::tet || type == farFieldType::hexCore)
     {
         refuse("region", "mesh");
     }
@@ -183,7 +188,7 @@ farFieldControls readFarFieldControls
     );
 
     farFieldControls controls;
-    readChoice(dict, "type", {"none", "tet", "hexCore", "mesh"}, controls.type);
+    readChoice(dict, "type", farFieldTypes, controls.type);
 
     readBounded(dict, "growthRate", 1.01, 2, controls.growthRate);
     readBounded(dict, "maxCellSize", 1e-9, 1e9, controls.maxCellSize);
@@ -205,9 +210,9 @@ farFieldControls readFarFieldControls
     const bool fluidOutside = surface.fluidOutside;
     if
     (
-        controls.type != "none" && controls.type != "mesh"
-     && hasBoundary != fluidOutside
-     && surface.sidePlanes.empty() && controls.boundary.type != "box"
+        controls.isWanted() && controls.type != farFieldType::mesh
+     && hasBoundary != fluidOutside && surface.sidePlanes.empty()
+     && controls.boundary.type != farBoundaryType::box
     )
     {
         entryError(dict, hasBoundary ? "boundary" : "type")

@@ -90,13 +90,8 @@ static surfaceCadControls readCad(const dictionary& dict)
 
 static surfaceRepairControls readRepair(const dictionary& dict)
 {
-    typedef surfaceRepairControls::method method;
-    const wordList names({"none", "stitch", "wrap"});
-
     surfaceRepairControls controls;
-    word name(names[int(controls.repair)]);
-    readChoice(dict, "repair", names, name);
-    controls.repair = method(names.find(name));
+    readChoice(dict, "repair", {"none", "stitch", "wrap"}, controls.repair);
 
     const dictionary& stitch = optionalDict(dict, "stitchCoeffs");
     checkKeys(stitch, {"gap", "hole"});
@@ -195,11 +190,7 @@ static qualityControls readQuality(const dictionary& dict)
     readBounded(dict, "minVolRatio", 0, 1, controls.minVolRatio);
     readBounded(dict, "minTetQuality", -1e30, 1, controls.minTetQuality);
 
-    typedef qualityControls::priorities priorities;
-    const wordList names({"quality", "thickness"});
-    word name(names[int(controls.priority)]);
-    readChoice(dict, "priority", names, name);
-    controls.priority = priorities(names.find(name));
+    readChoice(dict, "priority", {"quality", "thickness"}, controls.priority);
 
     return controls;
 }

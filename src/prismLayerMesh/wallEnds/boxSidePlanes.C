@@ -61,7 +61,7 @@ List<sidePatch> withBoxSides
 )
 {
     List<sidePatch> all(planes);
-    if (boundary.type != "box")
+    if (boundary.type != farBoundaryType::box)
     {
         return all;
     }

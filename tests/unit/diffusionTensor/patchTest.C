@@ -22,7 +22,10 @@ using namespace Foam;
 static const wordList models({"isotropic", "anisotropic", "gradientPower"});
 
 
-static fieldControls tight(const word& solver = "krylov")
+static fieldControls tight
+(
+    const fieldSolver solver = fieldSolver::krylov
+)
 {
     fieldControls controls;
     controls.solver = solver;
@@ -194,14 +197,14 @@ TEST(patchTest, betweenPlatesFieldsAreLinear)
 {
     const backgroundMesh mesh(testSurfaces::platesMesh(8));
 
-    for (const word& solver : wordList({"krylov", "iteration"}))
+    for (const auto solver : {fieldSolver::krylov, fieldSolver::iteration})
     {
         for (const word& model : models)
         {
             const scalarField field(fieldOf(mesh, model, tight(solver)));
 
             EXPECT_LT(max(mag(field - (1 - mesh.points.component(2)))), 0.02)
-                << model << ' ' << solver;
+                << model << ' ' << int(solver);
         }
     }
 }

@@ -36,10 +36,10 @@ struct coreCase
 };
 
 
-static farFieldControls hexCoreControls(const word& boundary)
+static farFieldControls hexCoreControls(const farBoundaryType boundary)
 {
     farFieldControls controls;
-    controls.type = "hexCore";
+    controls.type = farFieldType::hexCore;
     controls.boundary.type = boundary;
     controls.boundary.box = boundBox(point::uniform(-4), point::uniform(4));
     controls.boundary.radius = 4;
@@ -51,7 +51,7 @@ static farFieldControls hexCoreControls(const word& boundary)
 static farFieldControls meshControls()
 {
     farFieldControls controls;
-    controls.type = "mesh";
+    controls.type = farFieldType::mesh;
 
     return controls;
 }
@@ -127,7 +127,10 @@ static std::string errorOf(const polyMeshParts& core)
 
 TEST(coreFarField, hexahedraFillTheBox)
 {
-    const coreCase c(testSurfaces::sphere(5), hexCoreControls("box"));
+    const coreCase c
+    (
+        testSurfaces::sphere(5), hexCoreControls(farBoundaryType::box)
+    );
     const memoryMesh memory(c.layers, c.far);
     const polyMesh& mesh = memory();
 
@@ -163,7 +166,10 @@ TEST(coreFarField, hexahedraFillTheBox)
 
 TEST(coreFarField, cellsOfASphereAreTetrahedraAtBothSurfaces)
 {
-    const coreCase c(testSurfaces::sphere(5), hexCoreControls("sphere"));
+    const coreCase c
+    (
+        testSurfaces::sphere(5), hexCoreControls(farBoundaryType::sphere)
+    );
     const memoryMesh memory(c.layers, c.far);
 
     EXPECT_EQ(memory().boundaryMesh().names(), wordList({"wall", "sphere"}));
@@ -175,7 +181,7 @@ TEST(coreFarField, cellsOfASphereAreTetrahedraAtBothSurfaces)
 
 TEST(coreFarField, theInsideOfAWallIsFilled)
 {
-    farFieldControls controls(hexCoreControls(""));
+    farFieldControls controls(hexCoreControls(farBoundaryType::none));
     controls.maxCellSize = 0.1;
     const coreCase c
     (

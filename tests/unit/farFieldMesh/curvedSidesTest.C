@@ -38,7 +38,7 @@ struct curvedCase
         run(layeredMesh(wall, nCurvedLayers, thickness))
     {
         farFieldControls controls;
-        controls.type = "tet";
+        controls.type = farFieldType::tet;
         far = farFieldOf(run, controls);
         memory.reset(new memoryMesh(run.made.layers, far));
     }

@@ -22,7 +22,7 @@ static const std::vector<endedFarField>& cases()
     if (list.empty())
     {
         list.reserve(10);
-        for (const word& type : {word("tet"), word("hexCore")})
+        for (const auto type : {farFieldType::tet, farFieldType::hexCore})
         {
             const auto add = [&]
             (
@@ -30,7 +30,11 @@ static const std::vector<endedFarField>& cases()
                 const boundBox& box
             )
             {
-                list.emplace_back(name + " in " + type, wall, box, "box", type);
+                list.emplace_back
+                (
+                    name + " in " + farFieldTypes[int(type)], wall, box,
+                    farBoundaryType::box, type
+                );
             };
             const boundBox around(point(-2, -2, -1), point(3, 3, 2));
             const boundBox aside(point(-2, 0, -1), point(3, 3, 2));
@@ -74,7 +78,11 @@ static scalar volumeOf(const endedFarField& c)
 }
 
 
-static std::string errorOf(const boundBox& box, const word& type)
+static std::string errorOf
+(
+    const boundBox& box,
+    const farBoundaryType type = farBoundaryType::box
+)
 {
     return thrownMessage<error>
     (
@@ -309,18 +317,18 @@ TEST(endedFarField, boundariesInTheWrongPlaceAreRefused)
     // Cuts the layers, which are up to x = 1.1, and does not hold the plane
     expectWords
     (
-        errorOf(boundBox(point(-2, -2, 0), point(1.05, 3, 2)), "box"),
+        errorOf(boundBox(point(-2, -2, 0), point(1.05, 3, 2))),
         {"not around the wall", "are outside of it"}
     );
     expectWords
     (
-        errorOf(boundBox(point(-2, -2, 0.2), point(3, 3, 2)), "box"),
+        errorOf(boundBox(point(-2, -2, 0.2), point(3, 3, 2))),
         {"not around the wall"}
     );
     // The layers end at z = 0.6
     expectWords
     (
-        errorOf(boundBox(point(-2, -2, 0), point(3, 3, 0.55)), "box"),
+        errorOf(boundBox(point(-2, -2, 0), point(3, 3, 0.55))),
         {"cuts the layers", "first at ("}
     );
 }
@@ -330,12 +338,16 @@ TEST(endedFarField, planesNeedABox)
 {
     expectWords
     (
-        errorOf(boundBox(point(-9, -9, -9), point(9, 9, 9)), "sphere"),
+        errorOf
+        (
+            boundBox(point(-9, -9, -9), point(9, 9, 9)),
+            farBoundaryType::sphere
+        ),
         {"With side planes", "box"}
     );
     expectWords
     (
-        errorOf(boundBox(), "box"),
+        errorOf(boundBox()),
         {"boundary of type box"}
     );
 }

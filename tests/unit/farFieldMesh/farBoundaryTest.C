@@ -14,7 +14,7 @@ using namespace Foam;
 static farBoundary boxWith(const List<farPatch>& patches)
 {
     farBoundaryControls controls;
-    controls.type = "box";
+    controls.type = farBoundaryType::box;
     controls.box = boundBox(point(0, 0, 0), point(1, 2, 3));
     controls.patches = patches;
 

@@ -33,12 +33,12 @@ struct farCase
     {
         const prismLayerMesh run(testSurfaces::layeredMesh(wall, 3, 0.1));
         layers = run.made.layers;
-        controls.type = "tet";
+        controls.type = farFieldType::tet;
         controls.maxCells = maxCells;
 
         if (!box.empty())
         {
-            controls.boundary.type = "box";
+            controls.boundary.type = farBoundaryType::box;
             controls.boundary.box = box;
         }
         mesh = farFieldOf(run, controls);

@@ -25,7 +25,7 @@ static farBoundary boundaryOf(const farBoundaryControls& controls)
 static farBoundary boxBoundary(const point& low, const point& high)
 {
     farBoundaryControls controls;
-    controls.type = "box";
+    controls.type = farBoundaryType::box;
     controls.box = boundBox(low, high);
 
     return boundaryOf(controls);
@@ -209,7 +209,7 @@ TEST(refineSurface, longTrianglesBecomeBetter)
 TEST(refineSurface, pointsFollowASphere)
 {
     farBoundaryControls controls;
-    controls.type = "sphere";
+    controls.type = farBoundaryType::sphere;
     controls.origin = point(1, 2, 3);
     controls.radius = 5;
 

@@ -40,7 +40,7 @@ static prismLayers oneLayer(const wallSurface& wall, const scalar height = 0.1)
 static farBoundary boxSides(const point& low, const point& high)
 {
     farBoundaryControls controls;
-    controls.type = "box";
+    controls.type = farBoundaryType::box;
     controls.box = boundBox(low, high);
 
     return makeFarBoundary

@@ -34,8 +34,8 @@ struct sphereInBox
         layers = run.made.layers;
 
         const boundBox box(point::uniform(-4), point::uniform(4));
-        asked.controls.type = "hexCore";
-        asked.controls.boundary.type = "box";
+        asked.controls.type = farFieldType::hexCore;
+        asked.controls.boundary.type = farBoundaryType::box;
         asked.controls.boundary.box = box;
         for (const sidePatch& side : sidesOf(box))
         {
@@ -106,7 +106,7 @@ TEST(farFieldFaults, otherLayersThanThoseOfTheMesh)
 TEST(farFieldFaults, zonesOfAnotherMesh)
 {
     sphereInBox c;
-    c.asked.controls.type = "mesh";
+    c.asked.controls.type = farFieldType::mesh;
     c.expectFault("cells have left the zone of all");
 }
 

@@ -17,7 +17,17 @@ using namespace Foam;
 using testSurfaces::cubeMesh;
 using testSurfaces::shellMesh;
 
-static fieldControls controlsOf(const word& solver, const scalar tolerance)
+static const std::initializer_list<fieldSolver> solvers =
+{
+    fieldSolver::krylov, fieldSolver::iteration
+};
+
+
+static fieldControls controlsOf
+(
+    const fieldSolver solver,
+    const scalar tolerance
+)
 {
     fieldControls controls;
     controls.solver = solver;
@@ -34,7 +44,10 @@ static scalarField solve
     const scalar tolerance = 1e-12
 )
 {
-    return makeHarmonicField(mesh, weights, controlsOf("krylov", tolerance));
+    return makeHarmonicField
+    (
+        mesh, weights, controlsOf(fieldSolver::krylov, tolerance)
+    );
 }
 
 
@@ -153,7 +166,7 @@ TEST(makeHarmonicField, noExtremumInside)
     const backgroundMesh mesh(shellMesh(8, 1, 2));
     const scalarField weights(randomWeights(mesh));
 
-    for (const word solver : {"krylov", "iteration"})
+    for (const fieldSolver solver : solvers)
     {
         const scalarField field
         (
@@ -207,7 +220,10 @@ TEST(makeHarmonicField, solversAgree)
     // leaves the square root of that in the field
     const scalarField iterated
     (
-        makeHarmonicField(mesh, weights, controlsOf("iteration", 1e-16))
+        makeHarmonicField
+        (
+            mesh, weights, controlsOf(fieldSolver::iteration, 1e-16)
+        )
     );
 
     EXPECT_LT(max(mag(iterated - solve(mesh, weights, 1e-14))), 1e-7);
@@ -215,7 +231,7 @@ TEST(makeHarmonicField, solversAgree)
     // Until it does not change at all
     const scalarField still
     (
-        makeHarmonicField(mesh, weights, controlsOf("iteration", 0))
+        makeHarmonicField(mesh, weights, controlsOf(fieldSolver::iteration, 0))
     );
 
     EXPECT_LT(max(mag(still - solve(mesh, weights, 1e-14))), 1e-8);
@@ -236,7 +252,10 @@ TEST(makeHarmonicField, iterationLowersTheEnergy)
         (
             mesh,
             weights,
-            makeHarmonicField(mesh, weights, controlsOf("iteration", tolerance))
+            makeHarmonicField
+            (
+                mesh, weights, controlsOf(fieldSolver::iteration, tolerance)
+            )
         );
 
         EXPECT_LT(energy, before);
@@ -279,7 +298,7 @@ TEST(makeMonotoneField, isTheHarmonicFieldIfThatHasNoExtrema)
 {
     const backgroundMesh mesh(shellMesh(6, 1, 2));
     const scalarField weights(cotangentWeights(mesh));
-    const fieldControls controls(controlsOf("krylov", 1e-12));
+    const fieldControls controls(controlsOf(fieldSolver::krylov, 1e-12));
     const monotoneField field(makeMonotoneField(mesh, weights, controls));
 
     ASSERT_LT(min(weights), 0);
@@ -300,7 +319,7 @@ TEST(makeMonotoneField, extremaAreCured)
         conductivities[t] = 0.001*symmTensor::I + sqr(axis);
     }
     const scalarField weights(conductivityWeights(mesh, conductivities));
-    const fieldControls controls(controlsOf("krylov", 1e-10));
+    const fieldControls controls(controlsOf(fieldSolver::krylov, 1e-10));
     const scalarField before(makeHarmonicField(mesh, weights, controls));
     ASSERT_TRUE(min(before) < -1e-3 || max(before) > 1 + 1e-3);
 
@@ -331,7 +350,7 @@ TEST(makeHarmonicField, pointsWithoutTetsAreLeftAlone)
     more.gaps.append(1);
     more.free.append(true);
 
-    for (const word solver : {"krylov", "iteration"})
+    for (const fieldSolver solver : solvers)
     {
         const scalarField other
         (

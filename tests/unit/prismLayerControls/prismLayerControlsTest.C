@@ -54,7 +54,7 @@ TEST(prismLayerControls, everyEntryIsRead)
     EXPECT_EQ(controls.envelope.scale, 1.5);
     EXPECT_EQ(controls.backgroundMesh.radiusEdgeRatio, 2);
     EXPECT_EQ(controls.field.tensor, "isotropic");
-    EXPECT_EQ(controls.field.solver, "iteration");
+    EXPECT_EQ(controls.field.solver, fieldSolver::iteration);
     EXPECT_EQ(controls.field.tolerance, 1e-8);
 
     ASSERT_EQ(controls.layers.patches.size(), 2);

@@ -39,8 +39,8 @@ TEST(readFarFieldControls, readsABoxWithPatches)
         ).farField
     );
 
-    EXPECT_EQ(controls.type, "tet");
-    EXPECT_EQ(controls.boundary.type, "box");
+    EXPECT_EQ(controls.type, farFieldType::tet);
+    EXPECT_EQ(controls.boundary.type, farBoundaryType::box);
     EXPECT_EQ(controls.boundary.box.max(), point(1, 2, 3));
     EXPECT_EQ(controls.boundary.patches.size(), 2);
     EXPECT_EQ(controls.boundary.patches[0].name, "inlet");
@@ -112,7 +112,7 @@ TEST(readFarFieldControls, theFluidDecidesOnABoundary)
             "surface { file \"a.obj\"; fluid inside; }" + layers
           + "farField { type tet; }"
         ).farField.boundary.type,
-        ""
+        farBoundaryType::none
     );
 }
 

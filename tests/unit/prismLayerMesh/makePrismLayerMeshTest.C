@@ -182,12 +182,12 @@ TEST(makePrismLayerMesh, bothSolversGiveTheLayers)
     controls.field.tolerance = 1e-12;
     const stageObserver unheard{[](const word&) {}, [](const string&) {}};
 
-    controls.field.solver = "krylov";
+    controls.field.solver = fieldSolver::krylov;
     const prismLayerMesh a
     (
         makePrismLayerMesh(wall, controls, localHeights(), unheard)
     );
-    controls.field.solver = "iteration";
+    controls.field.solver = fieldSolver::iteration;
     const prismLayerMesh b
     (
         makePrismLayerMesh(wall, controls, localHeights(), unheard)

@@ -196,9 +196,9 @@ TEST_F(meshFiles, farFieldAndZones)
 {
     const prismLayerMesh run(layeredMesh(sphere(5), 3, 0.1));
     farFieldControls controls;
-    controls.type = "tet";
+    controls.type = farFieldType::tet;
     controls.maxCells = 1000000;
-    controls.boundary.type = "box";
+    controls.boundary.type = farBoundaryType::box;
     controls.boundary.box = boundBox(point::uniform(-4), point::uniform(4));
     farFieldMesh far(farFieldOf(run, controls));
     const label n = far.topology.neighbour.size();

@@ -16,7 +16,7 @@ using namespace Foam::testSurfaces;
 static farBoundaryControls box(const point& low, const point& high)
 {
     farBoundaryControls controls;
-    controls.type = "box";
+    controls.type = farBoundaryType::box;
     controls.box = boundBox(low, high);
 
     return controls;
@@ -116,7 +116,7 @@ TEST(boxSidePlanes, noneWithoutABorderThere)
     );
 
     farBoundaryControls sphere;
-    sphere.type = "sphere";
+    sphere.type = farBoundaryType::sphere;
     sphere.radius = 3;
     EXPECT_EQ(withBoxSides(halfCube(4), halfPlanes(), sphere).size(), 1);
 }
