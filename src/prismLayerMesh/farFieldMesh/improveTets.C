@@ -16,16 +16,15 @@ namespace Foam
 void improveTets(const neighbourCells& neighbours, farFieldTets& mesh)
 {
     tetImprover improver(neighbours, mesh);
-    bool better = true;
+    const label maxPasses = farFieldTuned.maxPasses;
+    label pass = 0;
 
-    for (label pass = 0; better && pass < farFieldTuned.maxPasses; ++pass)
+    repeatUntilStable("improving tetrahedra", maxPasses, [&]()
     {
-        tellProgress
-        (
-            "improving tetrahedra, pass", pass + 1, farFieldTuned.maxPasses
-        );
-        better = improver.improve();
-    }
+        tellProgress("improving tetrahedra, pass", ++pass, maxPasses);
+
+        return improver.improve();
+    });
 
     mesh.points = improver.points();
     mesh.tets = improver.tets().remaining();

@@ -8,6 +8,7 @@
 #include "EdgeMap.H"
 #include "ListOps.H"
 #include "mathematicalConstants.H"
+#include "stageProgress.H"
 #include "triPointRef.H"
 
 namespace Foam
@@ -247,13 +248,11 @@ edgeHashSet openEdges(const faceList& faces)
 
 void flipEdges(wallSurface& surface, const bool inPlane)
 {
-    for
+    repeatUntilStable
     (
-        label i = 0;
-        i < farFieldTuned.maxSweeps && flipOnce(surface, inPlane);
-        ++i
-    )
-    {}
+        "flipping edges of triangles", farFieldTuned.maxSweeps,
+        [&]() { return flipOnce(surface, inPlane); }
+    );
 }
 
 

@@ -7,6 +7,7 @@
 #include "farFieldMeshControls.H"
 #include "DynamicList.H"
 #include "EdgeMap.H"
+#include "stageProgress.H"
 
 namespace Foam
 {
@@ -194,19 +195,11 @@ void refineSurface
 {
     const edgeHashSet kept(openEdges(surface.faces));
 
-    bool divided = true;
-
-    for
-    (
-        label pass = 0;
-        divided && pass < farFieldTuned.maxDivisions;
-        ++pass
-    )
+    const auto divideOnce = [&]()
     {
         flipEdges(surface, !project);
 
         EdgeMap<label> marked(markEdges(surface, kept, size));
-        divided = marked.size();
 
         DynamicList<point> points(surface.points);
 
@@ -232,7 +225,13 @@ void refineSurface
         surface.points.transfer(points);
         surface.faces.transfer(faces);
         surface.patchIDs.transfer(patchIDs);
-    }
+
+        return marked.size() > 0;
+    };
+    repeatUntilStable
+    (
+        "dividing long edges", farFieldTuned.maxDivisions, divideOnce
+    );
 
     // Not before each division: that would not come to an end
     smoothPoints(surface, project);

@@ -7,7 +7,9 @@
 
 #include <atomic>
 #include <chrono>
+#include <map>
 #include <mutex>
+#include <string>
 
 namespace Foam
 {
@@ -29,6 +31,7 @@ struct progressState
     double interval = 0;
     progressStep last{"", 0, 0};
     progressClock::time_point heard;
+    std::map<std::string, loopAtBound> loops;
 };
 
 } // End anonymous namespace
@@ -72,6 +75,7 @@ void listenToProgress
     all.interval = interval;
     all.last = progressStep{"", 0, 0};
     all.heard = progressClock::time_point();
+    all.loops.clear();
 }
 
 
@@ -104,6 +108,35 @@ void tellSameProgress()
         const std::lock_guard<std::mutex> guard(all.lock);
         pass(all);
     }
+}
+
+
+void tellBound(const char* what, const label bound)
+{
+    progressState& all = state();
+
+    if (all.isHeard)
+    {
+        const std::lock_guard<std::mutex> guard(all.lock);
+        ++all.loops.emplace(what, loopAtBound{what, bound, 0})
+            .first->second.count;
+    }
+}
+
+
+std::vector<loopAtBound> takeLoopsAtBound()
+{
+    progressState& all = state();
+    const std::lock_guard<std::mutex> guard(all.lock);
+
+    std::vector<loopAtBound> loops;
+    for (const auto& loop : all.loops)
+    {
+        loops.push_back(loop.second);
+    }
+    all.loops.clear();
+
+    return loops;
 }
 
 } // End namespace Foam

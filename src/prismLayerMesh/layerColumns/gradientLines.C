@@ -7,6 +7,7 @@
 #include "columnControls.H"
 #include "ListOps.H"
 #include "harmonicField.H"
+#include "stageProgress.H"
 
 namespace Foam
 {
@@ -46,27 +47,23 @@ struct walker
     //  on the way.
     bool moveTo(const point& x)
     {
-        for (label step = 0; step < columnControls::maxTets; ++step)
+        bool isThere = false;
+        const auto enterNext = [&]()
         {
             l = coordinates(mesh.tet(tet), x);
             const label low = findMin(l);
+            isThere = l[low] >= -columnControls::tetTolerance;
+            const label next = isThere ? -1 : mesh.neighbours[tet][low];
+            tet = next < 0 ? tet : next;
 
-            if (l[low] >= -columnControls::tetTolerance)
-            {
-                return true;
-            }
+            return next >= 0;
+        };
+        repeatUntilStable
+        (
+            "walking to a point", columnControls::maxTets, enterNext
+        );
 
-            const label next = mesh.neighbours[tet][low];
-
-            if (next < 0)
-            {
-                return false;
-            }
-
-            tet = next;
-        }
-
-        return false;
+        return isThere;
     }
 
     template<class Type>

@@ -8,6 +8,7 @@
 #include "directionTriangles.H"
 #include "DynamicField.H"
 #include "mathematicalConstants.H"
+#include "stageProgress.H"
 
 namespace Foam
 {
@@ -137,18 +138,26 @@ struct faceDirections
     //  all are in front of their limits then.
     bool centre()
     {
-        for (label round = 0; round < frontControls::maxRounds; ++round)
+        const auto centreAll = [&]()
         {
+            bool changed = false;
             forAll(d, i)
             {
                 const visibilityCone cone(makeVisibilityCone(limits(i)));
 
                 if (!cone.empty())
                 {
+                    changed = changed || d[i] != cone.axis;
                     d[i] = cone.axis;
                 }
             }
-        }
+
+            return changed;
+        };
+        repeatUntilStable
+        (
+            "centring directions", frontControls::maxRounds, centreAll
+        );
 
         return isPositive();
     }

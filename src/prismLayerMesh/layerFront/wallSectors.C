@@ -5,6 +5,7 @@
 
 #include "wallSectors.H"
 #include "faceSectors.H"
+#include "stageProgress.H"
 
 namespace Foam
 {
@@ -130,11 +131,9 @@ struct pointDivider
     void agree()
     {
         searched = true;
-        bool changed = true;
-
-        for (label i = 0; changed && i < frontControls::maxRounds; ++i)
+        const auto divideAll = [&]()
         {
-            changed = false;
+            bool changed = false;
             forAll(divided.points, k)
             {
                 const labelList& beside =
@@ -145,7 +144,13 @@ struct pointDivider
                     changed = divideAgain(k) || changed;
                 }
             }
-        }
+
+            return changed;
+        };
+        repeatUntilStable
+        (
+            "dividing points again", frontControls::maxRounds, divideAll
+        );
     }
 
 

@@ -5,6 +5,7 @@
 
 #include "fitHeights.H"
 #include "displaceColumns.H"
+#include "stageProgress.H"
 
 #include <algorithm>
 
@@ -164,13 +165,11 @@ static void fitMobilities
     heightFit& heights
 )
 {
-    bool lowered = true;
-
-    for (label k = 0; k < controls.maxLowerings && lowered; ++k)
+    const auto lower = [&]()
     {
         heights.setMobilities(fitted.mobilities);
         const vectorField displacements(heights.displacements(missing));
-        lowered = false;
+        bool lowered = false;
 
         forAll(displacements, p)
         {
@@ -183,7 +182,10 @@ static void fitMobilities
                 lowered = true;
             }
         }
-    }
+
+        return lowered;
+    };
+    repeatUntilStable("lowering mobilities", controls.maxLowerings, lower);
 }
 
 

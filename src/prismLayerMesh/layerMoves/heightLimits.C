@@ -5,6 +5,7 @@
 
 #include "heightLimits.H"
 #include "ListOps.H"
+#include "stageProgress.H"
 
 namespace Foam
 {
@@ -254,8 +255,11 @@ scalarField heightLimits::factors
 {
     heightSweeps sweeps(*this, controls, team, nColumns);
 
-    for (label i = 0; i < controls.maxSweeps && sweeps.sweep(); ++i)
-    {}
+    repeatUntilStable
+    (
+        "limiting first heights", controls.maxSweeps,
+        [&]() { return sweeps.sweep(); }
+    );
 
     return sweeps.factors();
 }

@@ -191,16 +191,17 @@ void improvement::limitJumps()
 {
     const List<labelPair> neighbours(neighboursOnWall(editor.front()));
 
-    for
-    (
-        label i = 0;
-        i < editor.controls().maxLimits
-     && limitHeightJumps(editor, neighbours);
-        ++i
-    )
+    const auto limit = [&]()
     {
-        moves.settle();
-    }
+        const bool anyLimited = limitHeightJumps(editor, neighbours);
+        if (anyLimited)
+        {
+            moves.settle();
+        }
+
+        return anyLimited;
+    };
+    repeatUntilStable("limiting jumps", editor.controls().maxLimits, limit);
 }
 
 
@@ -213,17 +214,11 @@ labelHashSet improvement::bendTo
 )
 {
     const columnTeam& team = editor.team();
-    const label maxBends = editor.controls().maxBends;
     const auto atFault = [&](const label facei) { return isAtFault(facei); };
     labelHashSet bent;
     moves.barred = false;
 
-    for
-    (
-        label round = 0;
-        round < maxBends && team.any(looked.size());
-        ++round
-    )
+    const auto bendOnce = [&]()
     {
         const labelList columns
         (
@@ -253,6 +248,15 @@ labelHashSet improvement::bendTo
             }
         }
         looked = editor.touchedSince(then);
+
+        return team.any(looked.size());
+    };
+    if (team.any(looked.size()))
+    {
+        repeatUntilStable
+        (
+            "bending columns", editor.controls().maxBends, bendOnce
+        );
     }
 
     return bent;

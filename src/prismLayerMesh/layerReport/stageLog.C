@@ -65,6 +65,24 @@ void Foam::stageLog::tell(const progressStep& step)
 }
 
 
+void Foam::stageLog::writeLoopsAtBound()
+{
+    const char* before = "    ";
+    for (const loopAtBound& loop : takeLoopsAtBound())
+    {
+        os_ << before << "loop '" << loop.what << "' ended ";
+
+        if (loop.count > 1)
+        {
+            os_ << loop.count << " times ";
+        }
+        os_ << "at its bound of " << loop.bound;
+        before = "; ";
+    }
+    os_ << (*before == ';' ? "\n" : "");
+}
+
+
 void Foam::stageLog::begin(const word& stage)
 {
     // The line is visible while the stage runs
@@ -107,6 +125,7 @@ void Foam::stageLog::end(const string& sizes)
         }
     }
 
+    writeLoopsAtBound();
     os_ << flush;
 }
 

@@ -8,6 +8,7 @@
 #include "DynamicList.H"
 #include "EdgeMap.H"
 #include "error.H"
+#include "stageProgress.H"
 
 namespace Foam
 {
@@ -166,7 +167,7 @@ point onAll
         [&](const label s) { return sides[s].isCurved(); }
     );
 
-    for (label pass = 0; pass < (isCurved ? maxPasses : 2); ++pass)
+    const auto move = [&]()
     {
         const point before(x);
         DynamicList<vector> directions;
@@ -178,10 +179,16 @@ point onAll
               : movedOnto(sides[s], x, directions);
         }
 
-        if (x == before)
-        {
-            break;
-        }
+        return x != before;
+    };
+
+    if (isCurved)
+    {
+        repeatUntilStable("moving onto curved sides", maxPasses, move);
+    }
+    else if (move())
+    {
+        move();
     }
 
     return x;

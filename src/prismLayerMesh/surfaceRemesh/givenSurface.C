@@ -5,6 +5,7 @@
 
 #include "givenSurface.H"
 #include "linePointRef.H"
+#include "stageProgress.H"
 #include "triPointRef.H"
 #include "unitConversion.H"
 
@@ -68,15 +69,17 @@ void givenSurface::setNormals(const wallSides& sides)
     forAll(faces, facei)
     {
         label other = facei;
-        for (label n = 0; n < maxSteps && other >= 0; ++n)
+        repeatUntilStable("looking for a normal", maxSteps, [&]()
         {
             if (hasNormal[other])
             {
                 normals_[facei] = normals_[other];
-                break;
+                return false;
             }
             other = across[other];
-        }
+
+            return other >= 0;
+        });
     }
 }
 

@@ -10,6 +10,7 @@
 #include "boundBox.H"
 #include "cutSurface.H"
 #include "remeshFaults.H"
+#include "stageProgress.H"
 #include "triFace.H"
 
 namespace Foam
@@ -132,7 +133,7 @@ static remeshedSurface remeshed
     // The last without intersections, which a round for distances may bring
     remeshedSurface valid;
 
-    for (label round = 0; round < maxRounds; ++round)
+    const auto tighten = [&]()
     {
         const wallSurface& surface = result.surface;
         const labelList nearest(mesher->edited().nearestFaces());
@@ -142,7 +143,7 @@ static remeshedSurface remeshed
         valid = faces.empty() ? result : valid;
         if (faces.empty() && tightened.empty())
         {
-            break;
+            return false;
         }
 
         for (const label t : tightened)
@@ -163,7 +164,10 @@ static remeshedSurface remeshed
         result = resultOf(mesher());
         conflicts = facesInConflict(result.surface);
         faces = withFacesWithoutRoom(conflicts, mesher(), result.surface);
-    }
+
+        return true;
+    };
+    repeatUntilStable("tightening triangles", maxRounds, tighten);
 
     if (conflicts.size() && valid.surface.faces.size())
     {

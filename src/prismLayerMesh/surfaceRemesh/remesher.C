@@ -157,15 +157,16 @@ void remesher::collapse()
 
 void remesher::flip()
 {
-    label nFlips = 1;
-    for (label n = 0; n < maxFlips && nFlips; ++n)
+    repeatUntilStable("flipping remeshed edges", maxFlips, [&]()
     {
-        nFlips = 0;
+        label nFlips = 0;
         for (const Edge e : mesh_.edges())
         {
             nFlips += flipEdge(edited_, e);
         }
-    }
+
+        return nFlips > 0;
+    });
 }
 
 

@@ -7,6 +7,7 @@
 #include "fillContacts.H"
 #include "ListOps.H"
 #include "removeUnused.H"
+#include "stageProgress.H"
 #include "wallPredicates.H"
 #include "wallSides.H"
 #include "wallVisibility.H"
@@ -347,12 +348,13 @@ label removeLower(const scalar length, wallSurface& surface)
     {
         sliverRemover remover(length, surface, isFixed);
         nChanges = 0;
-        label n = 1;
-        for (label i = 0; n && i < maxSweeps; ++i)
+        repeatUntilStable("removing slivers", maxSweeps, [&]()
         {
-            n = remover.sweep();
+            const label n = remover.sweep();
             nChanges += n;
-        }
+
+            return n > 0;
+        });
         result.faces = remover.faces();
         result.patchIDs = labelList(result.faces.size(), 0);
 

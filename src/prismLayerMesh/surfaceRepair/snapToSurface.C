@@ -5,6 +5,7 @@
 
 #include "snapToSurface.H"
 #include "cutSurface.H"
+#include "stageProgress.H"
 #include "wrapShape.H"
 
 namespace Foam
@@ -136,11 +137,9 @@ bitSet wrapSnapper::pointsAtFault(const bool edgesFirst) const
 
 void wrapSnapper::holdBack()
 {
-    bool changed = true;
-
-    for (label pass = 0; changed && pass < maxPasses; ++pass)
+    repeatUntilStable("holding points back", maxPasses, [&]()
     {
-        changed = false;
+        bool changed = false;
         for (const label p : pointsAtFault(true))
         {
             if (snapping_[p] != snapping::none)
@@ -149,7 +148,9 @@ void wrapSnapper::holdBack()
                 changed = true;
             }
         }
-    }
+
+        return changed;
+    });
 }
 
 
@@ -209,7 +210,7 @@ void wrapSnapper::tryAgain()
     bitSet tried(snapping_.size());
     bool anySnapped = false;
 
-    for (label round = 0; round < maxTries; ++round)
+    repeatUntilStable("snapping points again", maxTries, [&]()
     {
         labelList points(heldBackApart(tried));
         if (points.empty() && anySnapped)
@@ -219,13 +220,10 @@ void wrapSnapper::tryAgain()
             anySnapped = false;
             points = heldBackApart(tried);
         }
-        if (points.empty())
-        {
-            break;
-        }
-
         anySnapped = snapFully(points) || anySnapped;
-    }
+
+        return points.size() > 0;
+    });
 }
 
 

@@ -63,7 +63,7 @@ struct pointBalls
         ball b{largest, -1, Zero};
 
         // Each round takes the deepest point inside the ball
-        for (label round = 0; round < clearanceControls::maxRounds; ++round)
+        const auto shrink = [&]()
         {
             const point centre = p + b.radius/cosine*axis;
             const pointIndexHit hit
@@ -79,7 +79,7 @@ struct pointBalls
 
             if (!hit.hit())
             {
-                break;
+                return false;
             }
 
             const scalar lower =
@@ -87,11 +87,17 @@ struct pointBalls
 
             if (lower < 0)
             {
-                break;
+                return false;
             }
 
             b = {lower, hit.index(), centre};
-        }
+
+            return true;
+        };
+        repeatUntilStable
+        (
+            "shrinking balls", clearanceControls::maxRounds, shrink
+        );
 
         return b;
     }

@@ -67,6 +67,38 @@ TEST(stageLog, aLongStageSaysHowFarItIs)
 }
 
 
+TEST(stageLog, saysWhichLoopsEndedAtTheirBounds)
+{
+    OStringStream os;
+    stageLog log(os);
+    log.begin("columns");
+
+    label n = 0;
+    repeatUntilStable("smoothing", 5, [&]() { return ++n < 5; });
+    EXPECT_EQ(n, 5);
+    log.end("quiet");
+    EXPECT_EQ(os.str().find("bound"), std::string::npos) << os.str();
+
+    log.begin("columns");
+    repeatUntilStable("smoothing", 4, [&]() { return ++n < 50; });
+    EXPECT_EQ(n, 9);
+    repeatUntilStable("smoothing", 4, [&]() { return ++n < 50; });
+    repeatUntilStable("flipping", 7, [&]() { return true; });
+    log.end("restless");
+    EXPECT_NE
+    (
+        os.str().find
+        (
+            " s\n    loop 'flipping' ended at its bound of 7;"
+            " loop 'smoothing' ended 2 times at its bound of 4\n"
+        ),
+        std::string::npos
+    ) << os.str();
+
+    EXPECT_TRUE(takeLoopsAtBound().empty());
+}
+
+
 TEST(stageLog, theIntervalIsKept)
 {
     const std::string log(logOf(0.5, 0.2));
