@@ -92,6 +92,12 @@ public:
         return text;
     }
 
+    //- Name, value, and changed value, between tabs
+    string change(const tuned& changed) const
+    {
+        return string(name) + '\t' + text(tuned()) + '\t' + text(changed);
+    }
+
     void scale(tuned& controls, const scalar factor) const
     {
         if (label_)
@@ -291,12 +297,7 @@ int main(int argc, char *argv[])
             {
                 tuned changed;
                 number.scale(changed, factor);
-                measure
-                (
-                    wall, m, changed,
-                    string(number.name) + '\t' + number.text(tuned())
-                  + '\t' + number.text(changed)
-                );
+                measure(wall, m, changed, number.change(changed));
             }
         }
     }

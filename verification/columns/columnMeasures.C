@@ -106,7 +106,10 @@ static void measure
     );
     const scalar seconds = time.elapsedCpuTime();
 
-    const faceHeights heights(makeFaceHeights(wall, m.heights.request, m.made.layers));
+    const faceHeights heights
+    (
+        makeFaceHeights(wall, m.heights.request, m.made.layers)
+    );
     const label n = m.columns.nLayers;
     scalar full = 0, mean = 0;
     label nFull = 0;

@@ -7,8 +7,8 @@ Application
 
 Description
     Prints how even the first level sets of each field are, without making
-    layers: a line for each field, with tabs between its name, the unevenness and
-    the largest height over the points on concave edges alone, both over the
+    layers: a line for each field, with tabs between its name, the unevenness
+    and the largest height over the points on concave edges alone, both over the
     points on convex edges alone, and the saddle points above the last energy.
 
     An edge of the wall counts if the normals of its faces are more than 20

@@ -57,6 +57,29 @@ static pointField placesOf
 }
 
 
+//- Sets the numbers of columns by cause, and the number of points of the wall.
+//  nPoints: number of points of this process, the first columns
+static void countColumns
+(
+    const UList<squeezeCause>& causes,
+    const label nPoints,
+    const columnTeam& team,
+    layerReport& report
+)
+{
+    forAll(causes, c)
+    {
+        report.columns[int(causes[c])] += team.isOwn(c);
+        report.nWallPoints += c < nPoints && team.isOwn(c);
+    }
+    for (label& n : report.columns)
+    {
+        n = team.sum(n);
+    }
+    report.nWallPoints = team.sum(report.nWallPoints);
+}
+
+
 //- The two faces of each edge of the wall that this process counts. The master
 //  counts the edges with one face, here with the same face twice.
 static List<labelPair> edgesOfShare
@@ -157,20 +180,7 @@ layerReport makeLayerReport
         report.patches[patchi].name = names[patchi];
     }
 
-    forAll(causes, c)
-    {
-        report.columns[int(causes[c])] += team.isOwn(c);
-    }
-    for (label& n : report.columns)
-    {
-        n = team.sum(n);
-    }
-    label nOwnPoints = 0;
-    forAll(wall.points, p)
-    {
-        nOwnPoints += team.isOwn(p);
-    }
-    report.nWallPoints = team.sum(nOwnPoints);
+    countColumns(causes, wall.points.size(), team, report);
     report.outlyingCentres =
         placesOf(certificate.outlyingCentres, layers, team);
 

@@ -146,10 +146,7 @@ static remeshedSurface remeshed
             return false;
         }
 
-        for (const label t : tightened)
-        {
-            shape.tighten(t);
-        }
+        shape.tighten(tightened);
         if (faces.size() && !guarded)
         {
             // Guarded changes take longer, and few surfaces need them
@@ -169,13 +166,12 @@ static remeshedSurface remeshed
     };
     repeatUntilStable("tightening triangles", maxRounds, tighten);
 
-    if (conflicts.size() && valid.surface.faces.size())
+    if (valid.surface.faces.empty())
     {
-        return valid;
+        requireNone(conflicts, result.surface);
     }
-    requireNone(conflicts, result.surface);
 
-    return result;
+    return conflicts.size() ? valid : result;
 }
 
 
