@@ -27,10 +27,8 @@ Usage
 #include "faceHeights.H"
 #include "memoryMesh.H"
 #include "polyMeshTools.H"
+#include "preparedCase.H"
 #include "prismLayerMesh.H"
-#include "readPrismLayerControls.H"
-#include "readWallSurface.H"
-#include "Time.H"
 
 using namespace Foam;
 
@@ -258,29 +256,10 @@ int main(int argc, char *argv[])
     #include "setRootCase.H"
     #include "createTime.H"
 
-    const IOdictionary dict
-    (
-        IOobject
-        (
-            "harmonicPrismMeshDict", runTime.system(), runTime,
-            IOobject::MUST_READ, IOobject::NO_WRITE
-        )
-    );
-    const prismLayerControls controls(readPrismLayerControls(dict));
-    wallReading reading;
-    const wallSurface wall
-    (
-        readWallSurface(controls.surface.files, controls.surface, reading)
-    );
+    const preparedCase given(runTime);
+    const wallSurface& wall = given.wall;
     const throwingErrors throwing;
-    const prismLayerMesh m
-    (
-        makePrismLayerMesh
-        (
-            wall, controls, localHeights(),
-            stageObserver{[](const word&) {}, [](const string&) {}}
-        )
-    );
+    const prismLayerMesh m(makePrismLayerMesh(wall, given.controls, {}, {}));
     const wordList only(args.getOrDefault("numbers", wordList()));
 
     measure(wall, m, tuned(), "as they are\t\t");

@@ -6,7 +6,6 @@
 #include "randomSurface.H"
 #include "mathematicalConstants.H"
 #include "orientWallSurface.H"
-#include "splitAtSidePatches.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -56,26 +55,28 @@ static void bend(pointField& points, Random& random)
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-Foam::wallSurface Foam::randomSurfaces::curvedEnds(Random& random)
+Foam::wallSurface Foam::randomSurfaces::curvedEnds
+(
+    Random& random,
+    prismLayerControls& controls
+)
 {
     wallSurface prism(starPrism(random));
     setCaps(prism);
     bend(prism.points, random);
     orientWallSurface(prism, false);
 
-    wallSurfaceControls controls;
-    controls.fluidOutside = false;
-    layerControls layers;
+    controls.surface.fluidOutside = false;
+    controls.layers.patches.clear();
     for (const word end : {"bottom", "top"})
     {
         patchLayers entry;
         entry.patches = end;
         entry.isSide = true;
-        layers.patches.append(entry);
+        controls.layers.patches.append(entry);
     }
-    wallReading reading;
 
-    return splitAtSidePatches(prism, controls, layers, reading);
+    return prism;
 }
 
 

@@ -6,7 +6,6 @@
 #include "randomSurface.H"
 #include "boundBox.H"
 #include "cutSurface.H"
-#include "splitAtSidePatches.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -74,6 +73,7 @@ static sidePatch randomPlane
 Foam::wallSurface Foam::randomSurfaces::cutBody
 (
     Random& random,
+    prismLayerControls& controls,
     const bool alongAxes
 )
 {
@@ -81,11 +81,11 @@ Foam::wallSurface Foam::randomSurfaces::cutBody
     (
         random.position<label>(0, label(kind::cutBody) - 1)
     );
-    wallSurface surface(makeRandomSurface(whole, random));
+    wallSurface surface(makeRandomSurface(whole, random, controls));
     const bool fluidInside = chance(random, 0.5);
     const label nPlanes = chance(random, 0.3) ? 2 : 1;
     const scalar size = boundBox(surface.points, false).mag();
-    wallSurfaceControls controls;
+    controls.surface.sidePlanes.clear();
 
     for (label i = 0; i < nPlanes; ++i)
     {
@@ -93,13 +93,12 @@ Foam::wallSurface Foam::randomSurfaces::cutBody
         sidePatch plane(randomPlane(surface, alongAxes, random));
         plane.name += Foam::name(i);
         cut(surface, plane, tolerance);
-        controls.sidePlanes.append(plane);
+        controls.surface.sidePlanes.append(plane);
     }
 
-    controls.fluidOutside = !fluidInside;
-    wallReading reading;
+    controls.surface.fluidOutside = !fluidInside;
 
-    return splitAtSidePatches(surface, controls, layerControls(), reading);
+    return surface;
 }
 
 

@@ -9,8 +9,6 @@
 #include "cutReflexFaces.H"
 #include "layerSpacing.H"
 #include "damageSurface.H"
-#include "remeshSurface.H"
-#include "repairSurface.H"
 
 #include <cstdint>
 
@@ -35,7 +33,12 @@ static label mixed(const label seed, const label index)
 
 
 //- The surface of a case; a far field is for small ones
-static wallSurface makeSurface(const fuzzCase& one, Random& random)
+static wallSurface makeSurface
+(
+    const fuzzCase& one,
+    Random& random,
+    prismLayerControls& controls
+)
 {
     using randomSurfaces::kind;
 
@@ -45,47 +48,51 @@ static wallSurface makeSurface(const fuzzCase& one, Random& random)
     }
     if (!one.hasFarField)
     {
-        return randomSurfaces::makeRandomSurface(one.kind, random);
+        return randomSurfaces::makeRandomSurface(one.kind, random, controls);
     }
 
     const label mostFaces = 300;
-    wallSurface wall;
+    wallSurface surface;
     do
     {
-        wall =
+        surface =
             one.kind == kind::cutBody && randomSurfaces::chance(random, 0.7)
-          ? randomSurfaces::cutBody(random, true)
-          : randomSurfaces::makeRandomSurface(one.kind, random);
-    } while (wall.faces.size() > mostFaces);
+          ? randomSurfaces::cutBody(random, controls, true)
+          : randomSurfaces::makeRandomSurface(one.kind, random, controls);
+    } while (surface.faces.size() > mostFaces);
 
-    return wall;
+    return surface;
 }
 
 
-//- Two patches on the sides of a plane, the second of another thickness
+//- Two patches on the sides of a plane, the second of another thickness, in
+//  place of the first patch
 static void splitPatches
 (
-    wallSurface& wall,
+    wallSurface& surface,
     layerControls& controls,
     Random& random
 )
 {
     const vector normal(randomSurfaces::unitVector(random));
-    const point centre(boundBox(wall.points, false).centre());
+    const point centre(boundBox(surface.points, false).centre());
+    const label otherPatch = surface.patchNames.size();
 
-    wall.patchNames.append("other");
-    forAll(wall.faces, i)
+    surface.patchNames.append("other");
+    forAll(surface.faces, i)
     {
-        const vector offset(wall.points[wall.faces[i][0]] - centre);
-        wall.patchIDs[i] = (normal & offset) > 0;
+        const vector offset(surface.points[surface.faces[i][0]] - centre);
+        label& patchi = surface.patchIDs[i];
+        patchi = patchi == 0 && (normal & offset) > 0 ? otherPatch : patchi;
     }
 
     patchLayers other;
     other.patches = word("other");
     other.heights.firstLayerThickness = controls.heights.firstLayerThickness
        *randomSurfaces::logUniform(random, 0.2, 5);
-    controls.patches = List<patchLayers>(1, other);
+    controls.patches.append(other);
 }
+
 
 //- A region on one side of a plane, of other layers
 static void addRegion
@@ -139,66 +146,23 @@ static void addValues
     }
 }
 
-
-//- What a few of the cases have. Of other random numbers, so that these leave
-//  the other cases as they are
-static void addVariants
-(
-    const wallSurface& wall,
-    layerControls& layers,
-    localHeights& local,
-    Random& more
-)
-{
-    heightEntries& heights = layers.heights;
-
-    if (randomSurfaces::chance(more, 0.15))
-    {
-        addRegion(wall, layers, local, more);
-    }
-    if (randomSurfaces::chance(more, 0.1))
-    {
-        addValues(wall, layers, local, more);
-    }
-    if (randomSurfaces::chance(more, 0.1) && layers.patches.size())
-    {
-        layers.patches[0].heights.nSurfaceLayers = more.position<label>(1, 20);
-    }
-    if (randomSurfaces::chance(more, 0.05) && layers.regions.empty())
-    {
-        heights.nSurfaceLayers = 0;
-        heights.expansionRatio = max(heights.expansionRatio, scalar(1.1));
-        layers.finalAspect = more.position<scalar>(0.05, 1);
-
-        for (patchLayers& entry : layers.patches)
-        {
-            entry.heights.nSurfaceLayers = 0;
-        }
-    }
-}
-
 } // End namespace Foam
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void Foam::fuzzCase::make
-(
-    wallSurface& wall,
-    prismLayerControls& controls,
-    localHeights& local
-) const
+Foam::wallSurface Foam::fuzzCase::make(prismLayerControls& controls) const
 {
     Random random(mixed(seed, index));
-    wall = makeSurface(*this, random);
-    cutReflexFaces(wall);
-    if (hasNeedles && wall.border.sides.empty())
+    wallSurface surface(makeSurface(*this, random, controls));
+    cutReflexFaces(surface);
+    if (hasNeedles && !hasSides())
     {
         Random needles(mixed(seed + 4, index));
-        randomSurfaces::addNeedles(wall, needles);
+        randomSurfaces::addNeedles(surface, needles);
     }
 
-    const scalar size = cmptMax(boundBox(wall.points, false).span());
+    const scalar size = cmptMax(boundBox(surface.points, false).span());
     const scalar total = size*randomSurfaces::logUniform(random, 0.003, 0.1);
     const scalar ratio = random.position<scalar>(1, 1.5);
     layerControls& layers = controls.layers;
@@ -210,7 +174,7 @@ void Foam::fuzzCase::make
 
     if (randomSurfaces::chance(random, 0.2))
     {
-        splitPatches(wall, layers, random);
+        splitPatches(surface, layers, random);
     }
 
     // Multiple normals by choice: at sharp edges and corners
@@ -219,45 +183,34 @@ void Foam::fuzzCase::make
         layers.multipleNormalsAngle = random.position<scalar>(0, 60);
     }
 
-    Random more(mixed(seed, index) + 1);
-    addVariants(wall, layers, local, more);
-}
-
-
-Foam::wallSurface Foam::fuzzCase::remeshed
-(
-    const wallSurface& wall
-) const
-{
-    Random random(mixed(seed + 1, index));
-    const scalar size = cmptMax(boundBox(wall.points, false).span());
-
-    surfaceRemeshControls controls;
-    controls.maxEdge = size*randomSurfaces::logUniform(random, 0.08, 0.5);
-    controls.minEdge =
-        controls.maxEdge*randomSurfaces::logUniform(random, 0.1, 0.8);
-    controls.deviation = size*randomSurfaces::logUniform(random, 1e-4, 0.05);
-    controls.featureAngle = random.position<scalar>(10, 80);
-
-    return remeshSurface(wall, controls).surface;
-}
-
-
-Foam::wallSurface Foam::fuzzCase::repaired
-(
-    const wallSurface& wall
-) const
-{
-    if (isAssembly)
+    if (hasSides())
     {
-        wallSurfaceControls controls;
-        controls.repair.repair = surfaceRepairControls::method::stitch;
-
-        return repairSurface(wall, controls).surface;
+        return surface;
+    }
+    controls.surface.repair.repair = repair;
+    if (isRemeshed)
+    {
+        using randomSurfaces::logUniform;
+        Random lengths(mixed(seed + 1, index));
+        surfaceRemeshControls& remesh = controls.surface.remesh;
+        remesh.active = true;
+        remesh.maxEdge = size*logUniform(lengths, 0.08, 0.5);
+        remesh.minEdge = remesh.maxEdge*logUniform(lengths, 0.1, 0.8);
+        remesh.deviation = size*logUniform(lengths, 1e-4, 0.05);
+        remesh.featureAngle = lengths.position<scalar>(10, 80);
     }
 
+    return surface;
+}
+
+
+void Foam::fuzzCase::damage
+(
+    wallSurface& surface,
+    surfaceRepairControls& controls
+) const
+{
     Random random(mixed(seed + 2, index));
-    wallSurface surface(wall);
     if (enclosedVolume(surface) < 0)
     {
         for (face& f : surface.faces)
@@ -268,13 +221,48 @@ Foam::wallSurface Foam::fuzzCase::repaired
     randomSurfaces::damage(surface, random);
 
     const scalar size = boundBox(surface.points, false).mag();
-    wallSurfaceControls controls;
-    controls.repair.repair = repair;
-    controls.repair.size = size*randomSurfaces::logUniform(random, 0.02, 0.2);
-    controls.repair.gap = size*randomSurfaces::logUniform(random, 1e-6, 1e-2);
-    controls.repair.hole = size*randomSurfaces::logUniform(random, 1e-2, 1);
+    controls.size = size*randomSurfaces::logUniform(random, 0.02, 0.2);
+    controls.gap = size*randomSurfaces::logUniform(random, 1e-6, 1e-2);
+    controls.hole = size*randomSurfaces::logUniform(random, 1e-2, 1);
+}
 
-    return repairSurface(surface, controls).surface;
+
+void Foam::fuzzCase::vary
+(
+    const wallSurface& wall,
+    layerControls& layers,
+    localHeights& local
+) const
+{
+    // Of other random numbers, so that the other cases are as they are
+    Random more(mixed(seed, index) + 1);
+
+    if (randomSurfaces::chance(more, 0.15))
+    {
+        addRegion(wall, layers, local, more);
+    }
+    if (randomSurfaces::chance(more, 0.1))
+    {
+        addValues(wall, layers, local, more);
+    }
+    if (randomSurfaces::chance(more, 0.1) && layers.patches.size())
+    {
+        patchLayers& last = layers.patches.last();
+        const label n = more.position<label>(1, 20);
+        last.heights.nSurfaceLayers = last.isSide ? 0 : n;
+    }
+    if (randomSurfaces::chance(more, 0.05) && layers.regions.empty())
+    {
+        layers.heights.nSurfaceLayers = 0;
+        layers.heights.expansionRatio =
+            max(layers.heights.expansionRatio, scalar(1.1));
+        layers.finalAspect = more.position<scalar>(0.05, 1);
+
+        for (patchLayers& entry : layers.patches)
+        {
+            entry.heights.nSurfaceLayers = 0;
+        }
+    }
 }
 
 

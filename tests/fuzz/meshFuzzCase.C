@@ -4,16 +4,13 @@
 \*---------------------------------------------------------------------------*/
 
 #include "meshFuzzCase.H"
-#include "cutBlindFaces.H"
-#include "cutReflexFaces.H"
 #include "embeddingFault.H"
 #include "meshFarField.H"
 #include "meshFaults.H"
 #include "prismLayerMesh.H"
+#include "throwingErrors.H"
 #include "wallDefects.H"
 #include "wallPointsError.H"
-
-#include <sstream>
 
 namespace Foam
 {
@@ -47,19 +44,19 @@ static label nAsked(const layerControls& controls, const layerSpacing& asked)
 static void mesh
 (
     const fuzzCase& one,
-    const wallSurface& wall,
-    const prismLayerControls& controls,
-    const localHeights& local,
+    const fuzzWall& made,
     const listener& tell
 )
 {
+    const wallSurface& wall = made.wall;
+    const prismLayerControls& controls = made.controls;
     const prismLayerMesh m
     (
         makePrismLayerMesh
         (
             wall,
             controls,
-            local,
+            made.local,
             stageObserver
             {
                 [&](const word& stage) { tell("stage", stage); },
@@ -101,107 +98,6 @@ static void mesh
 }
 
 
-//- Gives the wall new triangles; what was said of its old points is forgotten
-static void remesh
-(
-    const fuzzCase& one,
-    wallSurface& wall,
-    prismLayerControls& controls,
-    localHeights& local,
-    const listener& tell
-)
-{
-    tell("stage", "remesh");
-    controls.layers.regions.clear();
-    local = localHeights();
-    wall = one.remeshed(wall);
-    tell(findWallDefects(wall).empty() ? "stage" : "failed", "defects");
-}
-
-
-//- Damages and repairs the wall; what was said of its old points is forgotten.
-//  Returns whether it has no defects then, as all have that are wrapped.
-static bool repair
-(
-    const fuzzCase& one,
-    wallSurface& wall,
-    prismLayerControls& controls,
-    localHeights& local,
-    const listener& tell
-)
-{
-    tell("stage", "repair");
-    controls.layers.regions.clear();
-    local = localHeights();
-    wall = one.repaired(wall);
-
-    const std::string defects(oneLine(describe(findWallDefects(wall))));
-    const bool mustBeGood =
-        one.isAssembly || one.repair == surfaceRepairControls::method::wrap;
-    if (defects.size())
-    {
-        tell(mustBeGood ? "failed" : "skipped", defects);
-    }
-
-    return defects.empty();
-}
-
-
-//- Makes the wall and its layers. Returns whether it has no defects.
-static bool make
-(
-    const fuzzCase& one,
-    wallSurface& wall,
-    prismLayerControls& controls,
-    localHeights& local,
-    const listener& tell
-)
-{
-    try
-    {
-        tell("stage", "surface");
-        one.make(wall, controls, local);
-        if (one.isAssembly)
-        {
-            return true;
-        }
-
-        const std::string defects
-        (
-            oneLine(describe(findWallDefects(wall, wall.border.sides.size())))
-        );
-        if (defects.size())
-        {
-            tell("skipped", defects);
-        }
-
-        return defects.empty();
-    }
-    catch (const Foam::error& e)
-    {
-        // Of the polygon of a prism
-        tell("skipped", oneLine(e.message()));
-        return false;
-    }
-}
-
-
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
-std::string oneLine(const std::string& text)
-{
-    std::istringstream words(text);
-    std::string word, line;
-
-    while (words >> word)
-    {
-        line += (line.empty() ? "" : " ") + word;
-    }
-
-    return line;
-}
-
-
 //- In a knife edge between wall and side patch there may be no layers
 static bool isOnBorder(const wallSurface& wall, const labelUList& points)
 {
@@ -215,46 +111,65 @@ static bool isOnBorder(const wallSurface& wall, const labelUList& points)
 }
 
 
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+fuzzWall makeFuzzWall(const fuzzCase& one, const listener& tell)
+{
+    const throwingErrors throwing;
+    fuzzWall made;
+    wallSurface& surface = made.surface;
+    tell("stage", "surface");
+    try
+    {
+        surface = one.make(made.controls);
+    }
+    catch (const Foam::error& e)
+    {
+        // Of the polygon of a prism
+        tell("skipped", oneLine(e.message()));
+        return made;
+    }
+
+    if (one.isDamaged())
+    {
+        const std::string defects(oneLine(describe(findWallDefects(surface))));
+        if (defects.size())
+        {
+            tell("skipped", defects);
+            return made;
+        }
+        one.damage(surface, made.controls.surface.repair);
+    }
+
+    made.wall = prepareFuzzWall(one, surface, made.controls, tell);
+    if (made.wall.faces.size())
+    {
+        one.vary(made.wall, made.controls.layers, made.local);
+    }
+
+    return made;
+}
+
+
 void meshFuzzCase(const fuzzCase& one, const listener& tell)
 {
     FatalError.throwExceptions();
     FatalIOError.throwExceptions();
 
-    wallSurface wall;
-    prismLayerControls controls;
-    localHeights local;
-    if (!make(one, wall, controls, local, tell))
-    {
-        return;
-    }
-
+    fuzzWall made;
     try
     {
-        if
-        (
-            one.repair != surfaceRepairControls::method::none
-         && wall.border.sides.empty()
-         && !repair(one, wall, controls, local, tell)
-        )
+        made = makeFuzzWall(one, tell);
+        if (made.wall.faces.size())
         {
-            return;
+            mesh(one, made, tell);
         }
-        if (one.isRemeshed && wall.border.sides.empty())
-        {
-            remesh(one, wall, controls, local, tell);
-        }
-        if (one.repair != surfaceRepairControls::method::none)
-        {
-            cutReflexFaces(wall);
-        }
-        cutBlindFaces(wall);
-        mesh(one, wall, controls, local, tell);
     }
     catch (const wallPointsError& e)
     {
         // What is stitched has the shape that damage gave it
         const bool isExpected =
-            isOnBorder(wall, e.labels())
+            isOnBorder(made.wall, e.labels())
          || (
                 one.repair == surfaceRepairControls::method::stitch
              && !one.isAssembly

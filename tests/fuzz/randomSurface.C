@@ -23,7 +23,12 @@ static const char* const names[nKinds] =
 };
 
 
-static wallSurface makeKind(const kind k, Random& random)
+static wallSurface makeKind
+(
+    const kind k,
+    Random& random,
+    prismLayerControls& controls
+)
 {
     switch (k)
     {
@@ -32,8 +37,8 @@ static wallSurface makeKind(const kind k, Random& random)
         case kind::spikyPolyhedron: return spikyPolyhedron(random);
         case kind::starPrism: return starPrism(random);
         case kind::severalBodies: return severalBodies(random);
-        case kind::cutBody: return cutBody(random);
-        case kind::curvedEnds: return curvedEnds(random);
+        case kind::cutBody: return cutBody(random, controls);
+        case kind::curvedEnds: return curvedEnds(random, controls);
     }
 
     return wallSurface();
@@ -78,12 +83,13 @@ Foam::randomSurfaces::kind Foam::randomSurfaces::kindOf(const std::string& name)
 Foam::wallSurface Foam::randomSurfaces::makeRandomSurface
 (
     const kind k,
-    Random& random
+    Random& random,
+    prismLayerControls& controls
 )
 {
-    wallSurface wall(makeKind(k, random));
+    wallSurface wall(makeKind(k, random, controls));
 
-    if (wall.border.sides.size())
+    if (hasSides(k))
     {
         return wall;
     }

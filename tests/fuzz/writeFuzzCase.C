@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "fuzzCase.H"
+#include "meshFuzzCase.H"
 #include "equalPoints.H"
 #include "isolatedProcess.H"
 #include "polyMesh.H"
@@ -63,35 +63,26 @@ static void writeLayers(std::FILE* out, const layerControls& layers)
         std::fprintf
         (
             out,
-            "# patches { %s { firstLayerThickness %.17g; } }\n",
+            "# patches { %s { %s %.17g; } }\n",
             other.patches.c_str(),
+            other.isSide ? "nSurfaceLayers" : "firstLayerThickness",
             other.heights.firstLayerThickness
         );
     }
 }
 
 
-static void writeWall(std::FILE* out, const wallSurface& wall)
+static void writeFaces(std::FILE* out, const wallSurface& surface)
 {
     equalPoints labels;
     label nPoints = 0;
-    forAll(wall.faces, i)
+    forAll(surface.faces, i)
     {
         writeFace
         (
-            out, wall.patchNames[wall.patchIDs[i]],
-            pointField(wall.points, wall.faces[i]), labels, nPoints
+            out, surface.patchNames[surface.patchIDs[i]],
+            pointField(surface.points, surface.faces[i]), labels, nPoints
         );
-    }
-    for (const sidePatch& side : wall.border.sides)
-    {
-        for (const face& f : side.faces)
-        {
-            writeFace
-            (
-                out, side.name, f.points(side.points), labels, nPoints
-            );
-        }
     }
 }
 
@@ -163,15 +154,10 @@ static string entryOf(const farFieldControls& controls)
 }
 
 
-//- A comment that tells the far field, and side planes
-static void writeFarField
-(
-    std::FILE* out,
-    const wallSurface& wall,
-    const fuzzFarField& far
-)
+//- Comments that tell side planes
+static void writePlanes(std::FILE* out, const List<sidePatch>& planes)
 {
-    for (const sidePatch& side : wall.border.sides)
+    for (const sidePatch& side : planes)
     {
         std::fprintf
         (
@@ -181,7 +167,12 @@ static void writeFarField
             side.origin.z(), side.normal.x(), side.normal.y(), side.normal.z()
         );
     }
+}
 
+
+//- A comment that tells the far field
+static void writeFarField(std::FILE* out, const fuzzFarField& far)
+{
     std::istringstream lines(entryOf(far.controls));
     for (std::string line; std::getline(lines, line);)
     {
@@ -241,23 +232,25 @@ bool Foam::writeSurface(const fuzzCase& one, const fileName& file)
     (
         [&](std::FILE*)
         {
-            wallSurface wall;
-            prismLayerControls controls;
-            localHeights local;
-            one.make(wall, controls, local);
+            const fuzzWall made(makeFuzzWall(one, [](const auto&...) {}));
+            const prismLayerControls& controls = made.controls;
 
             std::FILE* out = std::fopen(file.c_str(), "w");
             writeLayers(out, controls.layers);
-            if (one.hasFarField)
+            writePlanes(out, controls.surface.sidePlanes);
+            if (one.hasFarField && made.wall.faces.size())
             {
-                const fuzzFarField far(one.farField(wall, controls.layers));
-                writeFarField(out, wall, far);
+                const fuzzFarField far
+                (
+                    one.farField(made.wall, controls.layers)
+                );
+                writeFarField(out, far);
                 if (far.core.nCells)
                 {
                     writeCore(far.core, file.lessExt());
                 }
             }
-            writeWall(out, wall);
+            writeFaces(out, made.surface);
             std::fclose(out);
         },
         [](std::FILE*) { return true; },

@@ -25,11 +25,8 @@ Usage
 #include "faceHeights.H"
 #include "memoryMesh.H"
 #include "polyMeshTools.H"
+#include "preparedCase.H"
 #include "prismLayerMesh.H"
-#include "readPrismLayerControls.H"
-#include "readWallSurface.H"
-#include "renumberWall.H"
-#include "Time.H"
 
 using namespace Foam;
 
@@ -96,14 +93,7 @@ static void measure
 )
 {
     const cpuTime time;
-    const prismLayerMesh m
-    (
-        makePrismLayerMesh
-        (
-            wall, controls, localHeights(),
-            stageObserver{[](const word&) {}, [](const string&) {}}
-        )
-    );
+    const prismLayerMesh m(makePrismLayerMesh(wall, controls, {}, {}));
     const scalar seconds = time.elapsedCpuTime();
 
     const faceHeights heights
@@ -144,21 +134,8 @@ int main(int argc, char *argv[])
     #include "setRootCase.H"
     #include "createTime.H"
 
-    const IOdictionary dict
-    (
-        IOobject
-        (
-            "harmonicPrismMeshDict", runTime.system(), runTime,
-            IOobject::MUST_READ, IOobject::NO_WRITE
-        )
-    );
-    prismLayerControls controls(readPrismLayerControls(dict));
-    wallReading reading;
-    wallSurface wall
-    (
-        readWallSurface(controls.surface.files, controls.surface, reading)
-    );
-    renumberWall(wall);
+    preparedCase given(runTime);
+    prismLayerControls& controls = given.controls;
     const wordList fields
     (
         args.getOrDefault
@@ -173,7 +150,7 @@ int main(int argc, char *argv[])
         controls.layers.alongField = field != "straight";
         controls.field.tensor = field == "straight" ? "isotropic" : field;
         controls.field.tensorCoeffs.clear();
-        measure(wall, controls, field);
+        measure(given.wall, controls, field);
     }
 
     return 0;

@@ -30,11 +30,8 @@ Usage
 #include "criticalPoints.H"
 #include "fieldStages.H"
 #include "levelSets.H"
-#include "Random.H"
-#include "readPrismLayerControls.H"
-#include "readWallSurface.H"
-#include "renumberWall.H"
-#include "Time.H"
+#include "preparedCase.H"
+#include "testSurfaces.H"
 #include "unitConversion.H"
 #include "wallClearance.H"
 
@@ -96,36 +93,6 @@ static void printHeights(const scalarField& heights, const bitSet& points)
     {
         Info<< '\t' << ::exp(sum/points.count()) << '\t' << largest;
     }
-}
-
-
-//- The wall as the utility numbers it, or at random
-static wallSurface readNumbered
-(
-    const wallSurfaceControls& controls,
-    const label seed
-)
-{
-    wallReading reading;
-    wallSurface wall(readWallSurface(controls.files, controls, reading));
-
-    if (seed < 0)
-    {
-        renumberWall(wall);
-
-        return wall;
-    }
-
-    Random random(seed);
-    labelList newPoints(identity(wall.points.size()));
-    random.shuffle(newPoints);
-    wall.points = reorder(newPoints, wall.points);
-    for (face& f : wall.faces)
-    {
-        inplaceRenumber(newPoints, f);
-    }
-
-    return wall;
 }
 
 
@@ -208,10 +175,15 @@ offsetEnvelope envelopeFor
         )
     );
 
-    return makeEnvelope
+    const envelopeRadii radii
     (
-        context, request.thickness, clearance, controls, observer
+        makeEnvelopeRadii
+        (
+            context, controls.envelope.scale*request.thickness, clearance
+        )
     );
+
+    return makeEnvelope(context, radii, controls, observer);
 }
 
 } // End anonymous namespace
@@ -227,24 +199,15 @@ int main(int argc, char *argv[])
     #include "setRootCase.H"
     #include "createTime.H"
 
-    const IOdictionary dict
-    (
-        IOobject
-        (
-            "harmonicPrismMeshDict", runTime.system(), runTime,
-            IOobject::MUST_READ, IOobject::NO_WRITE
-        )
-    );
-    prismLayerControls controls(readPrismLayerControls(dict));
-    const stageObserver silent{[](const word&) {}, [](const string&) {}};
-
+    preparedCase given(runTime);
+    prismLayerControls& controls = given.controls;
+    label seed = 0;
     const wallSurface wall
     (
-        readNumbered
-        (
-            controls.surface, args.getOrDefault<label>("shuffle", -1)
-        )
+        args.readIfPresent("shuffle", seed)
+      ? testSurfaces::renumbered(given.wall, seed) : given.wall
     );
+    const stageObserver silent;
     const wallContext context(wall);
     const layerSpacing request
     (

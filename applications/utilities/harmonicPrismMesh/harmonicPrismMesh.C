@@ -56,7 +56,6 @@ Usage
 #include "pluginVersion.H"
 #include "readPrismLayerControls.H"
 #include "returnMemory.H"
-#include "surfaceAdvice.H"
 #include "Time.H"
 #include "waitPassively.H"
 
@@ -105,20 +104,12 @@ static void addOptions()
 
 
 //- Say whether the surface can be meshed, and end the run: with 1 if not
-static void endCheck
-(
-    const preparedWall& given,
-    const surfaceRemeshControls& controls
-)
+static void endCheck(const caseWall& given)
 {
     const bool isGood = given.defects.empty();
-    const string advice
-    (
-        isGood ? adviceOnAngles(given.wall, controls) : given.advice
-    );
 
     Info<< nl << (isGood ? "Surface OK." : given.defects.c_str()) << nl
-        << advice.c_str() << nl << nl << "End" << nl << endl;
+        << given.advice.c_str() << nl << nl << "End" << nl << endl;
 
     // What main returns is lost: the destructor of args exits with 0
     UPstream::exit(isGood ? 0 : 1);
@@ -141,7 +132,7 @@ static void requireOneProcess(const parallelRun& parallel, const bool isForOne)
 //- Errors: FatalError if the surface has defects
 static void requireNoDefects
 (
-    const preparedWall& given,
+    const caseWall& given,
     const wallSurfaceControls& controls
 )
 {
@@ -212,11 +203,11 @@ int main(int argc, char *argv[])
     const fileNameList surfaces(files.surfaceFiles(controls.surface));
     const fileName preparedFile(files.preparedFile(surfaces));
     stageLog log(Info);
-    preparedWall given(readWall(surfaces, controls, checkOnly, runTime, log));
+    caseWall given(readWall(surfaces, controls, checkOnly, runTime, log));
 
     if (checkOnly)
     {
-        endCheck(given, controls.surface.remesh);
+        endCheck(given);
     }
     requireNoDefects(given, controls.surface);
 

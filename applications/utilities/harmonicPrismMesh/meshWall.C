@@ -118,7 +118,7 @@ void meshWall
     const prismCase& files,
     const parallelRun& parallel,
     const caseWriter& writer,
-    preparedWall& given,
+    caseWall& given,
     const fileName& preparedFile,
     const prismLayerControls& controls,
     const bool pictures,
@@ -126,9 +126,12 @@ void meshWall
     stageLog& log
 )
 {
-    const wallSurface& wall = given.wall;
-    const bool isChanged = given.prepared.isChanged();
-    given.prepared.dropUnchanged();
+    const wallSurface& wall = given.prepared.wall;
+    const bool isChanged = given.isChanged();
+    if (!isChanged)
+    {
+        given.prepared.surface = wallSurface();
+    }
     const localHeights local(readLocal(files, wall, controls, time, log));
     farFieldDomain domain
     (

@@ -4,15 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "readWall.H"
-#include "boxSidePlanes.H"
-#include "cutBlindFaces.H"
-#include "cutReflexFaces.H"
-#include "flipCaps.H"
-#include "prismPolyMesh.H"
-#include "renumberWall.H"
-#include "splitAtSidePatches.H"
-#include "surfaceAdvice.H"
-#include "wallDefects.H"
+#include "readWallSurface.H"
+#include "replacedFiles.H"
 
 namespace Foam
 {
@@ -51,107 +44,143 @@ static wallSurface readFiles
 }
 
 
-//- The defects of the wall, reported; empty if there are none
-static string checkWall
+static dictionary toDictionary(const surfaceDistance& distance)
+{
+    dictionary dict;
+    dict.add("max", distance.largest);
+    dict.add("mean", distance.mean);
+    dict.add("place", distance.place);
+
+    return dict;
+}
+
+
+static dictionary toDictionary(const surfaceMeasures& measures)
+{
+    dictionary dict;
+    dict.add("faces", measures.angles.size());
+    dict.add("area", measures.area);
+    if (measures.volume > 0)
+    {
+        dict.add("volume", measures.volume);
+    }
+    dict.add("smallestAngle", toDictionary(makePercentiles(measures.angles)));
+    dict.add("below15DegreesPercent", 100*measures.shareWithSmallAngles);
+
+    return dict;
+}
+
+
+static dictionary toDictionary(const surfaceChange& change)
+{
+    dictionary dict;
+    dict.add("distanceFromGiven", toDictionary(change.distance));
+    dict.add("distanceOfGiven", toDictionary(change.distanceOfGiven));
+    dict.add("before", toDictionary(change.before));
+    dict.add("now", toDictionary(change.now));
+
+    return dict;
+}
+
+
+//- Entries step0, ...
+static dictionary toDictionary(const repairSteps& steps)
+{
+    dictionary dict;
+    for (const repairStep& step : steps)
+    {
+        dictionary entry;
+        entry.add("what", step.what);
+        entry.add("count", step.count);
+        if (step.places.size())
+        {
+            entry.add("firstPlace", step.places[0]);
+        }
+        dict.add(word("step" + Foam::name(dict.size())), entry);
+    }
+
+    return dict;
+}
+
+
+static dictionary toDictionary
 (
-    const wallSurface& wall,
-    const bool mayBeOpen,
     const wallReading& reading,
-    stageLog& log
+    const preparedWall& prepared
 )
 {
-    log.begin("wallDefects");
-    const List<wallDefect> found(findWallDefects(wall, mayBeOpen));
-    log.end(found.empty() ? "none" : name(found.size()) + " kinds");
-
-    string defects(describe(found));
-
-    if (found.size() && reading.nearPoints)
+    dictionary dict;
+    if (reading.cadFiles.size())
     {
-        defects += "\n" + name(reading.nearPoints) + " points are nearer than "
+        dict.add("cad", reading.cadFiles);
+    }
+    if (prepared.steps.size())
+    {
+        dictionary repair(toDictionary(prepared.repair));
+        repair.add("steps", toDictionary(prepared.steps));
+        dict.add("repair", repair);
+    }
+    if (prepared.isRemeshed)
+    {
+        const remeshQuality& quality = prepared.quality;
+        dictionary away;
+        away.add
+        (
+            "below15DegreesPercent",
+            100.0*quality.nSmallAngles/prepared.surface.faces.size()
+        );
+        away.add("edgesBeyond70Degrees", quality.nNonOrtho);
+        dictionary remesh(toDictionary(prepared.remesh));
+        remesh.add("awayFromFeatures", away);
+        dict.add("remesh", remesh);
+    }
+
+    return dict;
+}
+
+
+static string textOf
+(
+    const List<wallDefect>& defects,
+    const wallReading& reading
+)
+{
+    string text(describe(defects));
+    if (defects.size() && reading.nearPoints)
+    {
+        text += "\n" + name(reading.nearPoints) + " points are nearer than "
           + name(wallReading::nearTolerance) + " of the diagonal to others:"
           + " surface.mergeTolerance makes such points one.";
     }
 
-    return defects;
+    return text;
 }
 
 
-//- Changes faces above which no cells could be positive, and reports it
-static void prepareFaces(wallSurface& wall)
+static void logPatches(const wallSurface& surface)
 {
-    const label nFlips = flipCaps(wall);
-    if (nFlips)
+    const List<patchMeasures> patches(measuresOfPatches(surface));
+
+    Info<< nl << "Patches:" << nl;
+    forAll(patches, patchi)
     {
-        Info<< "    triangles of almost no height, flipped " << nFlips << endl;
-    }
-
-    // Repair may have folded some
-    const label nCut = cutReflexFaces(wall) + cutBlindFaces(wall);
-    if (nCut)
-    {
-        Info<< "    faces cut into triangles, because a point cannot see all"
-            << " its faces " << nCut << endl;
-    }
-}
-
-
-//- The wall of a surface without defects, reported if it ends on side patches
-static wallSurface takeWall
-(
-    const wallSurface& surface,
-    const wallSurfaceControls& controls,
-    const layerControls& layers,
-    wallReading& reading,
-    stageLog& log
-)
-{
-    const label flipped = reading.flippedFaces;
-    wallSurface wall(splitAtSidePatches(surface, controls, layers, reading));
-
-    if (wall.border.sides.size())
-    {
-        log.begin("sidePatches");
-        log.end(sizesOf(wall) + " of the wall");
-
-        Info<< "    ends on";
-        wordHashSet curved;
-        for (const sidePatch& side : wall.border.sides)
+        const patchMeasures& patch = patches[patchi];
+        Info<< "    " << surface.patchNames[patchi] << ": faces "
+            << patch.nFaces << ", area " << patch.area << " m2, centre "
+            << patch.centre;
+        if (patch.normal != vector(Zero))
         {
-            if (side.isCurved())
-            {
-                curved.insert(side.name);
-            }
+            Info<< ", plane, normal " << patch.normal;
         }
-        for (const word& name : sidePatchNames(wall.border))
-        {
-            Info<< ' ' << name << (curved.found(name) ? " (curved)" : "");
-        }
-        Info<< ", " << wall.border.edges.size() << " edges" << nl
-            << "    points put on their planes " << reading.pointsPutOnSides
-            << ", by " << reading.largestMove << " m at most"
-            << ", faces turned to the fluid "
-            << reading.flippedFaces - flipped << endl;
-
-        const List<wallDefect> defects(findWallDefects(wall, true));
-        if (defects.size())
-        {
-            FatalErrorInFunction
-                << "The wall has defects after its border was put on the side"
-                << " patches" << nl << describe(defects).c_str()
-                << exit(FatalError);
-        }
+        Info<< nl;
     }
-
-    prepareFaces(wall);
-
-    return wall;
+    Info<< flush;
 }
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-preparedWall readWall
+caseWall readWall
 (
     const fileNameList& surfaceFiles,
     const prismLayerControls& controls,
@@ -165,38 +194,52 @@ preparedWall readWall
     (
         readFiles(surfaceFiles, controls.surface, reading, log)
     );
-    wallSurfaceControls onSides(controls.surface);
-    onSides.sidePlanes = withBoxSides
+
+    caseWall wall;
+    wall.prepared = prepareWall
     (
-        given, controls.surface.sidePlanes, controls.farField.boundary
+        given, controls, makeSearches(controls.surface.remesh.regions, time),
+        log.observer()
     );
-
-    preparedWall result;
-    result.prepared.surface = given;
-    if (reading.cadFiles.size())
+    const preparedWall& prepared = wall.prepared;
+    if (prepared.nFlips)
     {
-        result.prepared.changes.add("cad", reading.cadFiles);
+        Info<< "    triangles of almost no height, flipped " << prepared.nFlips
+            << endl;
     }
-    repair(onSides, controls.layers, result.prepared, log);
-    const wallSurface& surface = result.prepared.surface;
-    const bool mayBeOpen = onSides.sidePlanes.size();
-    result.defects = checkWall(surface, mayBeOpen, reading, log);
-
-    if (result.defects.size())
+    if (prepared.nCut)
     {
-        if (wantsAdvice)
-        {
-            result.advice = adviceOnDefects(given, onSides, controls.layers);
-        }
-
-        return result;
+        Info<< "    faces cut into triangles, because a point cannot see all"
+            << " its faces " << prepared.nCut << endl;
     }
 
-    remesh(onSides, result.prepared, time, log);
-    result.wall = takeWall(surface, onSides, controls.layers, reading, log);
-    renumberWall(result.wall);
+    wall.changes = toDictionary(reading, prepared);
+    wall.defects = textOf(prepared.defects, reading);
+    if (wantsAdvice)
+    {
+        wall.advice =
+            wall.defects.size()
+          ? adviceOnDefects(given, controls)
+          : adviceOnAngles(prepared.wall, controls.surface.remesh);
+    }
 
-    return result;
+    return wall;
+}
+
+
+void writePrepared
+(
+    const caseWriter& writer,
+    const fileName& file,
+    const wallSurface& surface
+)
+{
+    replaceFiles([&](replacedFiles& replaced)
+    {
+        writer.writeSurface(file, surface, replaced);
+    });
+    logPatches(surface);
+    Info<< nl << "Surface: " << file << nl << endl;
 }
 
 } // End namespace Foam

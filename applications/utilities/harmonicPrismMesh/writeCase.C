@@ -60,7 +60,7 @@ void writeCase
     const prismCase& files,
     const parallelRun& parallel,
     const caseWriter& writer,
-    const preparedWall& given,
+    const caseWall& given,
     autoPtr<caseLayers>& made,
     stageLog& log,
     replacedFiles& replaced
@@ -98,7 +98,7 @@ void writeCase
     report.stages = log.costs();
 
     dictionary entries(toDictionary(report));
-    entries.add("surface", given.prepared.changes);
+    entries.add("surface", given.changes);
     if (processes.size())
     {
         entries.add("processes", processes);

@@ -15,18 +15,15 @@ sizeBounds makeSizeBounds(const farFieldControls& controls, const Time& time)
 {
     sizeBounds bounds;
     bounds.largest = controls.maxCellSize;
-    const label n = controls.regions.size();
-    if (!n)
+    if (controls.regions.empty())
     {
         return bounds;
     }
 
-    const auto searches = std::make_shared<PtrList<regionSearch>>(n);
-
-    forAll(controls.regions, i)
-    {
-        searches->set(i, new regionSearch(controls.regions[i], time));
-    }
+    const auto searches = std::make_shared<const PtrList<regionSearch>>
+    (
+        makeSearches(controls.regions, time)
+    );
 
     bounds.atPoints = [=](const pointField& points)
     {

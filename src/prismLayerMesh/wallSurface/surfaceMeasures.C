@@ -15,17 +15,19 @@ namespace Foam
 surfaceMeasures measuresOf(const wallSurface& surface)
 {
     surfaceMeasures result;
-    for (const face& f : surface.faces)
-    {
-        result.area += f.mag(surface.points);
-    }
     if (surface.faces.size() && outline(surface.faces).empty())
     {
         result.volume = mag(enclosedVolume(surface));
     }
 
-    for (const scalar angle : smallestAngles(surface))
+    result.angles.resize(surface.faces.size());
+    forAll(surface.faces, facei)
     {
+        const face& f = surface.faces[facei];
+        const scalar angle =
+            radToDeg(smallestAngleOf(f.points(surface.points)));
+        result.area += f.mag(surface.points);
+        result.angles[facei] = angle;
         result.smallestAngle = min(result.smallestAngle, angle);
 
         if (angle < surfaceMeasures::smallAngle)
@@ -65,21 +67,6 @@ List<patchMeasures> measuresOfPatches(const wallSurface& surface)
         const bool isPlane =
             sum >= (1 - patchMeasures::planeTolerance)*patch.area;
         patch.normal = isPlane ? patch.normal/sum : Zero;
-    }
-
-    return result;
-}
-
-
-scalarField smallestAngles(const wallSurface& surface)
-{
-    scalarField result(surface.faces.size());
-    forAll(result, facei)
-    {
-        result[facei] = radToDeg
-        (
-            smallestAngleOf(surface.faces[facei].points(surface.points))
-        );
     }
 
     return result;

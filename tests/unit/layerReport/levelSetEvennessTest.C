@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "levelSetReport.H"
-#include "renumberWall.H"
+#include "prepareWall.H"
 #include "testStages.H"
 #include "testSurfaces.H"
 
@@ -66,11 +66,9 @@ struct evenness
 
 
 //- A wall as the utility numbers it
-static wallSurface alongCurve(wallSurface wall)
+static wallSurface alongCurve(const wallSurface& wall)
 {
-    renumberWall(wall);
-
-    return wall;
+    return prepareWall(wall, prismLayerControls()).wall;
 }
 
 

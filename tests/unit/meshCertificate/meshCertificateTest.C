@@ -84,7 +84,7 @@ static prismLayers multipleNormals(const wallSurface& wall)
         wall,
         controls,
         localHeights(),
-        stageObserver{[](const word&) {}, [](const string&) {}}
+        stageObserver()
     ).made.layers;
 }
 

@@ -174,7 +174,7 @@ TEST_F(meshFiles, severalColumnsOnOnePoint)
         makePrismLayerMesh
         (
             quadCube(3), controls, localHeights(),
-            stageObserver{[](const word&) {}, [](const string&) {}}
+            stageObserver()
         )
     );
 

@@ -45,7 +45,7 @@ struct dividedMesh
             wall,
             controls,
             localHeights(),
-            stageObserver{[](const word&) {}, [](const string&) {}}
+            stageObserver()
         ).made.layers;
         mesh.reset(new memoryMesh(layers));
     }

@@ -101,13 +101,11 @@ static wallSurface remeshed
 )
 {
     const autoPtr<Time> time(Time::New());
-    PtrList<regionSearch> regions;
-    for (const edgeRegion& region : controls.regions)
-    {
-        regions.append(new regionSearch(region, time()));
-    }
 
-    return remeshSurface(surface, controls, regions).surface;
+    return remeshSurface
+    (
+        surface, controls, makeSearches(controls.regions, time())
+    ).surface;
 }
 
 

@@ -99,7 +99,7 @@ Foam::prismLayerMesh Foam::testSurfaces::layeredMesh
         wall,
         controls,
         local,
-        stageObserver{[](const word&) {}, [](const string&) {}}
+        stageObserver()
     );
 }
 

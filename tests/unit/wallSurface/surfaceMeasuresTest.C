@@ -37,7 +37,7 @@ TEST(surfaceMeasures, anglesAreThoseOfEachFace)
     surface.points = pointField({Zero, {1, 0, 0}, {1, 1, 0}, {0, 2, 0}});
     surface.faces = faceList({face({0, 1, 2}), face({0, 2, 3})});
 
-    const scalarField angles(smallestAngles(surface));
+    const scalarField angles(measuresOf(surface).angles);
 
     EXPECT_NEAR(angles[0], 45, 1e-10);
     EXPECT_NEAR(angles[1], 45, 1e-10);

@@ -8,6 +8,7 @@
 #include "fuzzCase.C"
 #include "makeFuzzCase.C"
 #include "writeFuzzCase.C"
+#include "fuzzWall.C"
 #include "meshFuzzCase.C"
 #include "meshFaults.C"
 #include "fuzzFarField.C"

@@ -4,8 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "replacedFiles.C"
-#include "prepareSurface.C"
-#include "surfaceAdvice.C"
 #include "readWall.C"
 #include "readDomain.C"
 #include "layerSurfaces.C"

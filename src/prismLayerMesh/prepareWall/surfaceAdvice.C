@@ -3,13 +3,11 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "surfaceAdvice.H"
+#include "prepareWall.H"
+#include "boxSidePlanes.H"
+#include "OStringStream.H"
 #include "planesOfBorder.H"
-#include "repairSurface.H"
-#include "splitAtSidePatches.H"
-#include "surfaceMeasures.H"
 #include "throwingErrors.H"
-#include "wallDefects.H"
 
 namespace Foam
 {
@@ -19,44 +17,33 @@ namespace Foam
 //- More faces with small angles than this share are worth remeshing
 static constexpr scalar fewSmallAngles = 1e-3;
 
+//- Digits of coordinates in the advice: more than sideTolerance needs, wherever
+//  the surface is
+static constexpr int digits = 12;
 
-//- Whether the wall that ends on these planes has no defects
+
+//- Whether a surface has no defects once it is prepared as the controls say.
+//  It is not remeshed.
 static bool isMended
 (
     const wallSurface& surface,
-    const List<sidePatch>& planes,
-    const wallSurfaceControls& controls,
-    const layerControls& layers
+    prismLayerControls controls,
+    preparedWall& prepared
 )
 {
-    if (findWallDefects(surface, planes.size()).size())
-    {
-        return false;
-    }
-
-    wallSurfaceControls ending(controls);
-    ending.sidePlanes = planes;
+    controls.surface.remesh.active = false;
     const throwingErrors throwing;
     try
     {
-        wallReading reading;
-        const wallSurface wall
-        (
-            splitAtSidePatches(surface, ending, layers, reading)
-        );
+        prepared = prepareWall(surface, controls);
 
-        return findWallDefects(wall, planes.size()).empty();
+        return prepared.defects.empty();
     }
     catch (const Foam::error&)
     {
         return false;
     }
 }
-
-
-//- Digits of coordinates in the advice: more than sideTolerance needs, wherever
-//  the surface is
-static constexpr int digits = 12;
 
 
 //- The entries of the dictionary that make these side planes
@@ -77,22 +64,26 @@ static string entriesOf(const List<sidePatch>& planes)
 
 
 //- Side planes without which a surface has defects, and with which it has none;
-//  none if some are given already
+//  none if it has some already.
+//  like: has the border for which there are to be planes
 static List<sidePatch> planesThatMend
 (
     const wallSurface& surface,
-    const wallSurfaceControls& controls,
-    const layerControls& layers
+    prismLayerControls controls,
+    const wallSurface& like
 )
 {
-    if (controls.sidePlanes.size())
+    List<sidePatch>& planes = controls.surface.sidePlanes;
+    planes = withBoxSides(surface, planes, controls.farField.boundary);
+    if (planes.size() || like.faces.empty())
     {
         return List<sidePatch>();
     }
 
-    const List<sidePatch> planes(planesOfBorder(surface));
+    planes = planesOfBorder(like);
+    preparedWall prepared;
 
-    return isMended(surface, planes, controls, layers)
+    return planes.size() && isMended(surface, controls, prepared)
       ? planes : List<sidePatch>();
 }
 
@@ -102,34 +93,31 @@ static List<sidePatch> planesThatMend
 string adviceOnDefects
 (
     const wallSurface& surface,
-    const wallSurfaceControls& controls,
-    const layerControls& layers
+    const prismLayerControls& controls
 )
 {
     typedef surfaceRepairControls::method method;
-    wallSurfaceControls stitching(controls);
-    if (stitching.repair.repair == method::wrap)
+    if (controls.surface.repair.repair == method::wrap)
     {
         return "";
     }
 
-    stitching.repair.repair = method::stitch;
-    const repairedSurface stitched
-    (
-        repairSurface(surface, stitching, layers)
-    );
-    if (isMended(stitched.surface, stitching.sidePlanes, controls, layers))
+    prismLayerControls stitching(controls);
+    stitching.surface.repair.repair = method::stitch;
+    preparedWall stitched;
+    if (isMended(surface, stitching, stitched))
     {
+        const surfaceChange& change = stitched.repair;
         OStringStream os;
         os  << "surface.repair stitch mends this surface. It moves faces by at"
             << " most "
-            << max(stitched.distance.largest, stitched.distanceOfGiven.largest)
+            << max(change.distance.largest, change.distanceOfGiven.largest)
             << " m.";
 
         return os.str();
     }
 
-    const List<sidePatch> planes(planesThatMend(surface, controls, layers));
+    const List<sidePatch> planes(planesThatMend(surface, controls, surface));
     if (planes.size())
     {
         return "The border of the surface is on planes. With these entries the"
@@ -138,7 +126,7 @@ string adviceOnDefects
 
     const List<sidePatch> more
     (
-        planesThatMend(stitched.surface, controls, layers)
+        planesThatMend(surface, stitching, stitched.surface)
     );
     if (more.size())
     {
