@@ -5,8 +5,7 @@
 
 #include "fitHeights.H"
 #include "displaceColumns.H"
-
-#include <algorithm>
+#include "ranges.H"
 
 namespace Foam
 {
@@ -68,10 +67,7 @@ static labelList fittedFaces(const layerEditor& editor)
     {
         const face& f = front.surface.faces[facei];
 
-        return std::none_of(f.begin(), f.end(), [&](const label c)
-        {
-            return isLong[c];
-        });
+        return !anyOf(f, [&](const label c) { return isLong[c]; });
     });
 }
 
