@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "embeddingFault.H"
-#include "removeUnused.H"
+#include "surfacePart.H"
 #include "wallDefects.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //

@@ -6,6 +6,7 @@
 #include "backgroundMesh.H"
 #include "ListOps.H"
 #include "frontTets.H"
+#include "ranges.H"
 #include "sideFacets.H"
 #include "slitEdges.H"
 #include "tetrahedralize.H"
@@ -71,10 +72,7 @@ static void setTets
 {
     mesh.tets = subsetList(tets, [&](const tetCell& tet)
     {
-        return std::any_of(tet.begin(), tet.end(), [&](const label p)
-        {
-            return mesh.inside(p);
-        });
+        return anyOf(tet, [&](const label p) { return mesh.inside(p); });
     });
 
     fillGaps(mesh);
@@ -233,12 +231,7 @@ backgroundMesh makeBackgroundMesh(const fieldBlock& block)
         const tetCell& tet = filled.tets[t];
         isFront[t] = std::any_of(tet.begin(), tet.end(), isWhole)
           ? isFront[t]
-          : std::any_of
-            (
-                tet.begin(),
-                tet.end(),
-                [&](const label p) { return mesh.free[p]; }
-            );
+          : anyOf(tet, [&](const label p) { return mesh.free[p]; });
     }
     setTets
     (

@@ -4,8 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "fieldBlock.H"
-#include "boundBox.H"
-#include "wallPart.H"
+#include "surfacePart.H"
 #include "ListOps.H"
 
 #include <algorithm>
@@ -67,53 +66,6 @@ static void divide
     labelList second(SubList<label>(part, part.size() - half, half));
     divide(points, radius, controls, first, parts);
     divide(points, radius, controls, second, parts);
-}
-
-
-//- The points that a block is for, then the others of its faces
-static labelList pointsOf
-(
-    const wallSurface& wall,
-    const labelList& own,
-    const UList<bool>& faces
-)
-{
-    boolList taken(wall.points.size(), false);
-    forAll(faces, facei)
-    {
-        if (faces[facei])
-        {
-            UIndirectList<bool>(taken, wall.faces[facei]) = true;
-        }
-    }
-    UIndirectList<bool>(taken, own) = false;
-
-    labelList points(own);
-    points.append(findIndices(taken, true));
-
-    return points;
-}
-
-
-//- The points and faces of a block as a wall
-static wallSurface blockWall
-(
-    const wallSurface& wall,
-    const labelUList& points,
-    const UList<bool>& inside
-)
-{
-    wallSurface result;
-    result.points = pointField(wall.points, points);
-    result.faces = faceList(wall.faces, findIndices(inside, true));
-
-    const labelList local(invert(wall.points.size(), points));
-    for (face& f : result.faces)
-    {
-        inplaceRenumber(local, f);
-    }
-
-    return result;
 }
 
 
@@ -182,19 +134,19 @@ fieldBlock makeFieldBlock
 {
     const scalar reach = reachOf(radii.radius, own, controls);
     const boundBox box(widened(boundBox(wall.points, own, false), reach));
-    const boolList inside(facesIn(wall, box));
-    const boundBox around
-    (
-        widened(boxOfFaces(wall, inside), reach)
-    );
+    const labelList inside(facesIn(wall, box));
+    const boundBox around(widened(boxOfFaces(wall, inside), reach));
+    bitSet others(pointsOf(faceList(wall.faces, inside), wall.points.size()));
+    others.unset(own);
 
     fieldBlock block;
-    block.points = pointsOf(wall, own, inside);
+    block.points = own;
+    block.points.append(others.toc());
     block.nOwn = own.size();
-    block.wall = blockWall(wall, block.points, inside);
+    block.wall = partOf(wall, block.points, inside);
 
-    const wallPart near(makeWallPart(wall, facesIn(wall, around)));
-    wallContext context(near.wall);
+    const surfacePart near(makeSurfacePart(wall, facesIn(wall, around)));
+    wallContext context(near.surface);
     const labelList nearPoints(near.localPoints(block.points));
     block.envelope = makeOffsetEnvelope
     (

@@ -98,11 +98,10 @@ surfaceTopology wallTopology
     const wallAddressing& addressing
 )
 {
-    disjointSets components(wall.points.size());
-    for (const edge& e : addressing.edges)
-    {
-        components.join(e.start(), e.end());
-    }
+    disjointSets components
+    (
+        connectedPoints(wall.points.size(), addressing.edges)
+    );
 
     surfaceTopology topology;
     forAll(wall.points, p)

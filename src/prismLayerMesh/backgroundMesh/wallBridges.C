@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallBridges.H"
+#include "ranges.H"
 
 namespace Foam
 {
@@ -92,15 +93,10 @@ static bool isTip
     const label b
 )
 {
-    for (const label p : pointPoints[a])
+    return anyOf(pointPoints[a], [&](const label p)
     {
-        if (pointPoints[b].found(p))
-        {
-            return true;
-        }
-    }
-
-    return false;
+        return pointPoints[b].found(p);
+    });
 }
 
 

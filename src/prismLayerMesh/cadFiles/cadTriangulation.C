@@ -7,7 +7,6 @@
 #include "bitSet.H"
 #include "boundBox.H"
 #include "cadPatches.H"
-#include "EdgeMap.H"
 #include "HashSet.H"
 #include "StringStream.H"
 #include "triFace.H"
@@ -45,27 +44,15 @@ static void countFaults(cadTriangulation& made)
 {
     const wallSurface& wall = made.wall;
     HashSet<triFace, triFace::Hash<>> triangles;
-    EdgeMap<label> nFaces;
     bitSet hasTriangles(wall.patchNames.size());
     hasTriangles.set(wall.patchIDs);
 
     for (const face& f : wall.faces)
     {
         made.nTwins += !triangles.insert(triFace(f));
-
-        forAll(f, i)
-        {
-            ++nFaces(f.faceEdge(i), 0);
-        }
     }
-
-    if (made.model.solidLabels.size())
-    {
-        forAllConstIters(nFaces, iter)
-        {
-            made.nOpen += iter.val() == 1;
-        }
-    }
+    made.nOpen =
+        made.model.solidLabels.size() ? outline(wall.faces).size() : 0;
     made.nBare =
         wall.patchNames.size() - made.nBetween - hasTriangles.count();
 }

@@ -4,57 +4,19 @@
 \*---------------------------------------------------------------------------*/
 
 #include "frontPart.H"
+#include "ListOps.H"
 #include "placeInList.H"
-
-#include <algorithm>
 
 namespace Foam
 {
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- Sorts items by label, and keeps each once
-template<class Item>
-static void makeUnique(DynamicList<Item>& items)
-{
-    std::sort(items.begin(), items.end(), [](const Item& a, const Item& b)
-    {
-        return a.whole < b.whole;
-    });
-    const auto end = std::unique
-    (
-        items.begin(), items.end(),
-        [](const Item& a, const Item& b) { return a.whole == b.whole; }
-    );
-    items.setSize(end - items.begin());
-}
-
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void frontCollector::sort()
 {
-    makeUnique(columns_);
-    makeUnique(faces_);
-
-    const auto before = [](const borderEdge& a, const borderEdge& b)
-    {
-        return a.columns.start() < b.columns.start()
-            || (
-                    a.columns.start() == b.columns.start()
-                 && a.columns.end() < b.columns.end()
-                );
-    };
-    std::sort(border_.begin(), border_.end(), before);
-    const auto end = std::unique
-    (
-        border_.begin(), border_.end(),
-        [&](const borderEdge& a, const borderEdge& b)
-        {
-            return !before(a, b) && !before(b, a);
-        }
-    );
-    border_.setSize(end - border_.begin());
+    inplaceUniqueSort(columns_);
+    inplaceUniqueSort(faces_);
+    inplaceUniqueSort(border_);
 }
 
 
@@ -145,38 +107,42 @@ void frontCollector::addFaces
     const labelUList& which
 )
 {
+    const wallSurface& surface = front.surface;
     bitSet isIn(columns.size());
-    labelList patches(which.size()), sizes(which.size());
+    DynamicList<frontFace> items(which.size());
     DynamicList<label> corners(3*which.size());
-    forAll(which, i)
+    for (const label facei : which)
     {
-        const face& f = front.surface.faces[which[i]];
+        const face& f = surface.faces[facei];
         isIn.set(f);
-        patches[i] = front.surface.patchIDs[which[i]];
-        sizes[i] = f.size();
+        items.append
+        (
+            frontFace
+            {
+                faces[facei], surface.patchIDs[facei], corners.size(), f.size()
+            }
+        );
         for (const label c : f)
         {
             corners.append(columns[c]);
         }
     }
-    m.addList(labelList(UIndirectList<label>(faces, which)));
-    m.addList(patches);
-    m.addList(sizes);
+    m.addList(items);
     m.addList(corners);
 
     DynamicList<borderEdge> border;
-    forAll(front.surface.border.edges, i)
+    forAll(surface.border.edges, i)
     {
-        const edge& e = front.surface.border.edges[i];
+        const edge& e = surface.border.edges[i];
         if (isIn.test(e.start()) && isIn.test(e.end()))
         {
             border.append
             (
                 borderEdge
-                {
-                    edge(columns[e.start()], columns[e.end()]),
-                    front.surface.border.edgeSides[i]
-                }
+                ({
+                    columns[e.start()], columns[e.end()],
+                    surface.border.edgeSides[i]
+                })
             );
         }
     }
@@ -188,16 +154,13 @@ void frontCollector::addFaces
 
 void frontCollector::take(messageReader& reader)
 {
-    const labelList faces(reader.list<label>());
-    const labelList patches(reader.list<label>());
-    const labelList sizes(reader.list<label>());
-    label next = corners_.size();
-    corners_.append(reader.list<label>());
-    forAll(faces, i)
+    const label first = corners_.size();
+    for (frontFace f : reader.list<frontFace>())
     {
-        faces_.append(frontFace{faces[i], patches[i], next, sizes[i]});
-        next += sizes[i];
+        f.firstCorner += first;
+        faces_.append(f);
     }
+    corners_.append(reader.list<label>());
     border_.append(reader.list<borderEdge>());
     columns_.append(reader.list<frontColumn>());
 }
@@ -237,9 +200,9 @@ frontPart frontCollector::part(const wallSurface& like)
     placeInList place(part.columns);
     forAll(border_, i)
     {
-        const edge& e = border_[i].columns;
-        surface.border.edges[i] = edge(place(e.start()), place(e.end()));
-        surface.border.edgeSides[i] = border_[i].side;
+        const borderEdge& e = border_[i];
+        surface.border.edges[i] = edge(place(e[0]), place(e[1]));
+        surface.border.edgeSides[i] = e[2];
     }
 
     return part;

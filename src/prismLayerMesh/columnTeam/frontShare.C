@@ -5,6 +5,7 @@
 
 #include "frontShare.H"
 #include "ListOps.H"
+#include "surfacePart.H"
 
 namespace Foam
 {
@@ -124,16 +125,7 @@ struct shareBuilder
     {
         const wallSurface& from = whole.surface;
         wallSurface& surface = share.front.surface;
-        surface.points = some(from.points, share.columns);
-        surface.faces = some(from.faces, share.faces);
-        for (face& f : surface.faces)
-        {
-            inplaceRenumber(newColumns, f);
-        }
-        surface.patchIDs = some(from.patchIDs, share.faces);
-        surface.patchNames = from.patchNames;
-        surface.patchTypes = from.patchTypes;
-        surface.border.sides = from.border.sides;
+        surface = partOf(from, share.columns, share.faces);
 
         DynamicList<edge> edges;
         DynamicList<label> sides;

@@ -92,7 +92,7 @@ boolList countedWallFaces(const layerFront& front, const columnTeam& team)
 }
 
 
-List<wallPart> wallPartsInBoxes
+List<surfacePart> wallPartsInBoxes
 (
     const layerFront& front,
     const columnTeam& team,
@@ -137,12 +137,13 @@ List<wallPart> wallPartsInBoxes
         }
     }
 
-    List<wallPart> parts(nOwn);
+    List<surfacePart> parts(nOwn);
     forAll(parts, i)
     {
         frontPart part(collectors[i].part(wall));
         parts[i].points = std::move(part.columns);
-        parts[i].wall = std::move(part.front.surface);
+        parts[i].faces = std::move(part.faces);
+        parts[i].surface = std::move(part.front.surface);
         collectors[i] = frontCollector();
     }
 
@@ -150,7 +151,7 @@ List<wallPart> wallPartsInBoxes
 }
 
 
-wallPart wallPartInBoxes
+surfacePart wallPartInBoxes
 (
     const layerFront& front,
     const columnTeam& team,

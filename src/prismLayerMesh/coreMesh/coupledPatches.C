@@ -4,8 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "coupledPatches.H"
-
-#include <algorithm>
+#include "ranges.H"
 
 namespace Foam
 {
@@ -26,11 +25,7 @@ static label nStaying
         t.owner, t.patchSizes[patchi], t.patchStarts[patchi]
     );
 
-    return std::count_if
-    (
-        owners.begin(), owners.end(),
-        [&](const label celli) { return stays[celli]; }
-    );
+    return countOf(owners, [&](const label celli) { return stays[celli]; });
 }
 
 

@@ -4,10 +4,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "overlappingCells.H"
-#include "indexedOctree.H"
 #include "ListOps.H"
 #include "polyMesh.H"
 #include "regionSplit.H"
+#include "searchTree.H"
 #include "treeDataCell.H"
 
 namespace Foam
@@ -17,13 +17,6 @@ namespace Foam
 
 namespace
 {
-
-//- Levels, cells in a leaf, and share of cells in several leaves of a search
-//  tree, as polyMesh has them
-const label treeLevels = 8;
-const scalar treeLeafSize = 10;
-const scalar treeDuplicity = 5;
-
 
 //- The cells of one region
 class regionCells
@@ -41,16 +34,8 @@ public:
         {
             box_.add(mesh.points(), mesh.cellPoints(celli));
         }
-        treeBoundBox around(box_);
-        around.inflate(1e-4);
-        tree_.reset
-        (
-            new indexedOctree<treeDataCell>
-            (
-                treeDataCell(true, mesh, cells, polyMesh::FACE_PLANES),
-                around, treeLevels, treeLeafSize, treeDuplicity
-            )
-        );
+        const treeDataCell items(true, mesh, cells, polyMesh::FACE_PLANES);
+        tree_ = makeSearchTree(items, box_, 1e-4, 8);
     }
 
     //- The cell at a place, or -1

@@ -6,8 +6,7 @@
 #include "roomParts.H"
 #include "bitSet.H"
 #include "disjointSets.H"
-
-#include <algorithm>
+#include "ranges.H"
 
 namespace Foam
 {
@@ -89,13 +88,10 @@ label roomParts::nElsewhere(const cellZoneParts& zone) const
 {
     const labelHashSet parts(partsIn(zone));
 
-    return std::count_if
-    (
-        zone.cells.begin(), zone.cells.end(), [&](const label celli)
-        {
-            return parts_[celli] >= 0 && !parts.found(parts_[celli]);
-        }
-    );
+    return countOf(zone.cells, [&](const label celli)
+    {
+        return parts_[celli] >= 0 && !parts.found(parts_[celli]);
+    });
 }
 
 } // End namespace Foam

@@ -5,8 +5,7 @@
 
 #include "cellSizes.H"
 #include "farFieldMeshControls.H"
-#include "indexedOctree.H"
-#include "treeBoundBox.H"
+#include "searchTree.H"
 #include "treeDataPoint.H"
 
 namespace Foam
@@ -30,28 +29,6 @@ static point partCentre
     }
 
     return c;
-}
-
-
-//- Search tree of points, in a box around them and another box
-static autoPtr<indexedOctree<treeDataPoint>> searchTree
-(
-    const pointField& points,
-    const boundBox& box
-)
-{
-    boundBox around(points, false);
-    around.add(box);
-    around.inflate(farFieldTuned.treeMargin);
-
-    return autoPtr<indexedOctree<treeDataPoint>>::New
-    (
-        treeDataPoint(points),
-        treeBoundBox(around),
-        farFieldTuned.treeLevels,
-        farFieldTuned.treeLeafSize,
-        farFieldTuned.treeDuplicity
-    );
 }
 
 
@@ -176,7 +153,9 @@ cellSizes::cellSizes
 {
     corner_ = box.midpoint() - point::uniform(0.5*width_);
 
-    const auto tree(searchTree(points_, box));
+    boundBox around(points_, false);
+    around.add(box);
+    const auto tree(makeSearchTree(treeDataPoint(points_), around, 0.01, 8));
 
     // One generation of cubes after the other
     const point& middle = box.midpoint();

@@ -5,9 +5,7 @@
 
 #include "farBoundary.H"
 #include "disjointSets.H"
-#include "edgeHashes.H"
 #include "labelledTriangle.H"
-#include "refineSurface.H"
 #include "wallSearch.H"
 
 namespace Foam
@@ -68,7 +66,7 @@ static boolList aroundFluid(const wallSurface& outer)
           & f.areaNormal(outer.points);
     }
     bitSet isAround(outer.points.size());
-    for (const edge& e : openEdges(outer.faces))
+    for (const edge& e : outline(outer.faces))
     {
         isAround.set(bodyOf.find(e.start()));
     }
@@ -128,12 +126,12 @@ void checkFarBoundary(const wallSurface& both, const label nOuter)
             << exit(FatalError);
     }
 
-    const edgeHashSet open(openEdges(both.faces));
+    const edgeList open(outline(both.faces));
     if (open.size())
     {
         FatalErrorInFunction
             << "The far boundary is not around the wall: it is open at "
-            << open.begin().key().centre(both.points) << exit(FatalError);
+            << open[0].centre(both.points) << exit(FatalError);
     }
 
     checkBodies(both, nOuter);

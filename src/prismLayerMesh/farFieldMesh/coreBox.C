@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "coreBox.H"
+#include "ranges.H"
 
 namespace Foam
 {
@@ -67,17 +68,12 @@ static void addPatch(const word& name, const word& type, meshPatches& patches)
 
 bool staysOnSides(const UList<sidePatch>& sides, const bool isHexCore)
 {
-    for (const sidePatch& side : sides)
+    return allOf(sides, [&](const sidePatch& side)
     {
         const bool alongAxis = cmptMax(cmptMag(side.normal)) > 1 - 1e-12;
 
-        if (side.isPart() || (isHexCore && !alongAxis))
-        {
-            return false;
-        }
-    }
-
-    return true;
+        return !side.isPart() && (alongAxis || !isHexCore);
+    });
 }
 
 

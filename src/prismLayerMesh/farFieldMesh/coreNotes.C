@@ -4,9 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "coreNotes.H"
+#include "ranges.H"
 #include "roomParts.H"
 
-#include <algorithm>
 #include <cmath>
 #include <sstream>
 
@@ -14,15 +14,6 @@ namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-static scalar median(scalarField values)
-{
-    const auto middle = values.begin() + values.size()/2;
-    std::nth_element(values.begin(), middle, values.end());
-
-    return *middle;
-}
-
 
 static void addWidths
 (
@@ -45,7 +36,7 @@ static void addWidths
         flattest = max(flattest, cmptMax(box.span())/cmptMin(box.span()));
     }
 
-    const scalar middle = median(ratios);
+    const scalar middle = medianOf(ratios);
     std::ostringstream text;
     text.precision(3);
     text<< "cells at the cut " << ratios.size() << "; width over the size that"

@@ -3,6 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
+#include "ranges.H"
 #include "refineSurface.H"
 #include "farFieldMeshControls.H"
 #include "EdgeMap.H"
@@ -113,7 +114,7 @@ static bool flipOnce(wallSurface& surface, const bool inPlane)
 static boolList findInner(const wallSurface& surface)
 {
     boolList isInner(surface.points.size(), true);
-    for (const edge& e : openEdges(surface.faces))
+    for (const edge& e : outline(surface.faces))
     {
         isInner[e.start()] = isInner[e.end()] = false;
     }
@@ -166,17 +167,12 @@ static bool isTurned
     const UList<vector>& normals
 )
 {
-    for (const label facei : faces)
+    return anyOf(faces, [&](const label facei)
     {
         const face& f = surface.faces[facei];
 
-        if ((f.areaNormal(surface.points) & normals[facei]) <= 0)
-        {
-            return true;
-        }
-    }
-
-    return false;
+        return (f.areaNormal(surface.points) & normals[facei]) <= 0;
+    });
 }
 
 
@@ -226,25 +222,6 @@ static void smoothOnce
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
-edgeHashSet openEdges(const faceList& faces)
-{
-    edgeHashSet open;
-    for (const face& f : faces)
-    {
-        for (const edge& e : f.edges())
-        {
-            // The second face closes it
-            if (!open.insert(e))
-            {
-                open.erase(e);
-            }
-        }
-    }
-
-    return open;
-}
-
 
 void flipEdges(wallSurface& surface, const bool inPlane)
 {

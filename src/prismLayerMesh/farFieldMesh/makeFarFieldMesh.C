@@ -11,9 +11,9 @@
 #include "fillWithTets.H"
 #include "improveTets.H"
 #include "outerTriangles.H"
+#include "ranges.H"
 #include "tetrahedralize.H"
 
-#include <algorithm>
 #include <functional>
 #include <memory>
 
@@ -193,11 +193,10 @@ static void dropEmptySides(const UList<sidePatch>& sides, farFieldMesh& far)
     forAll(far.patches.names, patchi)
     {
         const word& name = far.patches.names[patchi];
-        const bool isSide = std::any_of
-        (
-            sides.begin(), sides.end(),
-            [&](const sidePatch& side) { return side.name == name; }
-        );
+        const bool isSide = anyOf(sides, [&](const sidePatch& side)
+        {
+            return side.name == name;
+        });
         if (isSide || far.topology.patchSizes[1 + patchi])
         {
             kept.append(patchi);

@@ -5,6 +5,7 @@
 
 #include "planePoints.H"
 #include "boundBox.H"
+#include "ranges.H"
 #include "sideShape.H"
 #include "farFieldMeshControls.H"
 #include "sparsePoints.H"
@@ -202,14 +203,11 @@ pointField planePoints
     forAll(squares.centres(), i)
     {
         const point& x = squares.centres()[i];
-        const bool nearLimit = std::any_of
-        (
-            region.limits.begin(), region.limits.end(), [&](const edge& e)
-            {
-                return e.line(points).nearestDist(x).distance()
-                    < farFieldTuned.limitShare*squares.sizes()[i];
-            }
-        );
+        const bool nearLimit = anyOf(region.limits, [&](const edge& e)
+        {
+            return e.line(points).nearestDist(x).distance()
+                < farFieldTuned.limitShare*squares.sizes()[i];
+        });
 
         if (!nearLimit)
         {

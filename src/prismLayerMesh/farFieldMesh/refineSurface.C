@@ -193,7 +193,7 @@ void refineSurface
     const std::function<point(const point&)>& project
 )
 {
-    const edgeHashSet kept(openEdges(surface.faces));
+    const edgeHashSet kept(outline(surface.faces));
 
     const auto divideOnce = [&]()
     {

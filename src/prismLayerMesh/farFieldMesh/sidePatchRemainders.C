@@ -7,10 +7,9 @@
 #include "coarsenCuts.H"
 #include "convexPolyhedron.H"
 #include "edgeHashes.H"
-#include "removeUnused.H"
+#include "ranges.H"
+#include "surfacePart.H"
 #include "sideRegions.H"
-
-#include <algorithm>
 
 namespace Foam
 {
@@ -19,10 +18,7 @@ namespace Foam
 
 static bool hasAny(const edgeHashSet& all, const edgeList& edges)
 {
-    return std::any_of
-    (
-        edges.begin(), edges.end(), [&](const edge& e) { return all.found(e); }
-    );
+    return anyOf(edges, [&](const edge& e) { return all.found(e); });
 }
 
 

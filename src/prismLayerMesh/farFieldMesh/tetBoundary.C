@@ -5,9 +5,11 @@
 
 #include "tetBoundary.H"
 #include "refineSurface.H"
-#include "removeUnused.H"
 #include "sidePatchRemainders.H"
 #include "sideShape.H"
+#include "surfacePart.H"
+
+#include <algorithm>
 
 namespace Foam
 {
@@ -104,34 +106,23 @@ tetBoundary makePlaneBoundary
 
     // Better triangles, of the points that are used, then with all points
     const label nKept = remainders.columns.size() + cut.surface.points.size();
-    wallSurface planes(remainders.surface);
-    const labelList newLabels(removeUnusedPoints(planes.faces, planes.points));
-    const labelList used(invert(planes.points.size(), newLabels));
-    const label nUsedKept = std::count_if
+    surfacePart planes
     (
-        newLabels.begin(), newLabels.begin() + nKept,
-        [](const label p) { return p >= 0; }
-    );
-    refineSurface(planes, size, nullptr);
-
-    result.surface = remainders.surface;
-    result.surface.points.setSize(nKept);
-    result.surface.points.append
-    (
-        SubList<point>
+        makeSurfacePart
         (
-            planes.points, planes.points.size() - nUsedKept, nUsedKept
+            remainders.surface, identity(remainders.surface.faces.size())
         )
     );
-    result.surface.faces = planes.faces;
-    result.surface.patchIDs = planes.patchIDs;
-    for (face& f : result.surface.faces)
-    {
-        for (label& p : f)
-        {
-            p = p < nUsedKept ? used[p] : p - nUsedKept + nKept;
-        }
-    }
+    const label nUsed = std::lower_bound
+    (
+        planes.points.begin(), planes.points.end(), nKept
+    ) - planes.points.begin();
+    refineSurface(planes.surface, size, nullptr);
+    result.surface.points = SubList<point>(remainders.surface.points, nKept);
+    appendSurface
+    (
+        planes.surface, SubList<label>(planes.points, nUsed), result.surface
+    );
 
     // By the names of the core's patches
     for (label& patchi : result.surface.patchIDs)
@@ -154,35 +145,16 @@ void addCut
 )
 {
     wallSurface& surface = boundary.surface;
-    const label nPatches = surface.patchNames.size();
-    const label nFaces = surface.faces.size();
-    label first = boundary.columns.size();
-    boundary.corePoints = labelList(surface.points.size(), -1);
-
-    if (boundary.nCutPoints == 0)
-    {
-        first = surface.points.size();
-        surface.points.append(cut.surface.points);
-        boundary.corePoints.append(cut.points);
-    }
-    else
-    {
-        SubList<label>(boundary.corePoints, cut.points.size(), first) =
-            cut.points;
-    }
-
+    const label first = boundary.nCutPoints
+      ? boundary.columns.size() : surface.points.size();
+    appendSurface
+    (
+        cut.surface, identity(boundary.nCutPoints, first), surface
+    );
     surface.patchNames.append(patches.names);
     surface.patchTypes.append(patches.types());
-    surface.faces.append(cut.surface.faces);
-    surface.patchIDs.append(cut.surface.patchIDs);
-    for (label i = nFaces; i < surface.faces.size(); ++i)
-    {
-        surface.patchIDs[i] += nPatches;
-        for (label& p : surface.faces[i])
-        {
-            p += first;
-        }
-    }
+    boundary.corePoints = labelList(surface.points.size(), -1);
+    SubList<label>(boundary.corePoints, cut.points.size(), first) = cut.points;
 
     boundary.cutFaces = cut.cutFaces;
     boundary.cutCells = cut.cutCells;
@@ -199,24 +171,8 @@ void addCut
 
 wallSurface joined(const wallSurface& outer, const tetBoundary& boundary)
 {
-    const wallSurface& far = boundary.surface;
-    const labelList& common = boundary.columns;
-    const label nCommon = common.size();
-    const label n = far.points.size() - nCommon;
-
-    wallSurface both;
-    both.points = outer.points;
-    both.points.append(SubList<point>(far.points, n, nCommon));
-    both.faces = outer.faces;
-    both.faces.append(far.faces);
-
-    for (label i = outer.faces.size(); i < both.faces.size(); ++i)
-    {
-        for (label& p : both.faces[i])
-        {
-            p = p < nCommon ? common[p] : p - nCommon + outer.points.size();
-        }
-    }
+    wallSurface both(outer);
+    appendSurface(boundary.surface, boundary.columns, both);
 
     return both;
 }

@@ -5,6 +5,7 @@
 
 #include "tetImprover.H"
 #include "farFieldMeshControls.H"
+#include "ranges.H"
 #include "splitTets.H"
 #include "tetrahedralize.H"
 
@@ -141,20 +142,10 @@ bool tetImprover::removeEdge(const label t, const edge& e)
 
 bool tetImprover::flip(const label t, const label i)
 {
-    if (flipFace(t, i))
+    return flipFace(t, i) || anyOf(edgesAt(t, i), [&](const auto& e)
     {
-        return true;
-    }
-
-    for (const std::pair<edge, label>& e : edgesAt(t, i))
-    {
-        if (removeEdge(e.second, e.first))
-        {
-            return true;
-        }
-    }
-
-    return false;
+        return removeEdge(e.second, e.first);
+    });
 }
 
 

@@ -3,6 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
+#include "ranges.H"
 #include "tetImprover.H"
 #include "farFieldMeshControls.H"
 #include "tetrahedralize.H"
@@ -91,20 +92,10 @@ void tetImprover::markChanged(const labelUList& points)
 
 bool tetImprover::hasChanged(const label t) const
 {
-    if (t < 0)
+    return t >= 0 && anyOf(tets_[t], [&](const label p)
     {
-        return false;
-    }
-
-    for (const label p : tets_[t])
-    {
-        if (changed_[p] + 1 >= pass_)
-        {
-            return true;
-        }
-    }
-
-    return false;
+        return changed_[p] + 1 >= pass_;
+    });
 }
 
 

@@ -7,9 +7,12 @@
 #include "isolatedProcess.H"
 #include "ListOps.H"
 #include "monotoneField.H"
+#include "returnMemory.H"
+#include "stageProgress.H"
 #include "throwingErrors.H"
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <cstdio>
 
@@ -18,22 +21,57 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
+//- Why each of the blocks has no field; empty if it has one
+typedef List<string> blockFailures;
+
+
+namespace
+{
+
+//- A wall, or the part of one that a block depends on
+struct blockGround
+{
+    const wallSurface& wall;
+    const envelopeRadii& radii;
+    const columnStarts& starts;
+    const dividedWall& how;
+};
+
+} // End anonymous namespace
+
+
+//- Lines of so many columns, none of which is set. Memory is not touched before
+//  they are set: a child process begins with all touched memory.
+static columnLines noLines(const label nColumns, const label nSamples)
+{
+    return columnLines
+    {
+        gradientLines
+        {
+            nSamples, pointField(nColumns*nSamples),
+            scalarField(nColumns*nSamples)
+        },
+        scalarField(nColumns), boolList(nColumns, false)
+    };
+}
+
+
 //- The lines of the first nColumns columns of a block
 static columnLines makeLines
 (
-    const dividedWall& wall,
-    const columnStarts& all,
-    const labelList& part,
+    const blockGround& ground,
+    const labelList& own,
     const label nColumns,
     const fieldControls& controls
 )
 {
+    const columnStarts& all = ground.starts;
     const fieldBlock block
     (
         makeFieldBlock
         (
-            wall.wall, wall.radii, part, wall.controls, wall.mesh,
-            wall.maxStretch
+            ground.wall, ground.radii, own, ground.how.controls,
+            ground.how.mesh, ground.how.maxStretch
         )
     );
     const backgroundMesh mesh(makeBackgroundMesh(block));
@@ -42,7 +80,7 @@ static columnLines makeLines
         makeMonotoneField(mesh, cotangentWeights(mesh), controls)
     );
 
-    const label nPoints = wall.wall.points.size();
+    const label nPoints = ground.wall.points.size();
     const labelList columns(all.columnsOn(block.points, nPoints));
     labelList points(UIndirectList<label>(all.wallPoints, columns));
     inplaceRenumber(invert(nPoints, block.points), points);
@@ -91,71 +129,19 @@ static columnLines straightLines
 }
 
 
-//- Writes lines for another process. First the length of the reason why there
-//  are none, then what there is.
-static void write
+//- The lines of the columns on the points of a block, in their order. The block
+//  is made in a process of its own. If it fails, the lines are straight, their
+//  slopes are 0, and failure says why. Several threads may call this.
+static columnLines linesOfBlock
 (
-    const string& reason,
-    const columnLines& made,
-    std::FILE* out
-)
-{
-    const auto put = [&](const auto& values)
-    {
-        std::fwrite(values.cdata(), sizeof(values[0]), values.size(), out);
-    };
-    const size_t length = reason.size();
-    std::fwrite(&length, sizeof(length), 1, out);
-    std::fwrite(reason.data(), 1, length, out);
-    if (reason.empty())
-    {
-        put(made.slopes);
-        put(made.lines.energies);
-        put(made.lines.points);
-    }
-}
-
-
-//- Reads the output of 'write'. Returns whether it is complete.
-static bool read(std::FILE* in, string& reason, columnLines& lines)
-{
-    const auto take = [&](auto& values)
-    {
-        return std::fread
-        (
-            values.data(), sizeof(values[0]), values.size(), in
-        ) == size_t(values.size());
-    };
-    size_t length = 0;
-    if (std::fread(&length, sizeof(length), 1, in) != 1)
-    {
-        return false;
-    }
-    reason.resize(length);
-
-    return std::fread(&reason[0], 1, length, in) == length
-        && (
-               length > 0
-            || (
-                   take(lines.slopes)
-                && take(lines.lines.energies) && take(lines.lines.points)
-               )
-           );
-}
-
-
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
-columnLines linesOfBlock
-(
-    const dividedWall& wall,
-    const columnStarts& starts,
-    const labelList& part,
+    const blockGround& ground,
+    const labelList& own,
     const fieldControls& controls,
     string& failure
 )
 {
-    const labelList columns(starts.columnsOn(part, wall.wall.points.size()));
+    const columnStarts& starts = ground.starts;
+    const labelList columns(starts.columnsOn(own, ground.wall.points.size()));
     const label nColumns = columns.size();
     columnLines lines(noLines(nColumns, starts.spacing.nLayers));
     failure.clear();
@@ -167,7 +153,7 @@ columnLines linesOfBlock
         columnLines made;
         try
         {
-            made = makeLines(wall, starts, part, nColumns, controls);
+            made = makeLines(ground, own, nColumns, controls);
             if (!std::isfinite(sum(made.slopes) + sum(mag(made.lines.points))))
             {
                 reason = "its lines are not finite";
@@ -177,11 +163,16 @@ columnLines linesOfBlock
         {
             reason = e.message();
         }
-        write(reason, made, out);
+        writeItems(reason, out);
+        writeItems(made.slopes, out);
+        writeItems(made.lines.energies, out);
+        writeItems(made.lines.points, out);
     };
     const auto receive = [&](std::FILE* in)
     {
-        return read(in, failure, lines);
+        return readItems(in, failure) && readItems(in, lines.slopes)
+            && readItems(in, lines.lines.energies)
+            && readItems(in, lines.lines.points);
     };
 
     if (isolatedProcess(work, receive) != processEnd::complete)
@@ -190,25 +181,13 @@ columnLines linesOfBlock
     }
     lines.isSet = true;
 
-    return failure.empty() ? lines : straightLines(wall.wall, starts, columns);
+    return failure.empty()
+      ? lines : straightLines(ground.wall, starts, columns);
 }
 
 
-columnLines noLines(const label nColumns, const label nSamples)
-{
-    return columnLines
-    {
-        gradientLines
-        {
-            nSamples, pointField(nColumns*nSamples),
-            scalarField(nColumns*nSamples)
-        },
-        scalarField(nColumns), boolList(nColumns, false)
-    };
-}
-
-
-void setLines
+//- Sets the lines of some columns
+static void setLines
 (
     const labelUList& columns,
     const columnLines& some,
@@ -229,24 +208,9 @@ void setLines
 }
 
 
-labelList largestFirst(const labelListList& parts)
-{
-    labelList order(identity(parts.size()));
-    std::stable_sort
-    (
-        order.begin(),
-        order.end(),
-        [&](const label i, const label j)
-        {
-            return parts[i].size() > parts[j].size();
-        }
-    );
-
-    return order;
-}
-
-
-string summary(const labelListList& parts, const blockFailures& failures)
+//- The number of blocks that failed, the number of their points, and the first
+//  reason; empty if none did
+static string summary(const labelListList& parts, const blockFailures& failures)
 {
     string first;
     label nFailed = 0;
@@ -266,6 +230,224 @@ string summary(const labelListList& parts, const blockFailures& failures)
       ? name(nFailed) + " of " + name(parts.size()) + " blocks of the wall, "
       + name(nPoints) + " points: " + first
       : string();
+}
+
+
+//- Reasons of the blocks of all processes
+static blockFailures failuresOfAll
+(
+    const blockFailures& own,
+    const columnTeam& team
+)
+{
+    message reasons;
+    forAll(own, i)
+    {
+        if (own[i].size())
+        {
+            reasons.addValue(i);
+            reasons.addText(own[i]);
+        }
+    }
+
+    blockFailures all(own.size());
+    for (const message& m : team.exchange(List<message>(team.size(), reasons)))
+    {
+        messageReader reader(m);
+        while (!reader.atEnd())
+        {
+            const label i = reader.value<label>();
+            all[i] = reader.text();
+        }
+    }
+
+    return all;
+}
+
+
+//- Adds lines to the messages for the owners of their columns.
+//  points: points of the whole wall under the columns
+static void addForOwners
+(
+    const columnTeam& team,
+    const labelUList& columns,
+    const labelUList& points,
+    const columnLines& lines,
+    List<message>& toOwners
+)
+{
+    const label n = lines.lines.nSamples;
+    forAll(columns, i)
+    {
+        message& toOwner = toOwners[team.owner(points[i])];
+        toOwner.addValue(columns[i]);
+        toOwner.addValue(lines.slopes[i]);
+        toOwner.addList(SubList<scalar>(lines.lines.energies, n, n*i));
+        toOwner.addList(SubList<point>(lines.lines.points, n, n*i));
+    }
+}
+
+
+//- Sets the lines of own columns that others and this process have made
+static void setFromMakers
+(
+    const columnTeam& team,
+    const List<message>& received,
+    columnLines& lines
+)
+{
+    const label n = lines.lines.nSamples;
+    for (const message& m : received)
+    {
+        messageReader reader(m);
+        while (!reader.atEnd())
+        {
+            const label c = team.columnHere(reader.value<label>());
+            lines.isSet[c] = true;
+            lines.slopes[c] = reader.value<scalar>();
+            SubList<scalar>(lines.lines.energies, n, n*c) =
+                reader.list<scalar>();
+            SubList<point>(lines.lines.points, n, n*c) = reader.list<point>();
+        }
+    }
+}
+
+
+//- Makes n blocks, as many at once as there are threads
+template<class Make>
+static void makeBlocks(const label n, const Make& make)
+{
+    // Child processes begin with all memory of this one
+    returnMemory();
+    std::atomic<label> nMade(0);
+    #pragma omp parallel for schedule(dynamic, 1)
+    for (label i = 0; i < n; ++i)
+    {
+        make(i);
+        tellProgress("blocks of the field", ++nMade, n);
+    }
+}
+
+
+//- The lines of all blocks of the wall of the only process
+static void setLinesOfAll
+(
+    const dividedWall& wall,
+    const fieldControls& controls,
+    blockFailures& failures,
+    columnLines& lines
+)
+{
+    const labelList& wallPoints = wall.front.wallPoints;
+    const columnStarts starts
+    {
+        wallPoints, wall.front.visibility.axes(), wall.spacing.at(wallPoints)
+    };
+    const blockGround ground{wall.wall, wall.radii, starts, wall};
+    const labelList order(largestFirst(wall.blocks));
+    makeBlocks(order.size(), [&](const label k)
+    {
+        const labelList& own = wall.blocks[order[k]];
+        setLines
+        (
+            starts.columnsOn(own, wall.wall.points.size()),
+            linesOfBlock(ground, own, controls, failures[order[k]]),
+            lines
+        );
+    });
+}
+
+
+//- The lines of own columns, in blocks that all processes make. Collective
+static void setLinesOfShare
+(
+    const dividedWall& wall,
+    const fieldControls& controls,
+    blockFailures& failures,
+    columnLines& lines
+)
+{
+    List<message> toOwners(wall.team.size());
+    {
+        const List<blockWithWall> blocks(blocksOfProcess(wall));
+        makeBlocks(blocks.size(), [&](const label i)
+        {
+            const blockWithWall& block = blocks[i];
+            const wallSurface& part = block.part.surface;
+            const labelList own
+            (
+                block.part.localPoints(wall.blocks[block.blocki])
+            );
+            const columnLines made
+            (
+                linesOfBlock
+                (
+                    blockGround{part, block.radii, block.starts, wall}, own,
+                    controls, failures[block.blocki]
+                )
+            );
+
+            const labelList local
+            (
+                block.starts.columnsOn(own, part.points.size())
+            );
+            const labelList columns(UIndirectList<label>(block.columns, local));
+            labelList points
+            (
+                UIndirectList<label>(block.starts.wallPoints, local)
+            );
+            inplaceRenumber(block.part.points, points);
+
+            #pragma omp critical
+            addForOwners(wall.team, columns, points, made, toOwners);
+        });
+    }
+    setFromMakers(wall.team, wall.team.exchange(toOwners), lines);
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+labelList largestFirst(const labelListList& parts)
+{
+    labelList order(identity(parts.size()));
+    std::stable_sort
+    (
+        order.begin(),
+        order.end(),
+        [&](const label i, const label j)
+        {
+            return parts[i].size() > parts[j].size();
+        }
+    );
+
+    return order;
+}
+
+
+columnLines makeColumnLines
+(
+    const dividedWall& wall,
+    const fieldControls& controls,
+    string& failure
+)
+{
+    columnLines lines
+    (
+        noLines(wall.front.wallPoints.size(), wall.spacing.nLayers)
+    );
+    blockFailures failures(wall.blocks.size());
+    if (wall.team.isAlone())
+    {
+        setLinesOfAll(wall, controls, failures, lines);
+    }
+    else
+    {
+        setLinesOfShare(wall, controls, failures, lines);
+    }
+    failure = summary(wall.blocks, failuresOfAll(failures, wall.team));
+
+    return lines;
 }
 
 } // End namespace Foam

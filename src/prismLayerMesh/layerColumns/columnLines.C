@@ -4,13 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "columnLines.H"
-#include "blockLines.H"
 #include "diffusionTensor.H"
 #include "Map.H"
-#include "returnMemory.H"
-#include "stageProgress.H"
-
-#include <atomic>
 
 namespace Foam
 {
@@ -63,39 +58,6 @@ columnLines makeColumnLines
         scalarField(mag(scaledGradients(mesh, isotropic)), starts.wallPoints),
         boolList(starts.wallPoints.size(), true)
     };
-}
-
-
-columnLines makeColumnLines
-(
-    const dividedWall& wall,
-    const columnStarts& starts,
-    const fieldControls& controls,
-    string& failure
-)
-{
-    // Child processes begin with all memory of this one
-    returnMemory();
-    columnLines made(noLines(starts.wallPoints.size(), starts.spacing.nLayers));
-    blockFailures failures(wall.parts.size());
-    const labelList order(largestFirst(wall.parts));
-
-    std::atomic<label> nMade(0);
-    #pragma omp parallel for schedule(dynamic, 1)
-    forAll(order, k)
-    {
-        const labelList& part = wall.parts[order[k]];
-        setLines
-        (
-            starts.columnsOn(part, wall.wall.points.size()),
-            linesOfBlock(wall, starts, part, controls, failures[order[k]]),
-            made
-        );
-        tellProgress("blocks of the field", ++nMade, order.size());
-    }
-    failure = summary(wall.parts, failures);
-
-    return made;
 }
 
 } // End namespace Foam

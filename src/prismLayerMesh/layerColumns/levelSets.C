@@ -6,24 +6,14 @@
 #include "levelSets.H"
 #include "columnControls.H"
 #include "gradientLines.H"
+#include "ranges.H"
 #include "wallSmoother.H"
 #include "DynamicField.H"
-
-#include <algorithm>
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-static scalar median(DynamicField<scalar>& values)
-{
-    const auto middle = values.begin() + values.size()/2;
-    std::nth_element(values.begin(), middle, values.end());
-
-    return *middle;
-}
-
 
 //- Arc lengths of the samples of nLines lines, each in geometric progression
 static scalarField arcLengths
@@ -142,7 +132,7 @@ scalarField samplingEnergies
             }
         }
 
-        energies[i] = median(values);
+        energies[i] = medianOf(values);
     }
 
     return energies;

@@ -3,7 +3,6 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "sharedBlocks.H"
 #include "blockLines.H"
 #include "ListOps.H"
 
@@ -37,7 +36,7 @@ static List<boundBox> united
 
 
 //- The labels in the share of own points of a block
-static labelList ownPoints(const sharedWall& wall, const labelUList& block)
+static labelList ownPoints(const dividedWall& wall, const labelUList& block)
 {
     DynamicList<label> own;
     for (const label whole : block)
@@ -53,7 +52,7 @@ static labelList ownPoints(const sharedWall& wall, const labelUList& block)
 
 
 //- How far each block goes beyond its points [m]. Collective
-static scalarList reaches(const sharedWall& wall)
+static scalarList reaches(const dividedWall& wall)
 {
     scalarList largest(wall.blocks.size(), Zero);
     forAll(largest, i)
@@ -79,7 +78,7 @@ static scalarList reaches(const sharedWall& wall)
 
 
 //- The boxes of all that blocks depend on, see makeFieldBlock. Collective
-static List<boundBox> boxesOfBlocks(const sharedWall& wall)
+static List<boundBox> boxesOfBlocks(const dividedWall& wall)
 {
     const scalarList reach(reaches(wall));
     List<boundBox> boxes(reach.size(), boundBox::invertedBox);
@@ -92,16 +91,15 @@ static List<boundBox> boxesOfBlocks(const sharedWall& wall)
     }
     boxes = united(wall.team, boxes);
 
-    const wallSurface surface(wallOfFront(wall.front));
     const boolList counted(countedWallFaces(wall.front, wall.team));
     forAll(boxes, i)
     {
-        boolList inside(facesIn(surface, widened(boxes[i], reach[i])));
-        forAll(inside, facei)
-        {
-            inside[facei] = inside[facei] && counted[facei];
-        }
-        boxes[i] = boxOfFaces(surface, inside);
+        labelList inside(facesIn(wall.wall, widened(boxes[i], reach[i])));
+        inplaceSubsetList
+        (
+            inside, [&](const label facei) { return counted[facei]; }
+        );
+        boxes[i] = boxOfFaces(wall.wall, inside);
     }
     boxes = united(wall.team, boxes);
 
@@ -116,7 +114,7 @@ static List<boundBox> boxesOfBlocks(const sharedWall& wall)
 
 //- Labels in the whole front of all further columns, ascending, and the points
 //  of the whole wall under them. Collective
-static List<labelPair> furtherColumns(const sharedWall& wall)
+static List<labelPair> furtherColumns(const dividedWall& wall)
 {
     const labelList& wallPoints = wall.front.wallPoints;
     DynamicList<labelPair> own;
@@ -191,7 +189,7 @@ static layerSpacing spacingOf
 
 //- The process that makes each of the blocks, the largest first. The master has
 //  more in memory than the others: it comes last.
-static labelList makersOfBlocks(const sharedWall& wall)
+static labelList makersOfBlocks(const dividedWall& wall)
 {
     const label n = wall.team.size();
     labelList makers(wall.blocks.size());
@@ -205,7 +203,7 @@ static labelList makersOfBlocks(const sharedWall& wall)
 
 
 //- The part of the wall for each block of this process. Collective
-static List<wallPart> partsOfBlocks(const sharedWall& wall)
+static List<surfacePart> partsOfBlocks(const dividedWall& wall)
 {
     const List<boundBox> boxes(boxesOfBlocks(wall));
     const labelList order(largestFirst(wall.blocks));
@@ -244,7 +242,7 @@ static void setColumns
 
 
 //- Sets the data of parts from the owners of their points. Collective
-static void setData(const sharedWall& wall, List<blockWithWall>& blocks)
+static void setData(const dividedWall& wall, List<blockWithWall>& blocks)
 {
     const columnTeam& team = wall.team;
     DynamicList<label> points, columns, under;
@@ -294,10 +292,10 @@ static void setData(const sharedWall& wall, List<blockWithWall>& blocks)
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-List<blockWithWall> blocksOfProcess(const sharedWall& wall)
+List<blockWithWall> blocksOfProcess(const dividedWall& wall)
 {
     const List<labelPair> further(furtherColumns(wall));
-    List<wallPart> parts(partsOfBlocks(wall));
+    List<surfacePart> parts(partsOfBlocks(wall));
     const labelList own
     (
         findIndices(makersOfBlocks(wall), wall.team.rank())

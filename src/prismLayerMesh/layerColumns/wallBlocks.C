@@ -4,13 +4,37 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallBlocks.H"
-#include "fieldIslands.H"
+#include "bitSet.H"
+#include "limitGradient.H"
 #include "ListOps.H"
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Whether a point disturbs the field
+static boolList disturbingPoints
+(
+    const wallContext& context,
+    const envelopeRadii& radii,
+    const islandControls& controls
+)
+{
+    boolList disturbs(radii.radius.size());
+
+    #pragma omp parallel for schedule(static, 256)
+    forAll(disturbs, p)
+    {
+        disturbs[p] = isOnConcaveEdge(context.kinds[p])
+         || context.kinds[p] == pointKind::empty
+         || radii.radius[p] < sheetControls::limitedShare*radii.wanted[p]
+         || context.curvature[p]*radii.radius[p] > controls.curvature;
+    }
+
+    return disturbs;
+}
+
 
 //- On the master: whether each point of the whole wall needs a field.
 //  Collective
@@ -53,6 +77,67 @@ static void broadcast(const columnTeam& team, labelListList& lists)
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+labelList findFieldIslands
+(
+    const wallContext& context,
+    const envelopeRadii& radii,
+    const columnTeam& team,
+    const islandControls& controls
+)
+{
+    const boolList disturbs
+    (
+        disturbingPoints(context, radii, controls)
+    );
+
+    // Ways along the wall from the borders of islands, negative inside
+    scalarField beyond(disturbs.size(), VSMALL);
+    forAll(disturbs, p)
+    {
+        if (disturbs[p])
+        {
+            beyond[p] = -controls.reach*radii.radius[p];
+        }
+    }
+
+    do
+    {
+        limitGradient(context.wall, context.addressing, 1, beyond);
+    }
+    while (team.lowerPointsToOwners(beyond));
+
+    return subsetList
+    (
+        identity(beyond.size()), [&](const label p) { return beyond[p] <= 0; }
+    );
+}
+
+
+labelListList partsWith
+(
+    const labelListList& parts,
+    const labelUList& points
+)
+{
+    const bitSet isWanted(points);
+
+    DynamicList<labelList> result;
+    for (const labelList& part : parts)
+    {
+        labelList wanted
+        (
+            subsetList(part, [&](const label p) { return isWanted.test(p); })
+        );
+        if (wanted.size())
+        {
+            result.append(std::move(wanted));
+        }
+    }
+
+    return labelListList(std::move(result));
+}
+
 
 wallBlocks makeWallBlocks
 (

@@ -251,24 +251,6 @@ labelList pointsWithoutDirection(const wallSurface& wall)
         makeBareFront(wall, addressing, visibility, 0).pointsWithoutDirection;
 }
 
-
-layerFront makeLayerFront
-(
-    const wallSurface& wall,
-    const wallAddressing& addressing,
-    const wallVisibility& visibility,
-    const scalar smallestAngle
-)
-{
-    layerFront front
-    (
-        makeBareFront(wall, addressing, visibility, smallestAngle)
-    );
-    front.complete(addressing, visibility);
-
-    return front;
-}
-
 } // End namespace Foam
 
 // ************************************************************************* //

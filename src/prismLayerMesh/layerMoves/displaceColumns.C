@@ -5,8 +5,7 @@
 
 #include "displaceColumns.H"
 #include "ListOps.H"
-
-#include <algorithm>
+#include "ranges.H"
 
 namespace Foam
 {
@@ -68,14 +67,11 @@ static labelList levelsOf
 
     for (label i = 1; i <= editor.spacing().nLayers; ++i)
     {
-        const bool any = std::any_of
-        (
-            mobile.begin(), mobile.end(), [&](const label c)
-            {
-                return share(c, editor.heights(c)[i])
-                     > editor.controls().leftOutShare;
-            }
-        );
+        const bool any = anyOf(mobile, [&](const label c)
+        {
+            return share(c, editor.heights(c)[i])
+                 > editor.controls().leftOutShare;
+        });
         if (any)
         {
             levels.append(i);

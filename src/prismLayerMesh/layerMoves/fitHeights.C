@@ -5,6 +5,7 @@
 
 #include "fitHeights.H"
 #include "displaceColumns.H"
+#include "ranges.H"
 #include "stageProgress.H"
 
 #include <algorithm>
@@ -69,10 +70,7 @@ static labelList fittedFaces(const layerEditor& editor)
     {
         const face& f = front.surface.faces[facei];
 
-        return std::none_of(f.begin(), f.end(), [&](const label c)
-        {
-            return isLong[c];
-        });
+        return !anyOf(f, [&](const label c) { return isLong[c]; });
     });
 }
 

@@ -6,6 +6,7 @@
 #include "growColumns.H"
 #include "columnColours.H"
 #include "HashSet.H"
+#include "ranges.H"
 
 #include <algorithm>
 
@@ -54,17 +55,10 @@ static bool anyAtFault
     const std::function<bool(label facei)>& isAtFault
 )
 {
-    for (const label c : columns)
+    return anyOf(columns, [&](const label c)
     {
-        const labelList& faces = editor.front().addressing.pointFaces[c];
-
-        if (std::any_of(faces.begin(), faces.end(), isAtFault))
-        {
-            return true;
-        }
-    }
-
-    return false;
+        return anyOf(editor.front().addressing.pointFaces[c], isAtFault);
+    });
 }
 
 

@@ -7,9 +7,8 @@
 #include "criticalPoints.H"
 #include "levelSets.H"
 #include "ListOps.H"
+#include "ranges.H"
 #include "Switch.H"
-
-#include <algorithm>
 
 namespace Foam
 {
@@ -42,11 +41,7 @@ static label nAbove
     const labelUList& points
 )
 {
-    return std::count_if
-    (
-        points.begin(), points.end(),
-        [&](const label p) { return field[p] > value; }
-    );
+    return countOf(points, [&](const label p) { return field[p] > value; });
 }
 
 

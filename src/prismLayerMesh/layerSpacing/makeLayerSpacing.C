@@ -6,6 +6,7 @@
 #include "layerSpacing.H"
 #include "limitGradient.H"
 #include "pointHeights.H"
+#include "ranges.H"
 
 #include <algorithm>
 
@@ -28,14 +29,8 @@ static bool hasRelativeSizes(const layerControls& controls)
 
     return
         isRelative(controls)
-     || std::any_of
-        (
-            controls.patches.begin(), controls.patches.end(), isRelative
-        )
-     || std::any_of
-        (
-            controls.regions.begin(), controls.regions.end(), isRelative
-        );
+     || anyOf(controls.patches, isRelative)
+     || anyOf(controls.regions, isRelative);
 }
 
 

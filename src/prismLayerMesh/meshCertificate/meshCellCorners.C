@@ -5,8 +5,7 @@
 
 #include "meshCell.H"
 #include "cell.H"
-
-#include <algorithm>
+#include "ranges.H"
 
 namespace Foam
 {
@@ -69,14 +68,10 @@ bool meshCell::hasPositivePyramids(const label celli) const
     const cell faces(mesh_.cellFaces(celli));
     const point centre(faces.centre(mesh_.points(), mesh_.faces()));
 
-    return std::all_of
-    (
-        faces.begin(), faces.end(),
-        [&](const label facei)
-        {
-            return mesh_.pyramidVolume(facei, celli, centre) > 0;
-        }
-    );
+    return allOf(faces, [&](const label facei)
+    {
+        return mesh_.pyramidVolume(facei, celli, centre) > 0;
+    });
 }
 
 

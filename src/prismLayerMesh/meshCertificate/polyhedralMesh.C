@@ -5,8 +5,7 @@
 
 #include "polyhedralMesh.H"
 #include "HashSet.H"
-
-#include <algorithm>
+#include "ranges.H"
 
 namespace Foam
 {
@@ -87,12 +86,7 @@ labelList polyhedralMesh::apart(const label facei, const label celli) const
 
         if
         (
-            std::none_of
-            (
-                f.begin(),
-                f.end(),
-                [&](const label p) { return faces_[facei].found(p); }
-            )
+            !anyOf(f, [&](const label p) { return faces_[facei].found(p); })
         )
         {
             found.append(other);

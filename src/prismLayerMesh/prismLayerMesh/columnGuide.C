@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "columnGuide.H"
-#include "sharedBlocks.H"
+#include "blockLines.H"
 #include "stageText.H"
 #include "straightShares.H"
 #include "wallBlocks.H"
@@ -158,35 +158,15 @@ static columnLines linesOfBlocks
 {
     observer.begin("columnLines");
     const wallSurface& wall = columns.context.wall;
-    const layerFront& front = columns.own;
-    columnLines lines;
-
-    if (columns.team.isAlone())
+    const dividedWall divided
     {
-        const columnStarts starts
-        {
-            front.wallPoints, front.visibility.axes(),
-            guide.spacing.at(front.wallPoints)
-        };
-        const dividedWall divided
-        {
-            wall, radii, blocks, blockControls(), controls.backgroundMesh,
-            controls.layers.maxStretch
-        };
-        lines =
-            makeColumnLines(divided, starts, controls.field, guide.noField);
-    }
-    else
-    {
-        const sharedWall shared
-        {
-            columns.team, front, radii, guide.spacing, blocks,
-            blockControls(), controls.backgroundMesh,
-            controls.layers.maxStretch
-        };
-        lines = makeColumnLines(shared, controls.field, guide.noField);
-    }
-
+        columns.team, columns.own, wall, radii, guide.spacing, blocks,
+        blockControls(), controls.backgroundMesh, controls.layers.maxStretch
+    };
+    columnLines lines
+    (
+        makeColumnLines(divided, controls.field, guide.noField)
+    );
     const label nPoints = columns.team.nWallPoints(wall.points.size());
     observer.end(sizesOf(blocks, nPoints, guide.noField));
 

@@ -46,7 +46,7 @@ static scalarField clearanceOf
     const scalar farthest = (maxStretch + (hasMirrors ? 3 : 1))*max(reach);
 
     // Collective, also if a process has no columns
-    const wallPart near
+    const surfacePart near
     (
         wallPartInBoxes
         (
@@ -55,7 +55,7 @@ static scalarField clearanceOf
         )
     );
 
-    return reach.empty() ? reach : clearanceBy(wallSearch(near.wall));
+    return reach.empty() ? reach : clearanceBy(wallSearch(near.surface));
 }
 
 

@@ -5,7 +5,7 @@
 
 #include "meshPiece.H"
 #include "DynamicList.H"
-#include "removeUnused.H"
+#include "surfacePart.H"
 
 namespace Foam
 {

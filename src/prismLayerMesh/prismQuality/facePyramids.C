@@ -5,6 +5,7 @@
 
 #include "cellGeometry.H"
 #include "prismQuality.H"
+#include "ranges.H"
 
 namespace Foam
 {
@@ -17,21 +18,12 @@ namespace Foam
 static bool hasPositivePyramids(const UList<faceGeometry>& faces)
 {
     const cellGeometry cell(faces);
-    if (cell.volume3 <= VSMALL)
-    {
-        return false;
-    }
 
-    for (const faceGeometry& f : faces)
+    // Faces without area have no pyramid
+    return cell.volume3 > VSMALL && allOf(faces, [&](const faceGeometry& f)
     {
-        // Faces without area have no pyramid
-        if (f.pyramid3(cell.centre) < -SMALL*cell.volume3)
-        {
-            return false;
-        }
-    }
-
-    return true;
+        return f.pyramid3(cell.centre) >= -SMALL*cell.volume3;
+    });
 }
 
 

@@ -44,18 +44,6 @@ static bool addTriangles
 }
 
 
-static boundBox boxOf(const labelledTriangle& t)
-{
-    boundBox box(boundBox::invertedBox);
-    for (const point& x : t.points)
-    {
-        box.add(x);
-    }
-
-    return box;
-}
-
-
 //- Returns the bounding boxes of the outer faces of some front faces
 static std::vector<boundBox> boxesOf
 (
@@ -208,7 +196,7 @@ List<labelPair> findIntersections
     std::vector<boundBox> boxes(boxesOf(layers, outerFaces));
     for (const labelledTriangle& t : others)
     {
-        boxes.push_back(boxOf(t));
+        boxes.push_back(t.box());
     }
     addNear(layers, groups, candidates, markedGrid(boxes), team, second);
     addIntersections(first, second, pairs);

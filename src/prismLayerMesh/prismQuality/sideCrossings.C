@@ -6,8 +6,7 @@
 #include "sideCrossings.H"
 #include "ListOps.H"
 #include "partCrossings.H"
-
-#include <algorithm>
+#include "ranges.H"
 
 namespace Foam
 {
@@ -45,11 +44,7 @@ struct sideColumns
 
     bool touches(const face& f) const
     {
-        return std::any_of
-        (
-            f.begin(), f.end(),
-            [&](const label c) { return columns.found(c); }
-        );
+        return anyOf(f, [&](const label c) { return columns.found(c); });
     }
 
 

@@ -10,22 +10,6 @@
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- The corners of boxes
-static pointField cornersOf(const List<boundBox>& boxes)
-{
-    pointField corners(2*boxes.size());
-    forAll(boxes, i)
-    {
-        corners[2*i] = boxes[i].min();
-        corners[2*i + 1] = boxes[i].max();
-    }
-
-    return corners;
-}
-
-
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
 message stackExchange::facesFor
@@ -35,14 +19,9 @@ message stackExchange::facesFor
     const labelUList& outerFaces
 )
 {
-    std::vector<boundBox> near;
     messageReader reader(boxesOf);
-    const List<point> corners(reader.list<point>());
-    for (label i = 0; i < corners.size(); i += 2)
-    {
-        near.push_back(boundBox(corners[i], corners[i + 1]));
-    }
-
+    const List<boundBox> boxes(reader.list<boundBox>());
+    const std::vector<boundBox> near(boxes.begin(), boxes.end());
     const markedGrid grid(near);
     DynamicList<labelledTriangle> triangles;
     DynamicList<scalar> tallest;
@@ -119,8 +98,8 @@ stackExchange::stackExchange
     }
 
     message noBoxes, ownBoxes;
-    noBoxes.addList(pointField());
-    ownBoxes.addList(cornersOf(groups.all()));
+    noBoxes.addList(List<boundBox>());
+    ownBoxes.addList(groups.all());
     const List<message> boxes
     (
         team.exchange(List<message>(team.size(), ownBoxes))

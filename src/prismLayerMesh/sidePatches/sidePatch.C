@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sidePatch.H"
+#include "ranges.H"
 #include "sideShape.H"
 #include "DynamicList.H"
 #include "EdgeMap.H"
@@ -118,11 +119,7 @@ void checkSides
 
 bool hasPlanes(const UList<sidePatch>& sides)
 {
-    return std::any_of
-    (
-        sides.begin(), sides.end(),
-        [](const sidePatch& side) { return !side.isPart(); }
-    );
+    return anyOf(sides, [](const sidePatch& side) { return !side.isPart(); });
 }
 
 
@@ -161,11 +158,8 @@ point onAll
 )
 {
     // In planes the second pass takes away the rounding of the first
-    const bool isCurved = std::any_of
-    (
-        some.begin(), some.end(),
-        [&](const label s) { return sides[s].isCurved(); }
-    );
+    const bool isCurved =
+        anyOf(some, [&](const label s) { return sides[s].isCurved(); });
 
     const auto move = [&]()
     {

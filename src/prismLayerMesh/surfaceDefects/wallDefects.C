@@ -100,11 +100,7 @@ static void findInvertedComponents
     labelList componentOfFace;
     const label n = findComponents(sides, wall.faces.size(), componentOfFace);
     const bitSet inward(findInwardComponents(wall, componentOfFace, n));
-    label nInward = 0;
-    for (label c = 0; c < n; ++c)
-    {
-        nInward += inward.test(c);
-    }
+    const label nInward = inward.count();
 
     // Which side the fluid is on is not known here: the majority is right
     const bool minority = (2*nInward <= n);
@@ -147,7 +143,7 @@ List<wallDefect> findWallDefects
     const bool mayBeOpen
 )
 {
-    const wallSides sides(makeWallSides(wall.faces, wall.points.size()));
+    const wallSides sides(makeWallSides(wall));
     defectList defects(wall);
 
     const bitSet degenerate(findDegenerateFaces(wall, defects));

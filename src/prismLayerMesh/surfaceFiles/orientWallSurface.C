@@ -35,7 +35,7 @@ static bool isOrientable(const wallSurface& wall, const wallSides& sides)
 
 void orientAlike(wallSurface& wall)
 {
-    const wallSides sides(makeWallSides(wall.faces, wall.points.size()));
+    const wallSides sides(makeWallSides(wall));
 
     for (const label facei : findTurnedFaces(sides, wall.faces.size()))
     {
@@ -46,7 +46,7 @@ void orientAlike(wallSurface& wall)
 
 label orientWallSurface(wallSurface& wall, const bool fluidOutside)
 {
-    const wallSides sides(makeWallSides(wall.faces, wall.points.size()));
+    const wallSides sides(makeWallSides(wall));
 
     if (wall.faces.empty() || !isOrientable(wall, sides))
     {

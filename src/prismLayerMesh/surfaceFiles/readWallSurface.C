@@ -8,7 +8,7 @@
 #include "cutReflexFaces.H"
 #include "mergeNearPoints.H"
 #include "orientWallSurface.H"
-#include "removeUnused.H"
+#include "surfacePart.H"
 #include "surfaceFile.H"
 
 namespace Foam
@@ -52,28 +52,6 @@ static void namePatches(wallSurface& wall, const fileName& file)
         const fileName plain(file.ext() == "gz" ? file.lessExt() : file);
         const word stem(word::validate(plain.nameLessExt(), true));
         wall.patchNames[0] = (stem.empty() ? word("wall") : stem);
-    }
-}
-
-
-static void append(const wallSurface& part, wallSurface& wall)
-{
-    const label nPoints = wall.points.size();
-    const label nPatches = wall.patchNames.size();
-    const label nFaces = wall.faces.size();
-
-    wall.points.append(part.points);
-    wall.patchNames.append(part.patchNames);
-    wall.faces.append(part.faces);
-    wall.patchIDs.append(part.patchIDs);
-
-    for (label facei = nFaces; facei < wall.faces.size(); ++facei)
-    {
-        for (label& p : wall.faces[facei])
-        {
-            p += nPoints;
-        }
-        wall.patchIDs[facei] += nPatches;
     }
 }
 
@@ -137,7 +115,7 @@ wallSurface readWallSurface
         }
         else
         {
-            append(part, wall);
+            appendSurface(part, labelList(), wall);
         }
     }
 

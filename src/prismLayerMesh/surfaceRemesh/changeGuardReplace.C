@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "changeGuard.H"
+#include "ranges.H"
 #include "wallVisibility.H"
 
 #include <algorithm>
@@ -12,16 +13,6 @@ namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-static boundBox boxOf(const labelledTriangle& t)
-{
-    boundBox box(t.points[0], t.points[0]);
-    box.add(t.points[1]);
-    box.add(t.points[2]);
-
-    return box;
-}
-
 
 static vector normalOf(const labelledTriangle& t)
 {
@@ -150,11 +141,11 @@ bool changeGuard::meets
         (
             triangleOf(mesh_.source(first), mesh_.source(h), mesh_.target(h))
         );
-        const boundBox box(Foam::boxOf(other));
+        const boundBox box(other.box());
 
         for (const labelledTriangle& t : triangles)
         {
-            if (box.overlaps(Foam::boxOf(t)) && isConflict(t, other, mayFold))
+            if (box.overlaps(t.box()) && isConflict(t, other, mayFold))
             {
                 return true;
             }
@@ -171,11 +162,8 @@ bool changeGuard::mayReplace
     const std::vector<Face>& replaced
 ) const
 {
-    const bool mayFold = std::any_of
-    (
-        replaced.begin(), replaced.end(),
-        [&](const Face f) { return isFolded(f); }
-    );
+    const bool mayFold =
+        anyOf(replaced, [&](const Face f) { return isFolded(f); });
 
     boundBox box(boundBox::invertedBox);
     for (auto t = made.begin(); t != made.end(); ++t)
@@ -192,7 +180,7 @@ bool changeGuard::mayReplace
         {
             return false;
         }
-        box.add(Foam::boxOf(*t));
+        box.add(t->box());
     }
 
     for (const labelledTriangle& t : made)

@@ -157,7 +157,7 @@ givenSurface::givenSurface
     deviations_(surface.faces.size(), deviation),
     seen_(surface.faces.size(), Zero)
 {
-    const wallSides sides(makeWallSides(surface.faces, surface.points.size()));
+    const wallSides sides(makeWallSides(surface));
     const scalar minCos = Foam::cos(degToRad(featureAngle));
     setNormals(sides);
     setLines(sides, minCos);

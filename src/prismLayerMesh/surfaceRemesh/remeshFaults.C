@@ -59,7 +59,7 @@ labelList withFacesWithoutRoom
 {
     const edgeHashSet foldedBefore(mesher.edited().features(foldCosine()));
     const vectorField normals(surface.faceNormals());
-    const wallSides all(makeWallSides(surface.faces, surface.points.size()));
+    const wallSides all(makeWallSides(surface));
     DynamicList<label> faults(faces);
 
     for (label e = 0; e < all.nEdges(); ++e)

@@ -41,10 +41,7 @@ static labelledBox boxOf
 
 surfaceBorders::surfaceBorders(const wallSurface& surface)
 {
-    const wallSides all
-    (
-        makeWallSides(surface.faces, surface.points.size())
-    );
+    const wallSides all(makeWallSides(surface));
 
     for (label e = 0; e < all.nEdges(); ++e)
     {

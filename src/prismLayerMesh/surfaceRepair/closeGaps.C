@@ -11,6 +11,7 @@
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Surface_mesh.h>
 
+#include "ranges.H"
 #include "stitchSurface.H"
 #include "boundBox.H"
 #include "cgalMeshes.H"
@@ -74,21 +75,13 @@ static bool isOnPlane
     const scalar tolerance
 )
 {
-    for (const sidePatch& plane : planes)
+    return anyOf(planes, [&](const sidePatch& plane)
     {
-        const bool isOn = std::all_of
-        (
-            rim.begin(), rim.end(),
-            [&](const point& x) { return mag(plane.distance(x)) < tolerance; }
-        );
-
-        if (isOn)
+        return allOf(rim, [&](const point& x)
         {
-            return true;
-        }
-    }
-
-    return false;
+            return mag(plane.distance(x)) < tolerance;
+        });
+    });
 }
 
 

@@ -5,7 +5,8 @@
 
 #include "cutSurface.H"
 #include "EdgeMap.H"
-#include "removeUnused.H"
+#include "ranges.H"
+#include "surfacePart.H"
 #include "wallPredicates.H"
 
 namespace Foam
@@ -84,11 +85,8 @@ struct planeCutter
         forAll(surface.faces, facei)
         {
             const face& f = surface.faces[facei];
-            const bool isInFront = std::any_of
-            (
-                f.begin(), f.end(),
-                [&](const label p) { return distances[p] < 0; }
-            );
+            const bool isInFront =
+                anyOf(f, [&](const label p) { return distances[p] < 0; });
 
             // Faces on the plane are beyond it
             const face left(isInFront ? part(f) : face());
@@ -235,9 +233,7 @@ void removeFacesOn
         );
     }
 
-    inplaceSubset(kept, surface.faces);
-    inplaceSubset(kept, surface.patchIDs);
-    removeUnusedPoints(surface.faces, surface.points);
+    keepFaces(kept, surface);
 }
 
 

@@ -8,12 +8,11 @@
 #include "ListOps.H"
 #include "mergeNearPoints.H"
 #include "orientation.H"
-#include "removeUnused.H"
+#include "ranges.H"
+#include "surfacePart.H"
 #include "triangleIndex.H"
 #include "unionBoundary.H"
 #include "wallSides.H"
-
-#include <algorithm>
 
 namespace Foam
 {
@@ -116,10 +115,7 @@ label findInward(const wallSurface& surface, bitSet& isInward)
         isInward.set(i, volumes[componentOf[i]] <= 0);
     }
 
-    return std::count_if
-    (
-        volumes.begin(), volumes.end(), [](const scalar v) { return v <= 0; }
-    );
+    return countOf(volumes, [](const scalar v) { return v <= 0; });
 }
 
 
@@ -153,10 +149,7 @@ label fillVoids(wallSurface& surface)
 
 bool isBalanced(const wallSurface& surface)
 {
-    const wallSides sides
-    (
-        makeWallSides(surface.faces, surface.points.size())
-    );
+    const wallSides sides(makeWallSides(surface));
 
     for (label e = 0; e < sides.nEdges(); ++e)
     {

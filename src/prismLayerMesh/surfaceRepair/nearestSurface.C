@@ -8,7 +8,7 @@
 #include "PatchTools.H"
 #include "bitSet.H"
 #include "primitiveFacePatch.H"
-#include "removeUnused.H"
+#include "surfacePart.H"
 
 namespace Foam
 {
@@ -42,21 +42,6 @@ static labelList facesOfTriangles(const wallSurface& surface)
     wallTriangles(surface, faces);
 
     return faces;
-}
-
-
-//- A surface with some of its faces, without their patches
-static wallSurface withFaces
-(
-    const wallSurface& surface,
-    const labelUList& kept
-)
-{
-    wallSurface part(surface);
-    part.faces = UIndirectList<face>(surface.faces, kept)();
-    removeUnusedPoints(part.faces, part.points);
-
-    return part;
 }
 
 
@@ -185,7 +170,7 @@ void nearestSurface::setPatches
 
     if (chamfers.size() && kept.size())
     {
-        nearestSurface(withFaces(surface_, kept)).find
+        nearestSurface(makeSurfacePart(surface_, kept).surface).find
         (
             pointField(centres, chamfers), nearest, faces
         );

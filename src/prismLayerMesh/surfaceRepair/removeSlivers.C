@@ -5,9 +5,11 @@
 
 #include "removeSlivers.H"
 #include "fillContacts.H"
+#include "flipCaps.H"
 #include "ListOps.H"
-#include "removeUnused.H"
+#include "ranges.H"
 #include "stageProgress.H"
+#include "surfacePart.H"
 #include "wallPredicates.H"
 #include "wallSides.H"
 #include "wallVisibility.H"
@@ -44,11 +46,7 @@ class sliverRemover
     //- Faces that have both points
     std::vector<label> facesOn(label p, label q) const;
 
-    //- Smallest height of a triangle [m]
-    scalar height(const face& f) const;
-
-    //- Whether a triangle may become another one
-    bool mayBecome(const face& before, const face& after) const;
+    scalar height(const face& f) const { return smallestHeight(points_, f); }
 
     std::set<label> neighbours(label p) const;
 
@@ -110,23 +108,6 @@ std::vector<label> sliverRemover::facesOn(const label p, const label q) const
 }
 
 
-scalar sliverRemover::height(const face& f) const
-{
-    const scalar longest = f.faceEdge(f.longestEdge(points_)).mag(points_);
-
-    return 2*mag(f.areaNormal(points_))/max(longest, VSMALL);
-}
-
-
-bool sliverRemover::mayBecome(const face& before, const face& after) const
-{
-    const vector a = before.areaNormal(points_);
-    const vector b = after.areaNormal(points_);
-
-    return (a & b) > 0.5*mag(a)*mag(b) && mag(b) > 0;
-}
-
-
 std::set<label> sliverRemover::neighbours(const label p) const
 {
     std::set<label> result;
@@ -154,10 +135,8 @@ bool sliverRemover::collapse(const label from, const label to)
 {
     const std::set<label> a(neighbours(from));
     const std::set<label> b(neighbours(to));
-    const label nCommon = std::count_if
-    (
-        a.begin(), a.end(), [&](const label p) { return b.count(p) > 0; }
-    );
+    const label nCommon =
+        countOf(a, [&](const label p) { return b.count(p) > 0; });
     if (nCommon != 2)
     {
         return false;
@@ -168,7 +147,7 @@ bool sliverRemover::collapse(const label from, const label to)
         const face& f = faces_[facei];
         face g(f);
         g[f.find(from)] = to;
-        if (!f.found(to) && height(f) > length_ && !mayBecome(f, g))
+        if (!f.found(to) && height(f) > length_ && !isAlong(points_, f, g))
         {
             return false;
         }
@@ -200,50 +179,39 @@ bool sliverRemover::removeSpike(const label p)
 
     const std::set<label> around(neighbours(p));
 
-    return std::any_of
-    (
-        around.begin(), around.end(), [&](const label q)
-        {
-            return !isTouched_.test(q) && collapse(p, q);
-        }
-    );
+    return anyOf(around, [&](const label q)
+    {
+        return !isTouched_.test(q) && collapse(p, q);
+    });
 }
 
 
 bool sliverRemover::flip(const label facei)
 {
     const face& f = faces_[facei];
-    const label longest = f.longestEdge(points_);
-    const label a = f[longest];
-    const label b = f.nextLabel(longest);
-    const label v = f.prevLabel(longest);
-    const std::vector<label> sides(facesOn(a, b));
+    const edge e(f.faceEdge(f.longestEdge(points_)));
+    const std::vector<label> sides(facesOn(e[0], e[1]));
     if (sides.size() != 2)
     {
         return false;
     }
 
     const label other = sides[0] == facei ? sides[1] : sides[0];
-    const face& g = faces_[other];
-    const label w = g.prevLabel(g.find(b));
-    const face left{a, w, v};
-    const face right{w, b, v};
+    const edgeFlip flipped(f, faces_[other], e);
+    const edge& made = flipped.made;
     if
     (
-        v == w || isTouched_.test(w) || !facesOn(v, w).empty()
-     || !mayBecome(g, left) || !mayBecome(g, right)
-     || min(height(left), height(right)) <= min(height(f), height(g))
+        made[0] == made[1] || isTouched_.test(made[1])
+     || !facesOn(made[0], made[1]).empty() || !flipped.isBetter(points_)
     )
     {
         return false;
     }
 
-    for (const label p : {a, b, v, w})
-    {
-        isTouched_.set(p);
-    }
-    faces_[facei] = left;
-    faces_[other] = right;
+    isTouched_.set(e);
+    isTouched_.set(made);
+    faces_[facei] = flipped.first;
+    faces_[other] = flipped.second;
 
     return true;
 }

@@ -4,19 +4,13 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sharpLines.H"
+#include "searchTree.H"
 #include "wallSides.H"
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- The search tree: levels at most, edges in a leaf, and share of edges in
-//  several leaves
-static constexpr label treeLevels = 10;
-static constexpr scalar treeLeafSize = 10;
-static constexpr scalar treeDuplicity = 3;
-
 
 //- A face is along a plane if the product of their unit normals is larger
 static constexpr scalar alongCosine = 0.9;
@@ -27,10 +21,7 @@ static constexpr scalar alongCosine = 0.9;
 sharpLines::sharpLines(const wallSurface& surface, const scalar minCos)
 {
     const vectorField normals(surface.faceNormals());
-    const wallSides sides
-    (
-        makeWallSides(surface.faces, surface.points.size())
-    );
+    const wallSides sides(makeWallSides(surface));
     DynamicList<edge> sharp;
     DynamicList<Pair<vector>> both;
 
@@ -60,20 +51,12 @@ sharpLines::sharpLines(const wallSurface& surface, const scalar minCos)
 
     if (edges_.size())
     {
-        treeBoundBox box(surface.points);
-        box.inflate(0.01);
-
-        tree_.reset
+        const treeDataEdge items
         (
-            new indexedOctree<treeDataEdge>
-            (
-                treeDataEdge
-                (
-                    false, edges_, surface.points, identity(edges_.size())
-                ),
-                box, treeLevels, treeLeafSize, treeDuplicity
-            )
+            false, edges_, surface.points, identity(edges_.size())
         );
+        const boundBox box(surface.points, false);
+        tree_ = makeSearchTree(items, box, 0.01, 10);
     }
 }
 
@@ -86,7 +69,8 @@ pointIndexHit sharpLines::findNearest
     const scalar distance
 ) const
 {
-    return tree_ ? tree_->findNearest(x, sqr(distance)) : pointIndexHit();
+    return tree_.valid()
+      ? tree_->findNearest(x, sqr(distance)) : pointIndexHit();
 }
 
 

@@ -4,9 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "soundSurface.H"
+#include "ranges.H"
 #include "wallDefects.H"
-
-#include <algorithm>
 
 namespace Foam
 {
@@ -21,13 +20,10 @@ static bool isOnAny
     const edge& e
 )
 {
-    return std::any_of
-    (
-        planes.begin(), planes.end(), [&](const sidePatch& plane)
-        {
-            return plane.hasEdge(x[e.start()], x[e.end()], tolerance);
-        }
-    );
+    return anyOf(planes, [&](const sidePatch& plane)
+    {
+        return plane.hasEdge(x[e.start()], x[e.end()], tolerance);
+    });
 }
 
 
@@ -40,11 +36,10 @@ bool isBeyond
     const wallSurface& surface
 )
 {
-    return std::any_of
-    (
-        surface.points.begin(), surface.points.end(),
-        [&](const point& x) { return plane.distance(x) > tolerance; }
-    );
+    return anyOf(surface.points, [&](const point& x)
+    {
+        return plane.distance(x) > tolerance;
+    });
 }
 
 

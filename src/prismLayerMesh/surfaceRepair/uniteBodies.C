@@ -23,31 +23,8 @@ static constexpr label maxUnions = 10;
 
 static void send(const char tag, const OStringStream& text, std::FILE* out)
 {
-    const string message(text.str());
-    const size_t length = message.size();
-    std::fwrite(&tag, 1, 1, out);
-    std::fwrite(&length, sizeof(length), 1, out);
-    std::fwrite(message.data(), 1, length, out);
+    writeItems(tag + text.str(), out);
     std::fflush(out);
-}
-
-
-//- Returns false if nothing more is sent
-static bool receive(std::FILE* in, char& tag, string& message)
-{
-    size_t length;
-
-    if
-    (
-        std::fread(&tag, 1, 1, in) != 1
-     || std::fread(&length, sizeof(length), 1, in) != 1
-    )
-    {
-        return false;
-    }
-    message.resize(length);
-
-    return std::fread(&message[0], 1, length, in) == length;
 }
 
 
@@ -161,18 +138,17 @@ static bool readSurface
     repairSteps& steps
 )
 {
-    char tag;
-    string message;
-
-    while (receive(in, tag, message))
+    std::string message;
+    while (readItems(in, message))
     {
-        if (tag == 'p')
+        const std::string text(message, 1);
+        if (message[0] == 'p')
         {
-            places = message;
+            places = text;
             continue;
         }
 
-        IStringStream result(message, IOstream::BINARY);
+        IStringStream result(text, IOstream::BINARY);
         label nSteps;
         result >> surface.points >> surface.faces >> surface.patchIDs
             >> nSteps;

@@ -63,11 +63,7 @@ static void addOpenings
 )
 {
     const edgeList open(outline(surface.faces));
-    disjointSets loops(surface.points.size());
-    for (const edge& e : open)
-    {
-        loops.join(e.start(), e.end());
-    }
+    disjointSets loops(connectedPoints(surface.points.size(), open));
 
     Map<boundBox> boxes;
     for (const edge& e : open)

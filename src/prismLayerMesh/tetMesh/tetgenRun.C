@@ -6,9 +6,9 @@
 #include <tetgen.h>
 
 #include "tetgenRun.H"
+#include "isolatedProcess.H"
 
 #include <algorithm>
-#include <vector>
 
 namespace Foam
 {
@@ -17,6 +17,9 @@ namespace Foam
 
 //- Longest edge of a tetrahedron over the size at its centre: tuned
 static constexpr scalar maxLength = 1.6;
+
+//- The points of a tetrahedron, as TetGen has them
+typedef FixedList<int, 4> corners;
 
 
 namespace
@@ -127,12 +130,22 @@ void runTetgen
     std::string switches(options.switches);
     ::tetrahedralize(&switches[0], &in, &out);
 
-    std::fwrite(&out.numberofpoints, sizeof(int), 1, result);
-    std::fwrite(&out.numberoftetrahedra, sizeof(int), 1, result);
-    std::fwrite(out.pointlist, sizeof(REAL), 3*out.numberofpoints, result);
-    std::fwrite
+    static_assert(sizeof(point) == 3*sizeof(REAL), "points of three doubles");
+    writeItems
     (
-        out.tetrahedronlist, sizeof(int), 4*size_t(out.numberoftetrahedra),
+        UList<point>
+        (
+            reinterpret_cast<point*>(out.pointlist), out.numberofpoints
+        ),
+        result
+    );
+    writeItems
+    (
+        UList<corners>
+        (
+            reinterpret_cast<corners*>(out.tetrahedronlist),
+            out.numberoftetrahedra
+        ),
         result
     );
 }
@@ -146,27 +159,16 @@ bool readTetgen
     tetMesh& mesh
 )
 {
-    int sizes[2];
-
-    if (std::fread(sizes, sizeof(int), 2, result) != 2)
+    List<corners> tets;
+    if (!readItems(result, mesh.points) || !readItems(result, tets))
     {
         return false;
     }
 
-    static_assert(sizeof(point) == 3*sizeof(REAL), "points of three doubles");
-
-    mesh.points.setSize(sizes[0]);
-    mesh.tets.setSize(sizes[1]);
-    std::vector<int> corners(4*size_t(sizes[1]));
-
-    const size_t nPoints =
-        std::fread(mesh.points.data(), sizeof(point), sizes[0], result);
-    const size_t nCorners =
-        std::fread(corners.data(), sizeof(int), corners.size(), result);
-
-    forAll(mesh.tets, t)
+    mesh.tets.setSize(tets.size());
+    forAll(tets, t)
     {
-        std::copy_n(corners.begin() + 4*t, 4, mesh.tets[t].begin());
+        std::copy_n(tets[t].begin(), 4, mesh.tets[t].begin());
     }
 
     // Points of the domain as they were, added points turned back
@@ -176,7 +178,7 @@ bool readTetgen
           ? domain.points[p] : mesh.points[p] & rotation;
     }
 
-    return nPoints == size_t(sizes[0]) && nCorners == corners.size();
+    return true;
 }
 
 } // End namespace Foam

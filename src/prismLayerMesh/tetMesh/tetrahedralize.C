@@ -8,6 +8,7 @@
 #include "error.H"
 #include "isolatedProcess.H"
 #include "orientation.H"
+#include "ranges.H"
 #include "stageProgress.H"
 #include "tetgenRun.H"
 #include "triangleIndex.H"
@@ -149,15 +150,10 @@ static tetMesh attempts
 
 bool allPositive(const UList<point>& x, const UList<tetCell>& tets)
 {
-    for (const tetCell& tet : tets)
+    return allOf(tets, [&](const tetCell& tet)
     {
-        if (orientation(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]) <= 0)
-        {
-            return false;
-        }
-    }
-
-    return true;
+        return orientation(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]) > 0;
+    });
 }
 
 

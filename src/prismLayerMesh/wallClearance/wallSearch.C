@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallSearch.H"
+#include "searchTree.H"
 
 namespace Foam
 {
@@ -117,12 +118,9 @@ const wallSearch::octree& wallSearch::tree() const
 {
     std::call_once(prepared_, [this]()
     {
-        tree_.reset
+        tree_ = makeSearchTree
         (
-            new octree
-            (
-                treeDataTriSurface(true, surface_, 0), bounds_, 12, 10, 3
-            )
+            treeDataTriSurface(true, surface_, 0), bounds_, 0, 12
         );
 
         // What inFront shares between threads

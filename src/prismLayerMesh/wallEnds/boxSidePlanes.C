@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "boxSidePlanes.H"
+#include "ranges.H"
 #include "splitAtSidePatches.H"
 
 namespace Foam
@@ -77,22 +78,16 @@ List<sidePatch> withBoxSides
             return mag((x - plane.origin) & plane.normal) <= tolerance;
         };
 
-        const bool isGiven = std::any_of
-        (
-            planes.begin(), planes.end(), [&](const sidePatch& given)
-            {
-                return isOn(given.origin)
-                    && mag(given.normal - plane.normal) < sideTolerance;
-            }
-        );
-        const bool hasBorder = std::any_of
-        (
-            border.begin(), border.end(), [&](const edge& e)
-            {
-                return isOn(surface.points[e.start()])
-                    && isOn(surface.points[e.end()]);
-            }
-        );
+        const bool isGiven = anyOf(planes, [&](const sidePatch& given)
+        {
+            return isOn(given.origin)
+                && mag(given.normal - plane.normal) < sideTolerance;
+        });
+        const bool hasBorder = anyOf(border, [&](const edge& e)
+        {
+            return isOn(surface.points[e.start()])
+                && isOn(surface.points[e.end()]);
+        });
 
         if (hasBorder && !isGiven)
         {

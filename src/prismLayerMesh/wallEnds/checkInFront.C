@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "checkInFront.H"
+#include "ranges.H"
 #include "splitAtSidePatches.H"
 
 namespace Foam
@@ -56,10 +57,8 @@ void checkInFront
 
     for (const face& f : surface.faces)
     {
-        const bool isOn = std::all_of
-        (
-            f.begin(), f.end(), [&](const label p) { return onPlane.test(p); }
-        );
+        const bool isOn =
+            allOf(f, [&](const label p) { return onPlane.test(p); });
 
         if (isOn)
         {

@@ -100,7 +100,7 @@ List<openComponent> openComponents
     const UList<sidePatch>& planes
 )
 {
-    const wallSides edges(makeWallSides(surface.faces, surface.points.size()));
+    const wallSides edges(makeWallSides(surface));
     labelList componentOfFace;
     const label n =
         findComponents(edges, surface.faces.size(), componentOfFace);

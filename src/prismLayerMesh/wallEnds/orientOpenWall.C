@@ -6,7 +6,8 @@
 #include "orientOpenWall.H"
 #include "boundBox.H"
 #include "openComponents.H"
-#include "removeUnused.H"
+#include "ranges.H"
+#include "surfacePart.H"
 
 namespace Foam
 {
@@ -68,11 +69,10 @@ label orientOpenWall
 )
 {
     const List<openComponent> components(openComponents(surface, planes));
-    const bool open = std::any_of
-    (
-        components.begin(), components.end(),
-        [](const openComponent& c) { return c.borders.size(); }
-    );
+    const bool open = anyOf(components, [](const openComponent& c)
+    {
+        return c.borders.size();
+    });
 
     // All closed: they are oriented already
     label nFlipped = 0;
@@ -124,9 +124,7 @@ label removeCavities(wallSurface& surface, const UList<sidePatch>& planes)
         }
     }
 
-    inplaceSubset(kept, surface.faces);
-    inplaceSubset(kept, surface.patchIDs);
-    removeUnusedPoints(surface.faces, surface.points);
+    keepFaces(kept, surface);
 
     return nCavities;
 }

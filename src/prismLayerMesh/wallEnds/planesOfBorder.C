@@ -24,11 +24,7 @@ static List<sidePatch> meanPlanes
     const edgeList& border
 )
 {
-    disjointSets parts(points.size());
-    for (const edge& e : border)
-    {
-        parts.join(e.start(), e.end());
-    }
+    disjointSets parts(connectedPoints(points.size(), border));
 
     // Sums of lengths, of centres of edges by length, and of areas
     struct sums { scalar length = 0; vector centre = Zero, area = Zero; };

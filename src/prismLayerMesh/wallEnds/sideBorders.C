@@ -154,7 +154,7 @@ void borderFinder::addPointsOfSides()
 sideBorders borderFinder::find()
 {
     borders.pointSides.setSize(surface.points.size());
-    const wallSides edges(makeWallSides(surface.faces, surface.points.size()));
+    const wallSides edges(makeWallSides(surface));
     DynamicList<point> lost;
 
     for (label e = 0; e < edges.nEdges(); ++e)

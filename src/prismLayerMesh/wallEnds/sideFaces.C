@@ -5,8 +5,7 @@
 
 #include "sideFaces.H"
 #include "disjointSets.H"
-
-#include <algorithm>
+#include "ranges.H"
 
 namespace Foam
 {
@@ -39,7 +38,7 @@ sideFaces::sideFaces
 :
     surface_(surface),
     sectors_(sectors),
-    edges_(makeWallSides(surface.faces, surface.points.size())),
+    edges_(makeWallSides(surface)),
     normals_(surface.faceNormals()),
     isSide_(surface.faces.size()),
     atWall_(surface.faces.size())
@@ -106,11 +105,7 @@ List<DynamicList<label>> sideFaces::joined
 
 bool sideFaces::touchWall(const labelUList& faces) const
 {
-    return std::any_of
-    (
-        faces.begin(), faces.end(),
-        [&](const label f) { return atWall_.test(f); }
-    );
+    return anyOf(faces, [&](const label f) { return atWall_.test(f); });
 }
 
 

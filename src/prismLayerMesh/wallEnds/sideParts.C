@@ -5,7 +5,7 @@
 
 #include "sideParts.H"
 #include "divideSidePart.H"
-#include "removeUnused.H"
+#include "surfacePart.H"
 #include "sideFaces.H"
 #include "sideShape.H"
 
@@ -82,10 +82,8 @@ class partFinder
     sidePatch curvedThrough(const labelUList& faces) const
     {
         sidePatch side(planeThrough(faces));
-        pointField points(surface_.points);
-        faceList own(UIndirectList<face>(surface_.faces, faces)());
-        removeUnusedPoints(own, points);
-        side.shape = std::make_shared<const sideShape>(points, own);
+        const wallSurface own(makeSurfacePart(surface_, faces).surface);
+        side.shape = std::make_shared<const sideShape>(own.points, own.faces);
 
         return side;
     }

@@ -7,7 +7,8 @@
 #include "boundBox.H"
 #include "checkInFront.H"
 #include "orientOpenWall.H"
-#include "removeUnused.H"
+#include "ranges.H"
+#include "surfacePart.H"
 #include "sideBorders.H"
 #include "sideParts.H"
 #include "sideShape.H"
@@ -124,45 +125,29 @@ void wallSplitter::putOnPlanes(wallReading& reading)
 
 void wallSplitter::takeWall()
 {
-    List<DynamicList<face>> facesOfSides(sides.size());
-    DynamicList<face> faces;
-    DynamicList<label> patchIDs;
-
-    forAll(surface.faces, facei)
-    {
-        const label s = sideOfFace[facei];
-
-        if (s < 0)
-        {
-            faces.append(surface.faces[facei]);
-            patchIDs.append(surface.patchIDs[facei]);
-        }
-        else
-        {
-            facesOfSides[s].append(surface.faces[facei]);
-        }
-    }
-
     forAll(sides, s)
     {
-        sides[s].faces.transfer(facesOfSides[s]);
-        sides[s].points = surface.points;
-        removeUnusedPoints(sides[s].faces, sides[s].points);
-
+        const wallSurface part
+        (
+            makeSurfacePart(surface, findIndices(sideOfFace, s)).surface
+        );
+        sides[s].points = part.points;
+        sides[s].faces = part.faces;
         setShape(sides[s]);
     }
 
-    wall.faces.transfer(faces);
-    wall.patchIDs.transfer(patchIDs);
-    wall.points = surface.points;
-    const labelList numbers(removeUnusedPoints(wall.faces, wall.points));
-
-    for (edge& e : wall.border.edges)
+    const surfacePart rest
+    (
+        makeSurfacePart(surface, findIndices(sideOfFace, -1))
+    );
+    wallBorder border(wall.border);
+    const labelList local(invert(surface.points.size(), rest.points));
+    for (edge& e : border.edges)
     {
-        e = edge(numbers[e.start()], numbers[e.end()]);
+        inplaceRenumber(local, e);
     }
-
-    wall.patchNames = surface.patchNames;
+    wall = rest.surface;
+    wall.border = border;
     wall.border.sides = sides;
     mergePatches(wall);
 }
@@ -214,11 +199,10 @@ static wordList patchTypes(const wordList& names, const layerControls& layers)
 
 static bool matchesAny(const patchLayers& entry, const wordList& names)
 {
-    return std::any_of
-    (
-        names.begin(), names.end(),
-        [&](const word& name) { return entry.patches.match(name); }
-    );
+    return anyOf(names, [&](const word& name)
+    {
+        return entry.patches.match(name);
+    });
 }
 
 

@@ -6,23 +6,13 @@
 #include "flipCaps.H"
 #include "boundBox.H"
 #include "edgeHashes.H"
+#include "ranges.H"
 #include "wallSides.H"
-
-#include <algorithm>
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- The smallest height [m] of a triangle
-static scalar heightOf(const pointField& points, const face& f)
-{
-    const scalar longest = f.faceEdge(f.longestEdge(points)).mag(points);
-
-    return 2*f.mag(points)/max(longest, VSMALL);
-}
-
 
 //- The edge to flip if a face is a cap, otherwise an edge without points
 static edge edgeOfCap
@@ -62,11 +52,7 @@ class capFlipper
 
     bool isTouched(const face& f) const
     {
-        return std::any_of
-        (
-            f.begin(), f.end(),
-            [&](const label p) { return isTouched_.test(p); }
-        );
+        return anyOf(f, [&](const label p) { return isTouched_.test(p); });
     }
 
 public:
@@ -101,34 +87,23 @@ bool capFlipper::flip
         return false;
     }
 
-    const label v = f.prevLabel(f.find(e[0]));
-    const label w = g.prevLabel(g.find(e[1]));
-    const face first({e[0], w, v});
-    const face second({w, e[1], v});
-    const auto height = [&](const face& a, const face& b)
-    {
-        return min(heightOf(wall_.points, a), heightOf(wall_.points, b));
-    };
-    const vector before(g.unitNormal(wall_.points));
-    const auto turns = [&](const face& after)
-    {
-        return (after.unitNormal(wall_.points) & before) < 0.5;
-    };
-
+    const edgeFlip flipped(f, g, e);
+    const edge& made = flipped.made;
     if
     (
-        v == w || edges_.found(edge(v, w)) || turns(first) || turns(second)
-     || height(first, second) <= height(f, g)
+        made[0] == made[1] || edges_.found(made)
+     || !flipped.isBetter(wall_.points)
     )
     {
         return false;
     }
 
     edges_.erase(e);
-    edges_.insert(edge(v, w));
-    isTouched_.set(labelList({e[0], e[1], v, w}));
-    f = first;
-    g = second;
+    edges_.insert(made);
+    isTouched_.set(e);
+    isTouched_.set(made);
+    f = flipped.first;
+    g = flipped.second;
     wall_.patchIDs[cap] = wall_.patchIDs[neighbour];
 
     return true;
@@ -137,7 +112,50 @@ bool capFlipper::flip
 } // End anonymous namespace
 
 
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+edgeFlip::edgeFlip(const face& f, const face& g, const edge& e)
+:
+    f(f),
+    g(g),
+    made(f.prevLabel(f.find(e[0])), g.prevLabel(g.find(e[1]))),
+    first({e[0], made[1], made[0]}),
+    second({made[1], e[1], made[0]})
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool edgeFlip::isBetter(const pointField& points) const
+{
+    const auto height = [&](const face& a, const face& b)
+    {
+        return min(smallestHeight(points, a), smallestHeight(points, b));
+    };
+
+    return isAlong(points, g, first) && isAlong(points, g, second)
+        && height(first, second) > height(f, g);
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+scalar smallestHeight(const pointField& points, const face& f)
+{
+    const scalar longest = f.faceEdge(f.longestEdge(points)).mag(points);
+
+    return 2*f.mag(points)/max(longest, VSMALL);
+}
+
+
+bool isAlong(const pointField& points, const face& f, const face& g)
+{
+    const vector a(f.areaNormal(points));
+    const vector b(g.areaNormal(points));
+
+    return (a & b) > 0.5*mag(a)*mag(b) && mag(b) > 0;
+}
+
 
 label flipCaps(wallSurface& wall, const scalar tolerance)
 {
@@ -161,7 +179,7 @@ label flipCaps(wallSurface& wall, const scalar tolerance)
             break;
         }
 
-        const wallSides sides(makeWallSides(wall.faces, wall.points.size()));
+        const wallSides sides(makeWallSides(wall));
         capFlipper flipper(wall);
         for (label i = 0; i < sides.nEdges(); ++i)
         {

@@ -6,6 +6,7 @@
 #include "wallSurface.H"
 #include "CompactListList.H"
 #include "pointOrder.H"
+#include "ranges.H"
 
 #include <algorithm>
 
@@ -74,13 +75,10 @@ static label firstCorner
 
     forAll(corners, i)
     {
-        const bool follows = std::any_of
-        (
-            corners.begin(), corners.end(), [&](const wallCorner& other)
-            {
-                return other.previous == corners[i].next;
-            }
-        );
+        const bool follows = anyOf(corners, [&](const wallCorner& other)
+        {
+            return other.previous == corners[i].next;
+        });
 
         if (!follows)
         {

@@ -5,6 +5,7 @@
 
 #include "cutBlindFaces.H"
 #include "cutReflexFaces.H"
+#include "ranges.H"
 #include "wallVisibility.H"
 
 #include <algorithm>
@@ -38,12 +39,8 @@ static boolList polygonsAt(const wallSurface& wall, const labelUList& points)
 
 label cutBlindFaces(wallSurface& wall)
 {
-    const bool hasPolygons = std::any_of
-    (
-        wall.faces.begin(),
-        wall.faces.end(),
-        [](const face& f) { return f.size() > 3; }
-    );
+    const bool hasPolygons =
+        anyOf(wall.faces, [](const face& f) { return f.size() > 3; });
     const labelList blind
     (
         hasPolygons ? pointsWithEmptyCones(wall) : labelList()

@@ -137,12 +137,12 @@ TEST(refineSurface, edgesWithOneFaceAreKept)
         surface.faces[5] = surface.faces.last();
         surface.faces.setSize(95);
         surface = testSurfaces::triangulated(surface);
-        const edgeHashSet kept(openEdges(surface.faces));
+        const edgeHashSet kept(outline(surface.faces));
         const pointField before(surface.points);
         refineSurface(surface, [=](const point&) { return size; }, nullptr);
 
         EXPECT_EQ(kept.size(), 4);
-        EXPECT_TRUE(openEdges(surface.faces) == kept);
+        EXPECT_TRUE(edgeHashSet(outline(surface.faces)) == kept);
         for (const edge& e : kept)
         {
             EXPECT_EQ(surface.points[e.start()], before[e.start()]);

@@ -3,8 +3,9 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "columnLines.H"
+#include "blockLines.H"
 #include "monotoneField.H"
+#include "testLayers.H"
 #include "testStages.H"
 #include "testSurfaces.H"
 
@@ -28,14 +29,26 @@ static blockControls smallBlocks()
 }
 
 
-static dividedWall divided(const stages& s, const blockControls& controls)
+//- Stages of a wall with a column on each point
+struct dividedStages
+:
+    stages
 {
-    return dividedWall
+    const layerFront front = testSurfaces::frontOf(wall, 0);
+
+    using stages::stages;
+
+    dividedWall divided() const
     {
-        s.wall, s.radii,
-        divideWall(s.wall.points, s.radii.radius, controls), controls
-    };
-}
+        const blockControls controls(smallBlocks());
+
+        return dividedWall
+        {
+            columnTeam::alone(), front, wall, radii, spacing,
+            divideWall(wall.points, radii.radius, controls), controls
+        };
+    }
+};
 
 
 //- On the axes of the cones
@@ -110,11 +123,11 @@ TEST(divideWall, narrowPartsStay)
 
 TEST(fieldBlock, hasAllFacesOfItsPoints)
 {
-    const stages s(testSurfaces::torus(48, 24, 1, 0.4), 4, 0.05);
-    const dividedWall wall(divided(s, smallBlocks()));
-    ASSERT_GT(wall.parts.size(), 2);
+    const dividedStages s(testSurfaces::torus(48, 24, 1, 0.4), 4, 0.05);
+    const dividedWall wall(s.divided());
+    ASSERT_GT(wall.blocks.size(), 2);
 
-    for (const labelList& part : wall.parts)
+    for (const labelList& part : wall.blocks)
     {
         const fieldBlock block
         (
@@ -157,14 +170,14 @@ TEST(blockLines, areNearToThoseOfTheWholeField)
 
     for (const wallSurface& shape : shapes)
     {
-        const stages s(shape, 6, 0.05);
-        const dividedWall wall(divided(s, smallBlocks()));
-        ASSERT_GT(wall.parts.size(), 1);
+        const dividedStages s(shape, 6, 0.05);
+        const dividedWall wall(s.divided());
+        ASSERT_GT(wall.blocks.size(), 1);
 
         string failure;
         const columnLines blocks
         (
-            makeColumnLines(wall, startsOf(s), fieldControls(), failure)
+            makeColumnLines(wall, fieldControls(), failure)
         );
         const columnLines whole(linesOfWhole(s));
 
@@ -177,8 +190,8 @@ TEST(blockLines, areNearToThoseOfTheWholeField)
 
 TEST(blockLines, areTheSameOnAnyNumberOfThreads)
 {
-    const stages s(testSurfaces::sphere(12), 4, 0.05);
-    const dividedWall wall(divided(s, smallBlocks()));
+    const dividedStages s(testSurfaces::sphere(12), 4, 0.05);
+    const dividedWall wall(s.divided());
     const label nThreads = omp_get_max_threads();
     string failure;
     List<columnLines> made;
@@ -188,7 +201,7 @@ TEST(blockLines, areTheSameOnAnyNumberOfThreads)
         omp_set_num_threads(n);
         made.append
         (
-            makeColumnLines(wall, startsOf(s), fieldControls(), failure)
+            makeColumnLines(wall, fieldControls(), failure)
         );
         EXPECT_EQ(failure, "");
     }
@@ -203,7 +216,7 @@ TEST(blockLines, areTheSameOnAnyNumberOfThreads)
 TEST(blockLines, areStraightWhereBlocksFail)
 {
     const wallSurface ball(testSurfaces::sphere(12));
-    const stages s
+    const dividedStages s
     (
         testSurfaces::merge
         (
@@ -215,10 +228,7 @@ TEST(blockLines, areStraightWhereBlocksFail)
     string failure;
     const columnLines made
     (
-        makeColumnLines
-        (
-            divided(s, smallBlocks()), starts, fieldControls(), failure
-        )
+        makeColumnLines(s.divided(), fieldControls(), failure)
     );
 
     EXPECT_NE(failure.find("TetGen"), std::string::npos) << failure;

@@ -3,8 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "fieldIslands.H"
-#include "sharedBlocks.H"
+#include "blockLines.H"
 #include "testLayers.H"
 #include "testStages.H"
 #include "testSurfaces.H"
@@ -162,23 +161,20 @@ TEST(sharedBlocks, partsOfTheWallHaveAllFacesInTheirBoxes)
             boundBox(corner, corner + point::uniform(0.5)),
             boundBox(-corner - point::uniform(0.5), -corner)
         });
-        const wallPart part
+        const surfacePart part
         (
             wallPartInBoxes(own.share.front, own.team, boxes)
         );
-        boolList inside(facesIn(s.wall, boxes[0]));
-        const boolList inSecond(facesIn(s.wall, boxes[1]));
-        forAll(inside, facei)
-        {
-            inside[facei] = inside[facei] || inSecond[facei];
-        }
-        const wallPart whole(makeWallPart(s.wall, inside));
+        labelHashSet inside(facesIn(s.wall, boxes[0]));
+        inside.insert(facesIn(s.wall, boxes[1]));
+        const surfacePart whole(makeSurfacePart(s.wall, inside.sortedToc()));
 
         const std::lock_guard<std::mutex> lock(reporting);
         EXPECT_EQ(part.points, whole.points);
-        EXPECT_EQ(part.wall.points, whole.wall.points);
-        EXPECT_EQ(part.wall.faces, whole.wall.faces);
-        EXPECT_EQ(part.wall.patchIDs, whole.wall.patchIDs);
+        EXPECT_EQ(part.faces, whole.faces);
+        EXPECT_EQ(part.surface.points, whole.surface.points);
+        EXPECT_EQ(part.surface.faces, whole.surface.faces);
+        EXPECT_EQ(part.surface.patchIDs, whole.surface.patchIDs);
     });
 }
 
@@ -196,11 +192,10 @@ static columnLines linesOfOneProcess
     (
         makeColumnLines
         (
-            dividedWall{s.wall, s.radii, parts, controls},
-            columnStarts
+            dividedWall
             {
-                front.wallPoints, front.visibility.axes(),
-                s.spacing.at(front.wallPoints)
+                columnTeam::alone(), front, s.wall, s.radii, s.spacing, parts,
+                controls
             },
             fieldControls(), failure
         )
@@ -234,10 +229,10 @@ static void expectSameLines(const stages& s, const scalar angle)
         (
             makeColumnLines
             (
-                sharedWall
+                dividedWall
                 {
-                    own.team, own.share.front, own.radii, own.spacing, parts,
-                    controls
+                    own.team, own.share.front, own.wall, own.radii,
+                    own.spacing, parts, controls
                 },
                 fieldControls(), failureHere
             )

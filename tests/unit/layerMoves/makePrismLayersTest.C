@@ -125,7 +125,7 @@ static madeLayers remade
 {
     return makePrismLayers
     (
-        makeLayerFront(wall, m.addressing, m.visibility, 0), m.guide.spacing,
+        testSurfaces::frontOf(wall, 0), m.guide.spacing,
         columns
     );
 }

@@ -5,7 +5,7 @@
 
 #include "splitAtSidePatches.H"
 #include "openSurfaces.H"
-#include "removeUnused.H"
+#include "surfacePart.H"
 #include "surfaceFiles.H"
 #include "wallDefects.H"
 

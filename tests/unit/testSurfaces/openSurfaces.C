@@ -5,7 +5,7 @@
 
 #include "openSurfaces.H"
 #include "mathematicalConstants.H"
-#include "removeUnused.H"
+#include "surfacePart.H"
 #include "splitAtSidePatches.H"
 
 namespace Foam

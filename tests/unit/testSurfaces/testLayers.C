@@ -129,12 +129,14 @@ Foam::layerFront Foam::testSurfaces::frontOf
 )
 {
     const wallAddressing addressing(makeWallAddressing(wall));
-
-    return makeLayerFront
+    const wallVisibility visibility(makeWallVisibility(wall, addressing));
+    layerFront front
     (
-        wall, addressing, makeWallVisibility(wall, addressing),
-        degToRad(smallestAngle)
+        makeBareFront(wall, addressing, visibility, degToRad(smallestAngle))
     );
+    front.complete(addressing, visibility);
+
+    return front;
 }
 
 

@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "wallPart.H"
+#include "surfacePart.H"
 #include "wallSearch.H"
 #include "testSurfaces.H"
 
@@ -174,9 +174,9 @@ TEST(wallSearch, theFirstOfEquallyNearTrianglesIsFound)
 {
     const wallSurface wall(testSurfaces::sphere(6));
     const boundBox half(point(0, -1, -1), point(1, 1, 1));
-    const wallPart part(makeWallPart(wall, facesIn(wall, half)));
+    const surfacePart part(makeSurfacePart(wall, facesIn(wall, half)));
     const wallSearch onWall(wall);
-    const wallSearch onPart(part.wall);
+    const wallSearch onPart(part.surface);
     label nTies = 0;
 
     forAll(part.points, i)
@@ -198,7 +198,7 @@ TEST(wallSearch, theFirstOfEquallyNearTrianglesIsFound)
         const face& f = wall.faces[a.index()];
         EXPECT_EQ
         (
-            part.localPoints(f), labelList(part.wall.faces[b.index()])
+            part.localPoints(f), labelList(part.surface.faces[b.index()])
         );
         for (label facei = 0; facei < a.index(); ++facei)
         {

@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "backgroundMesh/fieldBlock.C"
-#include "backgroundMesh/fieldIslands.C"
 #include "backgroundMesh/wallDomain.C"
 #include "backgroundMesh/frontTets.C"
 #include "backgroundMesh/wallBridges.C"

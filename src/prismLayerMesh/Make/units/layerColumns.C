@@ -8,7 +8,6 @@
 #include "layerColumns/blockLines.C"
 #include "layerColumns/wallBlocks.C"
 #include "layerColumns/sharedBlocks.C"
-#include "layerColumns/sharedBlockLines.C"
 #include "layerColumns/straightShares.C"
 #include "layerColumns/wallSmoother.C"
 #include "layerColumns/layerColumns.C"

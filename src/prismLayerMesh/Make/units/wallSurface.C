@@ -6,12 +6,11 @@
 #include "wallSurface/wallSides.C"
 #include "wallSurface/wallAddressing.C"
 #include "wallSurface/packedFaces.C"
-#include "wallSurface/wallPart.C"
 #include "wallSurface/wallSurface.C"
 #include "wallSurface/surfaceMeasures.C"
 #include "wallSurface/cutReflexFaces.C"
 #include "wallSurface/flipCaps.C"
-#include "wallSurface/removeUnused.C"
+#include "wallSurface/surfacePart.C"
 #include "wallSurface/renumberWall.C"
 #include "wallSurface/wallPredicates.C"
 

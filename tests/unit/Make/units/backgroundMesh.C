@@ -3,7 +3,6 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "backgroundMesh/fieldIslandsTest.C"
 #include "backgroundMesh/backgroundMeshTest.C"
 #include "backgroundMesh/levelSetTopologyTest.C"
 #include "backgroundMesh/endedBackgroundTest.C"

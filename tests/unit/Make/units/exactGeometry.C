@@ -4,7 +4,5 @@
 \*---------------------------------------------------------------------------*/
 
 #include "exactGeometry/labelledTriangleTest.C"
-#include "exactGeometry/markedGridTest.C"
-#include "exactGeometry/boxGridTest.C"
 
 // ************************************************************************* //

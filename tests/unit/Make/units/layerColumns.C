@@ -6,6 +6,7 @@
 #include "layerColumns/gradientLinesTest.C"
 #include "layerColumns/blockLinesTest.C"
 #include "layerColumns/sharedBlocksTest.C"
+#include "layerColumns/wallBlocksTest.C"
 #include "layerColumns/straightSharesTest.C"
 #include "layerColumns/layerColumnsTest.C"
 #include "layerColumns/levelSetsTest.C"

@@ -4,11 +4,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallSurface/packedFacesTest.C"
-#include "wallSurface/disjointSetsTest.C"
 #include "wallSurface/cutReflexFacesTest.C"
 #include "wallSurface/flipCapsTest.C"
 #include "wallSurface/renumberWallTest.C"
-#include "wallSurface/removeUnusedTest.C"
+#include "wallSurface/surfacePartTest.C"
 #include "wallSurface/wallSurfaceTest.C"
 #include "wallSurface/surfaceMeasuresTest.C"
 #include "wallSurface/openAddressingTest.C"
