@@ -212,7 +212,8 @@ static void measure
         (
             makePrismLayers
             (
-                m.front, m.guide.spacing.at(m.front.wallPoints), m.columns,
+                m.share.front,
+                m.guide.spacing.at(m.share.front.wallPoints), m.columns,
                 controls
             )
         );
@@ -220,7 +221,7 @@ static void measure
 
         const faceHeights heights
         (
-            makeFaceHeights(wall, m.heights.request, made.layers)
+            makeFaceHeights(wall, m.request, made.layers)
         );
         const label n = wall.faces.size();
         scalar full = 0, mean = 0;

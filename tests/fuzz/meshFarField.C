@@ -118,10 +118,7 @@ farFieldMesh farFieldStage::make() const
         domain.boundary = makeFarBoundary(controls.boundary, nullptr);
     }
 
-    return makeFarFieldMesh
-    (
-        layered_.made.layers, layered_.front.addressing, domain, controls
-    );
+    return makeFarFieldMesh(layered_.made.layers, domain, controls);
 }
 
 

@@ -81,7 +81,7 @@ static void mesh
     }
     else if
     (
-        m.made.layers.nLayers != nAsked(controls.layers, m.heights.request)
+        m.made.layers.nLayers != nAsked(controls.layers, m.request)
     )
     {
         tell("failed", "the number of layers is not what was asked for");

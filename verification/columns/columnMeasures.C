@@ -96,10 +96,7 @@ static void measure
     const prismLayerMesh m(makePrismLayerMesh(wall, controls, {}, {}));
     const scalar seconds = time.elapsedCpuTime();
 
-    const faceHeights heights
-    (
-        makeFaceHeights(wall, m.heights.request, m.made.layers)
-    );
+    const faceHeights heights(makeFaceHeights(wall, m.request, m.made.layers));
     const label n = m.columns.nLayers;
     scalar full = 0, mean = 0;
     label nFull = 0;

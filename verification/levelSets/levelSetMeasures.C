@@ -165,22 +165,31 @@ offsetEnvelope envelopeFor
     const stageObserver& observer
 )
 {
+    const scalarField radius(controls.envelope.scale*request.thickness);
     const scalarField clearance
     (
         makeWallClearance
         (
-            context.wall, context.search(), context.visibility,
-            2*controls.envelope.scale*request.thickness,
+            context.wall, context.search(), context.visibility, 2*radius,
             controls.layers.maxStretch
         )
     );
 
     const envelopeRadii radii
     (
+<<<<<<< HEAD
         makeEnvelopeRadii
         (
             context, controls.envelope.scale*request.thickness, clearance
         )
+=======
+        context,
+        makeEnvelopeRadii
+        (
+            context.wall, context.addressing, radius, clearance
+        ),
+        controls, observer
+>>>>>>> onepath
     );
 
     return makeEnvelope(context, radii, controls, observer);

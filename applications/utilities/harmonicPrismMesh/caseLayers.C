@@ -4,9 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "caseLayers.H"
-#include "layerSurfaces.H"
 #include "readPrismLayerControls.H"
-#include "returnMemory.H"
 #include "sharedPiece.H"
 #include "StringStream.H"
 #include "throwingErrors.H"
@@ -37,8 +35,7 @@ static auto inTeam(const parallelRun& parallel, const Work& work)
     };
     try
     {
-        return parallel.isParallel()
-          ? parallel.team().guard(workInMemory) : workInMemory();
+        return parallel.team().guard(workInMemory);
     }
     catch (const teamError& e)
     {
@@ -69,43 +66,43 @@ static List<message> orders
     return all;
 }
 
-
-//- The layers of all processes as layers() of caseLayers has them
-static prismLayers gathered
-(
-    const wallSurface& wall,
-    const prismLayerMesh& mesh,
-    const columnTeam& team,
-    const bool hasFarField
-)
-{
-    const prismLayers& own = mesh.made.layers;
-    if (hasFarField || endOnParts(own))
-    {
-        return gatherLayers
-        (
-            wall, mesh.front, own.points, own.nLayers, team
-        );
-    }
-
-    pointField ends(2*own.nColumns());
-    for (label c = 0; c < own.nColumns(); ++c)
-    {
-        ends[2*c] = own(c, 0);
-        ends[2*c + 1] = own(c, own.nLayers);
-    }
-
-    return gatherLayers(wall, mesh.front, ends, 1, team);
-}
-
 } // End namespace Foam
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-Foam::columnTeam Foam::caseLayers::team() const
+void Foam::caseLayers::takeLayers
+(
+    const wallSurface& wall,
+    const bool hasFarField,
+    prismLayerMesh& mesh
+)
 {
-    return columnTeam(mesh_.share.get(), &parallel_.team());
+    const processTeam& team = parallel_.team();
+    const bool isAlone = team.size() == 1;
+    layers_ = std::move(mesh.made.layers);
+    const bool hasSides = !hasFarField && endOnParts(layers_);
+    prismLayers whole;
+
+    if (!isAlone && (hasFarField || hasSides))
+    {
+        whole = layersOnMaster(layers_, mesh.share, wall, team);
+    }
+    if (hasSides && team.isMaster())
+    {
+        surfaces_.sides.reset
+        (
+            new wallSurface(sideSurface(isAlone ? layers_ : whole))
+        );
+    }
+    if (!isAlone && hasFarField)
+    {
+        layers_ = std::move(whole);
+    }
+    surfaces_.outer = hasFarField
+      ? outerSurface{layers_.outerPoints(), layers_.faces}
+      : outerOnMaster(layers_, mesh.share, wall, team);
+    labels_ = std::move(mesh.share);
 }
 
 
@@ -133,27 +130,27 @@ Foam::caseLayers::caseLayers
     const prismLayerControls& controls,
     const localHeights& local,
     const stageObserver& observer,
-    const bool keepStages
+    const stageViewer& view
 )
 :
     parallel_(parallel)
 {
     inTeam(parallel, [&]()
     {
-        mesh_ = makePrismLayerMesh
+        const processTeam& team = parallel.team();
+        prismLayerMesh mesh
         (
-            wall, controls, local, observer, keepStages,
-            parallel.isParallel() ? &parallel.team() : nullptr
-        );
-        report_ = makeLayerReport(wall, mesh_, team());
-
-        if (mesh_.share)
-        {
-            whole_ = gathered
+            makePrismLayerMesh
             (
-                wall, mesh_, team(), controls.farField.isWanted()
-            );
+                wall, controls, local, observer, bool(view), team
+            )
+        );
+        report_ = makeLayerReport(wall, mesh, columnTeam(mesh.share, team));
+        if (view)
+        {
+            view(mesh);
         }
+        takeLayers(wall, controls.farField.isWanted(), mesh);
 
         return true;
     });
@@ -166,16 +163,15 @@ Foam::layersPiece Foam::caseLayers::makePiece()
 {
     return inTeam(parallel_, [&]()
     {
+        const prismLayers own(std::move(layers_));
         layersPiece piece(makeLayersPiece
         (
-            mesh_.made.layers, team(),
+            own, columnTeam(labels_, parallel_.team()),
             [&](const labelListList& neighbours, const pointField& centres)
             {
                 return parallel_.divide(neighbours, centres);
             }
         ));
-        mesh_ = prismLayerMesh();
-        returnMemory();
         setCosts();
 
         return piece;
@@ -213,7 +209,7 @@ Foam::pieceWriter Foam::makePieceForMaster(const parallelRun& parallel)
     const prismLayerControls controls(readPrismLayerControls(dictionary(text)));
     caseLayers layers
     (
-        parallel, wallSurface(), controls, localHeights(), silent, false
+        parallel, wallSurface(), controls, localHeights(), silent, nullptr
     );
 
     if (controls.farField.isWanted())

@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "caseWriter.H"
-#include "layerSurfaces.H"
 #include "polyMesh.H"
 #include "prismPolyMesh.H"
 #include "replacedFiles.H"
@@ -92,18 +91,17 @@ void Foam::caseWriter::writeSurface
 }
 
 
-void Foam::caseWriter::writeOuter
+void Foam::caseWriter::writeSurfaces
 (
-    const prismLayers& layers,
-    const bool hasFarField,
+    const domainSurfaces& surfaces,
     replacedFiles& files
 ) const
 {
-    writeFaces(case_.outerFile(), outerSurface(layers), files);
+    writeFaces(case_.outerFile(), toMeshedSurface(surfaces.outer), files);
 
-    if (!hasFarField && endOnParts(layers))
+    if (surfaces.sides)
     {
-        writeFaces(case_.sidesFile(), sideSurface(layers), files);
+        writeFaces(case_.sidesFile(), toMeshedSurface(*surfaces.sides), files);
     }
 }
 

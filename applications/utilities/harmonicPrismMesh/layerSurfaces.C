@@ -39,26 +39,23 @@ MeshedSurface<face> toMeshedSurface(const wallSurface& surface)
 }
 
 
-MeshedSurface<face> outerSurface(const prismLayers& layers)
+MeshedSurface<face> toMeshedSurface(const outerSurface& surface)
 {
     return MeshedSurface<face>
     (
-        layers.outerPoints(),
-        faceList(layers.faces),
-        List<surfZone>(1, surfZone(layerOuterName, layers.faces.size(), 0, 0))
+        pointField(surface.points),
+        faceList(surface.faces),
+        List<surfZone>(1, surfZone(layerOuterName, surface.faces.size(), 0, 0))
     );
 }
 
 
-MeshedSurface<face> sideSurface(const prismLayers& layers)
+wallSurface sideSurface(const prismLayers& layers)
 {
-    return toMeshedSurface
+    return makeFarFieldBoundary
     (
-        makeFarFieldBoundary
-        (
-            layers, farBoundary(), [](const point&) { return GREAT; }
-        ).surface
-    );
+        layers, farBoundary(), [](const point&) { return GREAT; }
+    ).surface;
 }
 
 

@@ -45,6 +45,7 @@ static localHeights readLocal
 
 
 //- Makes the layers, in a parallel run with the other processes.
+//  pictures: whether all stages are written as VTK files
 //  Errors: FatalError with the file of the points where no layers are possible,
 //  or with the reason of another process
 static autoPtr<caseLayers> makeLayers
@@ -54,17 +55,23 @@ static autoPtr<caseLayers> makeLayers
     const wallSurface& wall,
     const prismLayerControls& controls,
     const localHeights& local,
-    const bool keepStages,
+    const bool pictures,
     stageLog& log
 )
 {
     try
     {
         sendOrder(parallel, files.dict());
+        const auto draw = [&](const prismLayerMesh& mesh)
+        {
+            Info<< "Writing VTK files to " << files.reportFolder() << endl;
+            writeStageFields(files.reportFolder(), wall, mesh);
+        };
 
         return autoPtr<caseLayers>::New
         (
-            parallel, wall, controls, local, log.observer(), keepStages
+            parallel, wall, controls, local, log.observer(),
+            pictures ? caseLayers::stageViewer(draw) : nullptr
         );
     }
     catch (const wallPointsError& failure)
@@ -84,30 +91,6 @@ static autoPtr<caseLayers> makeLayers
     }
 
     return nullptr;
-}
-
-
-//- Makes the far field around layers
-static void addFarField
-(
-    const wallSurface& wall,
-    farFieldDomain&& domain,
-    const farFieldControls& controls,
-    stageLog& log,
-    caseLayers& made
-)
-{
-    prismLayerMesh& mesh = made.mesh();
-    const wallAddressing addressing
-    (
-        mesh.share
-      ? makeWallAddressing(surfaceOfFront(wall, mesh.front))
-      : mesh.front.addressing
-    );
-    mesh.farField = makeFarField
-    (
-        made.layers(), addressing, std::move(domain), controls, log.observer()
-    );
 }
 
 
@@ -145,14 +128,14 @@ void meshWall
     (
         makeLayers(files, parallel, wall, controls, local, pictures, log)
     );
+    farFieldMesh farField;
     if (controls.farField.isWanted())
     {
-        addFarField(wall, std::move(domain), controls.farField, log, made());
-    }
-    if (pictures)
-    {
-        Info<< "Writing VTK files to " << files.reportFolder() << endl;
-        writeStageFields(files.reportFolder(), wall, made->mesh());
+        farField = makeFarField
+        (
+            made->layers(), std::move(domain), controls.farField,
+            log.observer()
+        );
     }
 
     log.begin("prismPolyMesh");
@@ -162,7 +145,11 @@ void meshWall
         {
             writer.writeSurface(preparedFile, given.prepared.surface, replaced);
         }
-        writeCase(files, parallel, writer, given, made, log, replaced);
+        writeCase
+        (
+            files, parallel, writer, given, made, std::move(farField),
+            controls.quality, log, replaced
+        );
     });
     rm(files.failedPointsFile());
 

@@ -43,16 +43,6 @@ static string writeMesh
 }
 
 
-//- The piece of this process. The layers of all processes are dropped first.
-static layersPiece takePiece(caseLayers& made)
-{
-    made.layers() = prismLayers();
-    returnMemory();
-
-    return made.makePiece();
-}
-
-
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 void writeCase
@@ -62,25 +52,26 @@ void writeCase
     const caseWriter& writer,
     const caseWall& given,
     autoPtr<caseLayers>& made,
+    farFieldMesh&& farField,
+    const qualityControls& bounds,
     stageLog& log,
     replacedFiles& replaced
 )
 {
     layerReport report(made->report());
-    farFieldMesh farField(std::move(made->mesh().farField));
     const bool hasFarField = !farField.empty();
-    writer.writeOuter(made->layers(), hasFarField, replaced);
+    writer.writeSurfaces(made->surfaces(), replaced);
     const farFieldReport far
     (
         hasFarField
-      ? makeFarFieldReport(made->layers(), farField, made->mesh().bounds)
+      ? makeFarFieldReport(made->layers(), farField, bounds)
       : farFieldReport()
     );
 
     layersPiece piece
     (
         parallel.isParallel() && !hasFarField
-      ? takePiece(made()) : layersPiece()
+      ? made->makePiece() : layersPiece()
     );
     const dictionary processes(made->costs());
     prismLayers layers(std::move(made->layers()));

@@ -153,7 +153,7 @@ fieldBlock makeFieldBlock
         context, radii.at(near.points), nearPoints, mesh, maxStretch
     );
     setNeighbours(context.addressing, nearPoints, block);
-    block.search = context.releaseSearch();
+    block.search = std::move(context.search);
 
     return block;
 }

@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "columnTeam.H"
-#include "ListOps.H"
 
 #include <algorithm>
 
@@ -25,9 +24,52 @@ static label indexOf(const labelUList& ascending, const label value)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+label shareTable::here(const label whole) const
+{
+    return isAlone_ ? whole : indexOf(labels_.whole, whole);
+}
+
+
+void shareTable::unite(boolList& set) const
+{
+    if (isAlone_)
+    {
+        return;
+    }
+
+    // From copies to owners, then from owners to all copies
+    const List<boolList> ofCopies(exchanged(set, labels_.received));
+    forAll(ofCopies, p)
+    {
+        forAll(ofCopies[p], i)
+        {
+            bool& own = set[labels_.sent[p][i]];
+            own = own || ofCopies[p][i];
+        }
+    }
+    update(set);
+}
+
+
+columnTeam::columnTeam
+(
+    const shareLabels& share,
+    const processTeam& processes
+)
+:
+    share_(share),
+    processes_(processes),
+    isAlone_(processes.size() == 1),
+    columns(share.columns, processes),
+    points(share.points, processes),
+    faces(share.faces, processes)
+{}
+
+
 const columnTeam& columnTeam::alone()
 {
-    static const columnTeam team;
+    static const shareLabels all;
+    static const columnTeam team(all, processTeam::alone());
 
     return team;
 }
@@ -43,17 +85,10 @@ bool columnTeam::hasOwn(const labelUList& columns) const
 }
 
 
-label columnTeam::columnHere(const label whole) const
-{
-    return share_ ? indexOf(share_->columns, whole) : whole;
-}
-
-
 labelList columnTeam::ownOf(const labelUList& columns) const
 {
-    return share_
-      ? subsetList(columns, [&](const label c) { return isOwn(c); })
-      : labelList(columns);
+    return isAlone_ ? labelList(columns)
+      : subsetList(columns, [&](const label c) { return isOwn(c); });
 }
 
 
@@ -63,12 +98,10 @@ labelList columnTeam::withOwn
     const UList<face>& faces
 ) const
 {
-    return share_
-      ? subsetList
-        (
-            which, [&](const label facei) { return hasOwn(faces[facei]); }
-        )
-      : labelList(which);
+    return isAlone_ ? labelList(which) : subsetList
+    (
+        which, [&](const label facei) { return hasOwn(faces[facei]); }
+    );
 }
 
 
@@ -79,38 +112,6 @@ string columnTeam::textOfMaster(const string& text) const
     broadcast(characters);
 
     return string(std::string(characters.cdata(), characters.size()));
-}
-
-
-void columnTeam::unite(boolList& columns) const
-{
-    if (isAlone())
-    {
-        return;
-    }
-
-    // From copies to owners, then from owners to all copies
-    List<message> toOwners(size());
-    forAll(toOwners, p)
-    {
-        toOwners[p].addList
-        (
-            List<bool>(UIndirectList<bool>(columns, share_->received[p]))
-        );
-    }
-
-    const List<message> messages(exchange(toOwners));
-    forAll(messages, p)
-    {
-        messageReader reader(messages[p]);
-        const List<bool> found(reader.list<bool>());
-        forAll(found, i)
-        {
-            bool& own = columns[share_->sent[p][i]];
-            own = own || found[i];
-        }
-    }
-    update(columns);
 }
 
 } // End namespace Foam

@@ -6,46 +6,83 @@
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
 template<class Type>
-List<message> columnTeam::toCopies(const UList<Type>& values) const
+List<Type> shareTable::valuesAt
+(
+    const UList<Type>& values,
+    const labelUList& places,
+    const label nEach
+)
 {
-    List<message> all(size());
-    forAll(all, p)
+    List<Type> result(places.size()*nEach);
+    forAll(places, i)
     {
-        all[p].addList
-        (
-            List<Type>(UIndirectList<Type>(values, share_->sent[p]))
-        );
+        SubList<Type>(result, nEach, i*nEach) =
+            SubList<Type>(values, nEach, places[i]*nEach);
     }
 
-    return all;
+    return result;
 }
 
 
 template<class Type>
-void columnTeam::update(UList<Type>& values) const
+void shareTable::setValues
+(
+    const UList<Type>& values,
+    const labelUList& places,
+    const label nEach,
+    UList<Type>& all
+)
 {
-    if (isAlone())
+    forAll(places, i)
+    {
+        SubList<Type>(all, nEach, places[i]*nEach) =
+            SubList<Type>(values, nEach, i*nEach);
+    }
+}
+
+
+template<class Type>
+List<List<Type>> shareTable::exchanged
+(
+    const UList<Type>& values,
+    const labelListList& places
+) const
+{
+    List<List<Type>> lists(places.size());
+    forAll(lists, p)
+    {
+        lists[p] = valuesAt(values, places[p], 1);
+    }
+
+    return processes_.exchangeLists(std::move(lists));
+}
+
+
+// * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
+
+template<class Type>
+void shareTable::update(UList<Type>& values) const
+{
+    if (isAlone_)
     {
         return;
     }
 
-    const List<message> messages(exchange(toCopies(values)));
-    forAll(messages, p)
+    const List<List<Type>> ofOwners(exchanged(values, labels_.sent));
+    forAll(ofOwners, p)
     {
-        messageReader reader(messages[p]);
-        UIndirectList<Type>(values, share_->received[p]) =
-            reader.list<Type>();
+        setValues(ofOwners[p], labels_.received[p], 1, values);
     }
 }
 
 
 template<class Type>
-bool columnTeam::lowerToOwners(UList<Type>& values) const
+bool shareTable::lower(UList<Type>& values) const
 {
-    if (isAlone())
+    if (isAlone_)
     {
         return false;
     }
@@ -53,25 +90,49 @@ bool columnTeam::lowerToOwners(UList<Type>& values) const
     List<Type> ofOwners(values);
     update(ofOwners);
 
-    bool lower = false;
-    forAll(values, c)
+    bool isLower = false;
+    forAll(values, i)
     {
-        lower = lower || ofOwners[c] < values[c];
-        values[c] = min(values[c], ofOwners[c]);
+        isLower = isLower || ofOwners[i] < values[i];
+        values[i] = min(values[i], ofOwners[i]);
     }
 
-    return any(lower);
+    return processes_.any(isLower);
 }
 
 
-template<class Type, class Operation>
-Type columnTeam::reduce(const Type& value, const Operation& op) const
+template<class Type>
+Map<Type> shareTable::ofOwners(const Map<Type>& values) const
 {
-    const List<Type> all(gather(List<Type>(1, value)));
-    Type result(all[0]);
-    for (label p = 1; p < all.size(); ++p)
+    Map<Type> result;
+    if (isAlone_)
     {
-        result = op(result, all[p]);
+        return result;
+    }
+
+    // Places in the lists of copies, with values
+    List<List<std::pair<label, Type>>> lists(processes_.size());
+    forAll(lists, p)
+    {
+        DynamicList<std::pair<label, Type>> items;
+        forAll(labels_.sent[p], i)
+        {
+            const auto found = values.cfind(labels_.sent[p][i]);
+            if (found.found())
+            {
+                items.append(std::pair<label, Type>(i, found.val()));
+            }
+        }
+        lists[p] = std::move(items);
+    }
+
+    lists = processes_.exchangeLists(std::move(lists));
+    forAll(lists, p)
+    {
+        for (const auto& item : lists[p])
+        {
+            result.set(labels_.received[p][item.first], item.second);
+        }
     }
 
     return result;
@@ -79,287 +140,97 @@ Type columnTeam::reduce(const Type& value, const Operation& op) const
 
 
 template<class Type>
-List<Type> columnTeam::pointsOnMaster(const UList<Type>& values) const
+List<Type> shareTable::fromMaster(List<Type> whole, const label nEach) const
 {
-    if (isAlone())
+    if (isAlone_)
+    {
+        return whole;
+    }
+
+    labelListList asked(processes_.size());
+    asked[0] = labels_.whole;
+    asked = processes_.exchangeLists(std::move(asked));
+
+    List<List<Type>> answers(asked.size());
+    forAll(answers, p)
+    {
+        answers[p] = valuesAt(whole, asked[p], nEach);
+    }
+
+    return processes_.exchangeLists(std::move(answers))[0];
+}
+
+
+template<class Type>
+List<Type> shareTable::onMaster
+(
+    const UList<Type>& values,
+    const label nEach
+) const
+{
+    if (isAlone_)
     {
         return List<Type>(values);
     }
 
-    const labelList points(share_->wallPoints());
-    labelList own(findIndices(share_->isOwn, true));
-    inplaceSubsetList
-    (
-        own, [&](const label c) { return c < points.size(); }
-    );
+    const labelList own(findIndices(labels_.isOwn, true));
+    labelListList places(processes_.size());
+    List<List<Type>> items(processes_.size());
+    places[0] = UIndirectList<label>(labels_.whole, own);
+    items[0] = valuesAt(values, own, nEach);
+    places = processes_.exchangeLists(std::move(places));
+    items = processes_.exchangeLists(std::move(items));
 
-    return toMaster(values, own, points, share_->nWallPoints, 1);
-}
-
-
-template<class Type>
-List<Type> columnTeam::pointsFromMaster
-(
-    const UList<Type>& whole,
-    const label nEach
-) const
-{
-    return isAlone()
-      ? List<Type>(whole) : askMaster(share_->wallPoints(), whole, nEach);
-}
-
-
-template<class Type>
-void columnTeam::updatePoints(UList<Type>& values) const
-{
-    if (!isAlone())
+    List<Type> whole(processes_.isMaster() ? labels_.nWhole*nEach : 0);
+    forAll(items, p)
     {
-        List<Type> ofColumns
-        (
-            UIndirectList<Type>(values, share_->front.wallPoints)
-        );
-        update(ofColumns);
-        std::copy_n(ofColumns.begin(), values.size(), values.begin());
-    }
-}
-
-
-template<class Type>
-bool columnTeam::lowerPointsToOwners(UList<Type>& values) const
-{
-    if (isAlone())
-    {
-        return false;
+        setValues(items[p], places[p], nEach, whole);
     }
 
-    List<Type> ofColumns(UIndirectList<Type>(values, share_->front.wallPoints));
-    const bool lower = lowerToOwners(ofColumns);
-    std::copy_n(ofColumns.begin(), values.size(), values.begin());
-
-    return lower;
+    return whole;
 }
 
 
 template<class Type>
-List<Type> columnTeam::some
-(
-    const UList<Type>& values,
-    const labelUList& which,
-    const label nEach
-)
+List<Type> shareTable::onAll(const UList<Type>& values, const label nEach) const
 {
-    List<Type> result(which.size()*nEach);
-    forAll(which, i)
+    List<Type> all(onMaster(values, nEach));
+    if (!isAlone_)
     {
-        SubList<Type>(result, nEach, i*nEach) =
-            SubList<Type>(values, nEach, which[i]*nEach);
+        processes_.broadcast(all);
     }
 
-    return result;
+    return all;
 }
 
 
 template<class Type>
-List<Type> columnTeam::askMaster
+List<Type> shareTable::at
 (
-    const labelUList& labels,
-    const UList<Type>& whole,
-    const label nEach
-) const
-{
-    List<message> asked(size());
-    forAll(asked, p)
-    {
-        asked[p].addList(p == 0 ? labels : labelUList::null());
-    }
-    asked = exchange(asked);
-
-    List<message> answers(size());
-    forAll(answers, p)
-    {
-        messageReader reader(asked[p]);
-        answers[p].addList(some(whole, reader.list<label>(), nEach));
-    }
-    const List<message> received(exchange(answers));
-    messageReader reader(received[0]);
-
-    return reader.list<Type>();
-}
-
-
-template<class Type>
-List<Type> columnTeam::fromMaster
-(
-    const UList<Type>& whole,
-    const label nEach
-) const
-{
-    return isAlone()
-      ? List<Type>(whole) : askMaster(share_->columns, whole, nEach);
-}
-
-
-template<class Type>
-List<Type> columnTeam::valuesOf
-(
-    const labelUList& wholeColumns,
+    const labelUList& whole,
     const labelUList& owners,
     const UList<Type>& values,
     const label nEach
 ) const
 {
-    const labelListList places(invertOneToMany(size(), owners));
-    List<message> asked(size());
-    forAll(asked, p)
-    {
-        asked[p].addList
-        (
-            labelList(UIndirectList<label>(wholeColumns, places[p]))
-        );
-    }
-    asked = exchange(asked);
+    const labelListList places(invertOneToMany(processes_.size(), owners));
+    labelListList asked(exchanged(whole, places));
 
-    List<message> answers(size());
+    List<List<Type>> answers(asked.size());
     forAll(answers, p)
     {
-        messageReader reader(asked[p]);
-        labelList columns(reader.list<label>());
-        for (label& c : columns)
+        for (label& i : asked[p])
         {
-            c = columnHere(c);
+            i = here(i);
         }
-        answers[p].addList(some(values, columns, nEach));
+        answers[p] = valuesAt(values, asked[p], nEach);
     }
-    answers = exchange(answers);
+    answers = processes_.exchangeLists(std::move(answers));
 
-    List<Type> result(wholeColumns.size()*nEach);
+    List<Type> result(whole.size()*nEach);
     forAll(answers, p)
     {
-        messageReader reader(answers[p]);
-        const List<Type> received(reader.list<Type>());
-        forAll(places[p], i)
-        {
-            SubList<Type>(result, nEach, places[p][i]*nEach) =
-                SubList<Type>(received, nEach, i*nEach);
-        }
-    }
-
-    return result;
-}
-
-
-template<class Type>
-List<Type> columnTeam::toMaster
-(
-    const UList<Type>& values,
-    const labelUList& which,
-    const labelUList& wholeLabels,
-    const label nWhole,
-    const label nEach
-) const
-{
-    List<message> sent(size());
-    forAll(sent, p)
-    {
-        const labelList own(p == 0 ? which : labelUList::null());
-        sent[p].addList(labelList(UIndirectList<label>(wholeLabels, own)));
-        sent[p].addList(some(values, own, nEach));
-    }
-
-    List<Type> result(isMaster() ? nWhole*nEach : 0);
-    for (const message& m : exchange(sent))
-    {
-        messageReader reader(m);
-        const labelList labels(reader.list<label>());
-        const List<Type> received(reader.list<Type>());
-        forAll(labels, i)
-        {
-            SubList<Type>(result, nEach, labels[i]*nEach) =
-                SubList<Type>(received, nEach, i*nEach);
-        }
-    }
-
-    return result;
-}
-
-
-template<class Type>
-List<Type> columnTeam::onMaster
-(
-    const UList<Type>& values,
-    const label nEach
-) const
-{
-    return isAlone() ? List<Type>(values) : toMaster
-    (
-        values, findIndices(share_->isOwn, true), share_->columns,
-        share_->nColumns, nEach
-    );
-}
-
-
-template<class Type>
-List<Type> columnTeam::facesOnMaster
-(
-    const UList<Type>& values,
-    const UList<face>& columns
-) const
-{
-    if (isAlone())
-    {
-        return List<Type>(values);
-    }
-
-    const labelList counted
-    (
-        subsetList
-        (
-            identity(columns.size()),
-            [&](const label facei) { return counts(columns[facei]); }
-        )
-    );
-
-    return toMaster(values, counted, share_->faces, share_->nFaces, 1);
-}
-
-
-template<class Type>
-Map<Type> columnTeam::fromOwners(const Map<Type>& values) const
-{
-    if (isAlone())
-    {
-        return Map<Type>();
-    }
-
-    List<message> toOthers(size());
-    forAll(toOthers, p)
-    {
-        DynamicList<label> places;
-        DynamicList<Type> some;
-        forAll(share_->sent[p], i)
-        {
-            const auto found = values.cfind(share_->sent[p][i]);
-            if (found.found())
-            {
-                places.append(i);
-                some.append(found.val());
-            }
-        }
-        toOthers[p].addList(places);
-        toOthers[p].addList(some);
-    }
-
-    Map<Type> result;
-    const List<message> fromOthers(exchange(toOthers));
-    forAll(fromOthers, p)
-    {
-        messageReader reader(fromOthers[p]);
-        const labelList places(reader.list<label>());
-        const List<Type> some(reader.list<Type>());
-        forAll(places, i)
-        {
-            result.set(share_->received[p][places[i]], some[i]);
-        }
+        setValues(answers[p], places[p], nEach, result);
     }
 
     return result;

@@ -6,6 +6,7 @@
 #include "distributeFront.H"
 #include "frontPart.H"
 #include "wallMessages.H"
+#include "EdgeMap.H"
 #include "HashSet.H"
 #include "ListOps.H"
 
@@ -293,7 +294,7 @@ static wallAddressing addressingOf(const wallSurface& region)
 
 
 //- The share in a region, with labels of the whole front
-static std::shared_ptr<frontShare> shareOfRegion
+static frontShare shareOfRegion
 (
     const frontPart& region,
     const wallAddressing& addressing,
@@ -312,29 +313,71 @@ static std::shared_ptr<frontShare> shareOfRegion
         }
     }
 
-    auto share = std::make_shared<frontShare>
+    frontShare share
     (
         makeFrontShare
         (
             region.front, addressing, visibility, owners, n, processes.rank()
         )
     );
-    inplaceRenumber(region.columns, share->columns);
-    inplaceRenumber(region.faces, share->faces);
-    share->nWallPoints = outline.nWallPoints;
-    share->owners = outline.owners;
-    share->nColumns = outline.nColumns;
-    share->nFaces = outline.nFaces;
-    layerFront& front = share->front;
+    inplaceRenumber(region.columns, share.columns.whole);
+    inplaceRenumber(region.columns, share.points.whole);
+    inplaceRenumber(region.faces, share.faces.whole);
+    share.columns.nWhole = outline.nColumns;
+    share.points.nWhole = outline.nWallPoints;
+    share.faces.nWhole = outline.nFaces;
+    share.owners = outline.owners;
+    layerFront& front = share.front;
     front.setConstraints(front.addressing, front.visibility.sideLines);
 
     return share;
 }
 
 
+//- The processes of points. Columns near edges take more time than others.
+static pointOwners ownersOf(const UList<pointKind>& kinds, const label n)
+{
+    boolList isOnEdge(kinds.size());
+    forAll(kinds, p)
+    {
+        isOnEdge[p] = kinds[p] != pointKind::flat;
+    }
+
+    return balancedOwners(isOnEdge, n);
+}
+
+
+//- Puts the border of a front in the order of the border of the wall. Edges
+//  between columns on one point follow, in the order of the points.
+static void orderBorder
+(
+    const wallBorder& ofWall,
+    const labelUList& wallPoints,
+    wallBorder& border
+)
+{
+    EdgeMap<label> places;
+    forAll(ofWall.edges, i)
+    {
+        places.insert(ofWall.edges[i], i);
+    }
+
+    labelList keys(border.edges.size());
+    forAll(keys, i)
+    {
+        const label p = wallPoints[border.edges[i].start()];
+        const label q = wallPoints[border.edges[i].end()];
+        keys[i] = p == q ? places.size() + p : places[edge(p, q)];
+    }
+    const labelList order(sortedOrder(keys));
+    border.edges = UIndirectList<edge>(border.edges, order)();
+    border.edgeSides = UIndirectList<label>(border.edgeSides, order)();
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-std::shared_ptr<const frontShare> distributeFront
+frontShare distributeFront
 (
     const layerFront& whole,
     const pointOwners& owners,
@@ -366,6 +409,61 @@ std::shared_ptr<const frontShare> distributeFront
     }
 
     return shareOfRegion(region, addressing, visibility, outline, processes);
+}
+
+
+frontShare shareOf
+(
+    layerFront&& whole,
+    const UList<pointKind>& kinds,
+    const processTeam& processes
+)
+{
+    layerFront front(std::move(whole));
+    if (processes.size() == 1)
+    {
+        frontShare share;
+        share.front = std::move(front);
+
+        return share;
+    }
+
+    return distributeFront
+    (
+        front, ownersOf(kinds, processes.size()), processes
+    );
+}
+
+
+layerFront gatherFront
+(
+    const frontShare& share,
+    const wallSurface& wall,
+    const processTeam& processes
+)
+{
+    List<message> sent(processes.size());
+    frontCollector::addFaces
+    (
+        sent[0], share.front, share.columns.whole, share.faces.whole,
+        findIndices(share.faces.isOwn, true)
+    );
+    const List<message> received(processes.exchange(sent));
+    if (!processes.isMaster())
+    {
+        return layerFront();
+    }
+
+    frontCollector collector;
+    for (const message& m : received)
+    {
+        messageReader reader(m);
+        collector.take(reader);
+    }
+    layerFront front(collector.part(wall).front);
+    orderBorder(wall.border, front.wallPoints, front.surface.border);
+
+    return front;
 }
 
 } // End namespace Foam

@@ -114,10 +114,10 @@ struct shareBuilder
                 chosen.append(facei);
             }
         }
-        share.columns = std::move(columns);
-        share.faces = std::move(chosen);
-        share.nColumns = rings.size();
-        share.nFaces = faces.size();
+        share.columns.whole = std::move(columns);
+        share.columns.nWhole = rings.size();
+        share.faces.whole = std::move(chosen);
+        share.faces.nWhole = faces.size();
     }
 
 
@@ -125,7 +125,7 @@ struct shareBuilder
     {
         const wallSurface& from = whole.surface;
         wallSurface& surface = share.front.surface;
-        surface = partOf(from, share.columns, share.faces);
+        surface = partOf(from, share.columns.whole, share.faces.whole);
 
         DynamicList<edge> edges;
         DynamicList<label> sides;
@@ -182,7 +182,7 @@ struct shareBuilder
     void addAround(const label c)
     {
         wallAddressing& addressing = share.front.addressing;
-        const label from = share.columns[c];
+        const label from = share.columns.whole[c];
         const labelList& faces = around.pointFaces[from];
         const labelList& points = around.pointPoints[from];
         DynamicList<label> ownFaces, ownPoints;
@@ -209,16 +209,16 @@ struct shareBuilder
     void addAddressing()
     {
         wallAddressing& addressing = share.front.addressing;
-        addressing.pointFaces.setSize(share.columns.size());
-        addressing.pointPoints.setSize(share.columns.size());
-        forAll(share.columns, c)
+        addressing.pointFaces.setSize(share.columns.whole.size());
+        addressing.pointPoints.setSize(share.columns.whole.size());
+        forAll(share.columns.whole, c)
         {
             addAround(c);
         }
         if (around.pointSides.size())
         {
             addressing.pointSides =
-                some(around.pointSides, share.columns);
+                some(around.pointSides, share.columns.whole);
         }
         addEdges();
     }
@@ -227,13 +227,14 @@ struct shareBuilder
     void addVisibility(const wallVisibility& from)
     {
         wallVisibility& visibility = share.front.visibility;
-        visibility.cornerNormals = some(from.cornerNormals, share.columns);
-        visibility.meanNormals = some(from.meanNormals, share.columns);
-        visibility.polygonNormals = some(from.polygonNormals, share.columns);
-        visibility.cones = some(from.cones, share.columns);
+        const labelList& columns = share.columns.whole;
+        visibility.cornerNormals = some(from.cornerNormals, columns);
+        visibility.meanNormals = some(from.meanNormals, columns);
+        visibility.polygonNormals = some(from.polygonNormals, columns);
+        visibility.cones = some(from.cones, columns);
         if (from.sideLines.size())
         {
-            visibility.sideLines = some(from.sideLines, share.columns);
+            visibility.sideLines = some(from.sideLines, columns);
         }
     }
 
@@ -241,30 +242,44 @@ struct shareBuilder
     void addWallPoints()
     {
         layerFront& front = share.front;
-        front.wallPoints = some(whole.wallPoints, share.columns);
+        front.wallPoints = some(whole.wallPoints, share.columns.whole);
         inplaceRenumber(newColumns, front.wallPoints);
         if (whole.constraints.size())
         {
-            front.constraints = some(whole.constraints, share.columns);
+            front.constraints = some(whole.constraints, share.columns.whole);
         }
-        for (const label facei : share.faces)
+        for (const label facei : share.faces.whole)
         {
             front.nWallFaces += facei < whole.nWallFaces;
+        }
+    }
+
+
+    void setOwn()
+    {
+        const labelList& columns = share.columns.whole;
+        boolList& isOwn = share.columns.isOwn;
+        isOwn.setSize(columns.size());
+        forAll(columns, c)
+        {
+            isOwn[c] = rings[columns[c]] == 0;
+        }
+
+        const label nPoints =
+            columns.size() - share.front.extraColumnPoints().size();
+        share.points.whole = SubList<label>(columns, nPoints);
+        share.points.isOwn = SubList<bool>(isOwn, nPoints);
+
+        const faceList& faces = share.front.surface.faces;
+        share.faces.isOwn.setSize(faces.size());
+        forAll(faces, facei)
+        {
+            share.faces.isOwn[facei] = isOwn[min(faces[facei])];
         }
     }
 };
 
 } // End anonymous namespace
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-labelList frontShare::wallPoints() const
-{
-    const label nExtra = front.extraColumnPoints().size();
-
-    return SubList<label>(columns, columns.size() - nExtra);
-}
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
@@ -281,21 +296,18 @@ frontShare makeFrontShare
 {
     const labelList rings(ringsOf(whole, owners, process));
     frontShare share;
-    share.nWallPoints = owners.size();
+    share.points.nWhole = owners.size();
     share.owners = pointOwners(owners);
+
     shareBuilder builder{whole, addressing, rings, share};
     builder.choose();
     builder.addSurface();
     builder.addAddressing();
     builder.addVisibility(visibility);
     builder.addWallPoints();
+    builder.setOwn();
 
-    share.isOwn.setSize(share.columns.size());
-    forAll(share.columns, c)
-    {
-        share.isOwn[c] = rings[share.columns[c]] == 0;
-    }
-    share.setCopies(some(owners, share.wallPoints()), nProcesses, process);
+    share.setCopies(some(owners, share.points.whole), nProcesses, process);
 
     return share;
 }

@@ -14,6 +14,39 @@ namespace Foam
 static const label failed = -1;
 
 
+namespace
+{
+
+class onlyProcess
+:
+    public processTeam
+{
+protected:
+
+    virtual labelList exchangeLabels(const labelList& sent) const
+    {
+        return sent;
+    }
+
+    virtual void exchangeMessages
+    (
+        const List<message>& sent,
+        List<message>& received
+    ) const
+    {
+        received = sent;
+    }
+
+public:
+
+    virtual label size() const { return 1; }
+
+    virtual label rank() const { return 0; }
+};
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 std::string processTeam::firstReason(const std::string& own) const
@@ -55,6 +88,14 @@ void processTeam::requireNoFailure(const labelList& received) const
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+const processTeam& processTeam::alone()
+{
+    static const onlyProcess team;
+
+    return team;
+}
+
 
 bool processTeam::any(const bool isSo) const
 {

@@ -5,6 +5,7 @@
 
 #include "frontShare.H"
 #include "HashSet.H"
+#include "ListOps.H"
 #include "Map.H"
 
 namespace Foam
@@ -73,7 +74,7 @@ void frontShare::setCopies
     forAll(front.wallPoints, c)
     {
         const label p = front.wallPoints[c];
-        if (!isOwn[c])
+        if (!columns.isOwn[c])
         {
             fromOthers[owners[p]].append(c);
         }
@@ -86,12 +87,27 @@ void frontShare::setCopies
         }
     }
 
-    sent.setSize(nProcesses);
-    received.setSize(nProcesses);
-    forAll(sent, p)
+    columns.sent.setSize(nProcesses);
+    columns.received.setSize(nProcesses);
+    forAll(columns.sent, p)
     {
-        sent[p] = std::move(toOthers[p]);
-        received[p] = std::move(fromOthers[p]);
+        columns.sent[p] = std::move(toOthers[p]);
+        columns.received[p] = std::move(fromOthers[p]);
+    }
+
+    // The label of a point is the label of its first column
+    const label nPoints = points.whole.size();
+    points.sent = columns.sent;
+    points.received = columns.received;
+    forAll(points.sent, p)
+    {
+        for (labelList* copies : {&points.sent[p], &points.received[p]})
+        {
+            inplaceSubsetList
+            (
+                *copies, [=](const label c) { return c < nPoints; }
+            );
+        }
     }
 }
 

@@ -40,6 +40,18 @@ static wallSurface outerSurface(const prismLayers& layers, labelList& faces)
 }
 
 
+//- The connectivity of the front
+static wallAddressing frontAddressing(const prismLayers& layers)
+{
+    wallSurface front;
+    front.points = layers.pointsOf(0);
+    front.faces = layers.faces;
+    front.border = layers.border;
+
+    return makeWallAddressing(front);
+}
+
+
 //- A point inside the layers of each body, below its largest outer face, and
 //  those in what stays of a core
 static pointField seedsOf
@@ -227,7 +239,6 @@ static void addHexCoreZone
 farFieldMesh makeFarFieldMesh
 (
     const prismLayers& layers,
-    const wallAddressing& frontAddressing,
     farFieldDomain domain,
     const farFieldControls& controls
 )
@@ -236,7 +247,7 @@ farFieldMesh makeFarFieldMesh
     const wallSurface outer(outerSurface(layers, mesh.outerFaces));
     const scalarField layerSizes
     (
-        layerSizesOf(outer, frontAddressing, controls.growthRate)
+        layerSizesOf(outer, frontAddressing(layers), controls.growthRate)
     );
     const cellSizes fromLayers
     (

@@ -302,7 +302,7 @@ static void setFromMakers
         messageReader reader(m);
         while (!reader.atEnd())
         {
-            const label c = team.columnHere(reader.value<label>());
+            const label c = team.columns.here(reader.value<label>());
             lines.isSet[c] = true;
             lines.slopes[c] = reader.value<scalar>();
             SubList<scalar>(lines.lines.energies, n, n*c) =

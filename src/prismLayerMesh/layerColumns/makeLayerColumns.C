@@ -58,7 +58,7 @@ static labelList limitSlope
             )
         );
     }
-    while (team.lowerToOwners(thickness));
+    while (team.columns.lower(thickness));
 
     return lowered.sortedToc();
 }
@@ -97,7 +97,7 @@ static void setMaxThickness
             columns.causes[c] = squeezeCause::neighbour;
         }
     }
-    team.update(columns.causes);
+    team.columns.update(columns.causes);
 }
 
 
@@ -122,7 +122,7 @@ static void setOffsets
     for (label i = 0; i < n; ++i)
     {
         vectorField directions(lineDirections(front.surface, lines, i));
-        team.update(directions);
+        team.columns.update(directions);
         smoothed += directions - previous;
         previous = directions;
 
@@ -169,7 +169,7 @@ layerColumns makeLayerColumns
     columns.edgeLengths = meanEdges(front.surface, front.addressing);
     columns.maxStretch = controls.maxStretch;
     columns.onLevelSets = controls.onLevelSets;
-    team.update(columns.edgeLengths);
+    team.columns.update(columns.edgeLengths);
     setMaxThickness(front, clearance, spacing.thickness, team, columns);
     setOffsets(front, lines, team, columns);
 

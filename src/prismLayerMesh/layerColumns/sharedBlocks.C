@@ -43,7 +43,7 @@ static labelList ownPoints(const dividedWall& wall, const labelUList& block)
     {
         if (wall.team.owner(whole) == wall.team.rank())
         {
-            own.append(wall.team.columnHere(whole));
+            own.append(wall.team.columns.here(whole));
         }
     }
 
@@ -156,7 +156,7 @@ static List<Type> valuesOf
         p = team.owner(p);
     }
 
-    return team.valuesOf(columns, owners, values, nEach);
+    return team.columns.at(columns, owners, values, nEach);
 }
 
 

@@ -16,7 +16,7 @@ namespace Foam
 //- Whether a point disturbs the field
 static boolList disturbingPoints
 (
-    const wallContext& context,
+    const wallUnderShare& under,
     const envelopeRadii& radii,
     const islandControls& controls
 )
@@ -26,10 +26,10 @@ static boolList disturbingPoints
     #pragma omp parallel for schedule(static, 256)
     forAll(disturbs, p)
     {
-        disturbs[p] = isOnConcaveEdge(context.kinds[p])
-         || context.kinds[p] == pointKind::empty
+        disturbs[p] = isOnConcaveEdge(under.kinds[p])
+         || under.kinds[p] == pointKind::empty
          || radii.radius[p] < sheetControls::limitedShare*radii.wanted[p]
-         || context.curvature[p]*radii.radius[p] > controls.curvature;
+         || under.curvature[p]*radii.radius[p] > controls.curvature;
     }
 
     return disturbs;
@@ -40,15 +40,15 @@ static boolList disturbingPoints
 //  Collective
 static boolList inIslands
 (
-    const wallContext& context,
+    const wallUnderShare& under,
     const envelopeRadii& radii,
     const columnTeam& team
 )
 {
-    boolList isIn(context.wall.points.size(), false);
-    UIndirectList<bool>(isIn, findFieldIslands(context, radii, team)) = true;
+    boolList isIn(under.wall.points.size(), false);
+    UIndirectList<bool>(isIn, findFieldIslands(under, radii, team)) = true;
 
-    return team.pointsOnMaster(isIn);
+    return team.points.onMaster(isIn);
 }
 
 
@@ -80,7 +80,7 @@ static void broadcast(const columnTeam& team, labelListList& lists)
 
 labelList findFieldIslands
 (
-    const wallContext& context,
+    const wallUnderShare& under,
     const envelopeRadii& radii,
     const columnTeam& team,
     const islandControls& controls
@@ -88,7 +88,7 @@ labelList findFieldIslands
 {
     const boolList disturbs
     (
-        disturbingPoints(context, radii, controls)
+        disturbingPoints(under, radii, controls)
     );
 
     // Ways along the wall from the borders of islands, negative inside
@@ -103,9 +103,9 @@ labelList findFieldIslands
 
     do
     {
-        limitGradient(context.wall, context.addressing, 1, beyond);
+        limitGradient(under.wall, under.addressing, 1, beyond);
     }
-    while (team.lowerPointsToOwners(beyond));
+    while (team.points.lower(beyond));
 
     return subsetList
     (
@@ -141,26 +141,26 @@ labelListList partsWith
 
 wallBlocks makeWallBlocks
 (
-    const wallContext& context,
+    const wallUnderShare& under,
     const envelopeRadii& radii,
     const columnTeam& team
 )
 {
     const blockControls controls;
-    const wallSurface& wall = context.wall;
+    const wallSurface& wall = under.wall;
     wallBlocks blocks;
 
     if
     (
         wall.border.sides.size()
-     || team.nWallPoints(wall.points.size()) <= controls.maxPoints
+     || team.points.nWhole(wall.points.size()) <= controls.maxPoints
     )
     {
         return blocks;
     }
 
-    const pointField points(team.pointsOnMaster(wall.points));
-    const scalarField radius(team.pointsOnMaster(radii.radius));
+    const pointField points(team.points.onMaster(wall.points));
+    const scalarField radius(team.points.onMaster(radii.radius));
     const labelListList parts
     (
         team.isMaster()
@@ -169,7 +169,7 @@ wallBlocks makeWallBlocks
     blocks.isDivided = team.any(parts.size());
     if (blocks.isDivided)
     {
-        const boolList needed(inIslands(context, radii, team));
+        const boolList needed(inIslands(under, radii, team));
         blocks.points = partsWith(parts, findIndices(needed, true));
         broadcast(team, blocks.points);
     }

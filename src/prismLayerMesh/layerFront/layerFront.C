@@ -88,14 +88,14 @@ labelList layerFront::extraColumnPoints() const
 
 void layerFront::complete
 (
-    const wallAddressing& ofWall,
-    const wallVisibility& seenFromWall
+    wallAddressing ofWall,
+    wallVisibility seenFromWall
 )
 {
     if (isBare())
     {
-        addressing = ofWall;
-        visibility = seenFromWall;
+        addressing = std::move(ofWall);
+        visibility = std::move(seenFromWall);
     }
 }
 

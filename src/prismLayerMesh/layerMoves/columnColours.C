@@ -86,7 +86,7 @@ labelList columnColours
         }
 
         UIndirectList<label>(colours, waiting) = found;
-        team.update(colours);
+        team.columns.update(colours);
         waiting = subsetList
         (
             waiting, [&](const label c) { return colours[c] < 0; }

@@ -58,7 +58,7 @@ labelList tallColumns
             tall[c] = tall[c] || editor.thickness()[c] >= least;
         }
     }
-    editor.team().unite(tall);
+    editor.team().columns.unite(tall);
 
     return editor.team().ownOf(findIndices(tall, true));
 }

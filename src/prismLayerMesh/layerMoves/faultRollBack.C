@@ -45,7 +45,7 @@ labelList faultRollBack::columnsAtFault(const labelUList& faulty) const
     const columnTeam& team = editor_.team();
     boolList atFault(barred.size(), false);
     UIndirectList<bool>(atFault, editor_.layers().columnsOf(faulty)) = true;
-    team.unite(atFault);
+    team.columns.unite(atFault);
 
     return team.ownOf(findIndices(atFault, true));
 }

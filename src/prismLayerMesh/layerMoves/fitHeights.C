@@ -130,7 +130,7 @@ static scalarField firstMobilities
         }
     }
 
-    editor.team().update(mobile);
+    editor.team().columns.update(mobile);
     for (label ring = 0; ring < editor.controls().nRings; ++ring)
     {
         for (const label c : findIndices(mobile, true))
@@ -140,7 +140,7 @@ static scalarField firstMobilities
                 mobile, front.addressing.pointPoints[c]
             ) = true;
         }
-        editor.team().update(mobile);
+        editor.team().columns.update(mobile);
     }
 
     scalarField mobilities(mobile.size(), 0);

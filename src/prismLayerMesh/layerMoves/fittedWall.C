@@ -168,7 +168,7 @@ fittedWall makeFittedWall
     w.ownColumns.setSize(columns.size());
     forAll(columns, p)
     {
-        const label c = team.columnHere(columns[p]);
+        const label c = team.columns.here(columns[p]);
         w.ownColumns[p] = c >= 0 && team.isOwn(c) ? c : -1;
     }
 

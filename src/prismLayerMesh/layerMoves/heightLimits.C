@@ -236,7 +236,7 @@ bool heightSweeps::sweep()
         }
     }
 
-    team_.update(factors_);
+    team_.columns.update(factors_);
 
     return team_.any(any);
 }

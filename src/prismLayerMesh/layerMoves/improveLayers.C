@@ -166,7 +166,7 @@ void improvement::keepTargets
 {
     boolList kept(moves.barred.size(), false);
     UIndirectList<bool>(kept, columns) = true;
-    editor.team().update(kept);
+    editor.team().columns.update(kept);
     targets.keep(editor, findIndices(kept, true));
 }
 
@@ -181,7 +181,7 @@ void improvement::fitFirst()
         moves.barred = false;
         fitFirstHeights(editor, wanted, reach);
         moves.settle();
-        editor.team().update(moves.barred);
+        editor.team().columns.update(moves.barred);
         wanted = moves.barred;
     }
 }

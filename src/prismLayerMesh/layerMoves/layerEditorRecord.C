@@ -63,7 +63,7 @@ void layerEditor::publish(const labelUList& changed)
     List<message> toOthers(team_.size());
     forAll(toOthers, p)
     {
-        const labelUList& sent = team_.sent()[p];
+        const labelUList& sent = team_.columns.sent()[p];
         columnStates states;
         forAll(sent, i)
         {
@@ -81,7 +81,7 @@ void layerEditor::publish(const labelUList& changed)
         const columnStates states(fromOthers[p]);
         for (label i = 0; i < states.size(); ++i)
         {
-            const label c = team_.received()[p][states.place(i)];
+            const label c = team_.columns.received()[p][states.place(i)];
             restore(c, states[i]);
             touch(c);
         }

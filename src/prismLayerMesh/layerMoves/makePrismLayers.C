@@ -54,8 +54,8 @@ madeLayers makePrismLayers
         }
     }
 
-    team.update(made.thickness);
-    team.update(made.causes);
+    team.columns.update(made.thickness);
+    team.columns.update(made.causes);
 
     return made;
 }

@@ -29,7 +29,7 @@ static void addFollowing(const layerEditor& editor, Map<scalar>& thickness)
         );
 
         bool lower = false;
-        const Map<scalar> ofOwners(editor.team().fromOwners(thickness));
+        const Map<scalar> ofOwners(editor.team().columns.ofOwners(thickness));
         forAllConstIters(ofOwners, iter)
         {
             const label c = iter.key();

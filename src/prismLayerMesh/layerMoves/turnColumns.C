@@ -62,7 +62,7 @@ bool turnColumns
     }
 
     // With the neighbours of those that may, also of copies
-    team.update(mayTurn);
+    team.columns.update(mayTurn);
     labelHashSet all(own);
     for (const label c : findIndices(mayTurn, true))
     {

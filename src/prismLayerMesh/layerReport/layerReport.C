@@ -195,35 +195,31 @@ layerReport makeLayerReport
     const columnTeam& team
 )
 {
+    const layerFront& front = mesh.share.front;
     const madeLayers& made = mesh.made;
-    const auto reportOf = [&]
-    (
-        const wallSurface& here,
-        const UList<labelPair>& edgeFaces,
-        const layerSpacing& request
-    )
-    {
-        return makeLayerReport
-        (
-            here, edgeFaces, request, made.layers, mesh.certificate,
-            made.causes, team
-        );
-    };
-
-    // Without a share nothing is copied
     layerReport report
     (
-        mesh.share
-      ? reportOf
+        makeLayerReport
         (
-            wallOfFront(mesh.share->front),
-            edgesOfShare(mesh.share->front, wall.border, team),
-            mesh.heights.request
+            wallOfFront(front), edgesOfShare(front, wall.border, team),
+            mesh.request, made.layers, mesh.certificate, made.causes, team
         )
-      : reportOf(wall, mesh.addressing.edgeFaces, mesh.heights.request)
     );
-    report.points = countKinds(mesh.pointKinds);
-    report.nExtraColumns = mesh.front.extraColumnPoints().size();
+
+    const label nPoints = mesh.pointKinds.size();
+    forAll(front.wallPoints, c)
+    {
+        if (team.isOwn(c))
+        {
+            ++(c < nPoints
+              ? report.points[int(mesh.pointKinds[c])] : report.nExtraColumns);
+        }
+    }
+    for (label& n : report.points)
+    {
+        n = team.sum(n);
+    }
+    report.nExtraColumns = team.sum(report.nExtraColumns);
     report.nRetreats = made.certified.nRetreats;
     report.noField = mesh.noField;
     report.faces = mesh.faces;

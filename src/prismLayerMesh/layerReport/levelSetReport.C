@@ -49,7 +49,7 @@ static label nAbove
 
 bool hasLevelSetReport(const prismLayerMesh& mesh)
 {
-    const layerSpacing& request = mesh.heights.request;
+    const layerSpacing& request = mesh.request;
 
     return mesh.guide.fields.failure.empty()
         && max(request.thickness) <= min(request.thickness)*(1 + SMALL)
@@ -67,7 +67,7 @@ levelSetReport makeLevelSetReport(const prismLayerMesh& mesh)
             << " whole wall" << exit(FatalError);
     }
 
-    const layerSpacing uniform(uniformSpacing(mesh.heights.request));
+    const layerSpacing uniform(uniformSpacing(mesh.request));
     const scalarField energies
     (
         samplingEnergies

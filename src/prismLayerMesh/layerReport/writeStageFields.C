@@ -168,8 +168,8 @@ static void addPointFields(const prismLayerMesh& mesh, vtkGrid& grid)
     vtkFields& fields = grid.pointFields;
     fields.add("squeezeCause", causes);
     fields.add("visibilityAngle", angles);
-    fields.add("firstHeightRequest", mesh.heights.request.firstThickness);
-    fields.add("thicknessRequest", mesh.heights.request.thickness);
+    fields.add("firstHeightRequest", mesh.request.firstThickness);
+    fields.add("thicknessRequest", mesh.request.thickness);
     fields.add("clearance", SubList<scalar>(mesh.clearance, nPoints));
 }
 
@@ -184,7 +184,7 @@ static void addFaceFields
     const label nFaces = wall.faces.size();
     const faceHeights heights
     (
-        makeFaceHeights(wall, mesh.heights.request, mesh.made.layers)
+        makeFaceHeights(wall, mesh.request, mesh.made.layers)
     );
     const scalarField worst
     (
@@ -192,7 +192,10 @@ static void addFaceFields
     );
     scalarField best
     (
-        attainableJacobians(mesh.front.surface, mesh.front.visibility)
+        attainableJacobians
+        (
+            mesh.share.front.surface, mesh.share.front.visibility
+        )
     );
     best.setSize(nFaces);
 

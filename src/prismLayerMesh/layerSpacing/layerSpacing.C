@@ -61,26 +61,16 @@ static std::string yPlusLine
 
 layerSpacing layerSpacing::at(const labelUList& points) const
 {
-    layerSpacing some
+    return mapped([&](const auto& values, const label nEach)
     {
-        nLayers,
-        scalarField(firstThickness, points),
-        scalarField(ratio, points),
-        scalarField(thickness, points),
-        labelList(layersAsked, points),
-        scalarField()
-    };
-
-    if (given.size())
-    {
-        some.given.setSize(points.size()*nLayers);
-        forAll(some.given, i)
+        std::decay_t<decltype(values)> chosen(points.size()*nEach);
+        forAll(chosen, i)
         {
-            some.given[i] = given[points[i/nLayers]*nLayers + i % nLayers];
+            chosen[i] = values[points[i/nEach]*nEach + i % nEach];
         }
-    }
 
-    return some;
+        return chosen;
+    });
 }
 
 

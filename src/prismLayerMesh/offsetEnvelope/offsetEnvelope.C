@@ -163,7 +163,8 @@ envelopeRadii envelopeRadii::at(const labelUList& points) const
 
 envelopeRadii makeEnvelopeRadii
 (
-    const wallContext& context,
+    const wallSurface& wall,
+    const wallAddressing& addressing,
     const scalarField& wanted,
     const scalarField& clearance,
     const columnTeam& team
@@ -177,13 +178,12 @@ envelopeRadii makeEnvelopeRadii
     {
         limitGradient
         (
-            context.wall, context.addressing, sheetControls::maxSlope,
-            radii.radius
+            wall, addressing, sheetControls::maxSlope, radii.radius
         );
     }
-    while (team.lowerPointsToOwners(radii.radius));
-    radii.edgeLengths = meanEdges(context.wall, context.addressing);
-    team.updatePoints(radii.edgeLengths);
+    while (team.points.lower(radii.radius));
+    radii.edgeLengths = meanEdges(wall, addressing);
+    team.points.update(radii.edgeLengths);
 
     return radii;
 }

@@ -73,26 +73,33 @@ static gradientLines straightened
 
 
 //- On the master: starts of all columns.
-//  spacing: at all points of the wall
-static columnStarts startsOfAll
+//  spacing: at the points of the wall under the share. Collective
+static columnStarts startsOnMaster
 (
     const guidedColumns& columns,
     const layerSpacing& spacing
 )
 {
-    const layerFront& front = columns.front;
-    const wallVisibility& visibility = front.visibility.cones.size()
-      ? front.visibility : columns.whole->context.visibility;
+    const columnTeam& team = columns.team;
+    const labelList& wallPoints = columns.own.wallPoints;
+    labelList ofWhole(wallPoints);
+    for (label& c : ofWhole)
+    {
+        c = team.wholeColumn(c);
+    }
 
     return columnStarts
     {
-        front.wallPoints, visibility.axes(), spacing.at(front.wallPoints)
+        team.columns.onMaster(ofWhole),
+        team.columns.onMaster(columns.own.visibility.axes()),
+        spacingOnMaster(spacing.at(wallPoints), team.columns)
     };
 }
 
 
 //- The lines of one field for all of the wall, which the master makes.
-//  spacing: on the master, at all points of the wall. Collective
+//  Collective
+//  spacing: at the points of the wall under the share
 static columnLines linesOfOneField
 (
     const wallFields& fields,
@@ -102,34 +109,32 @@ static columnLines linesOfOneField
 )
 {
     const columnTeam& team = columns.team;
+    const columnStarts starts(startsOnMaster(columns, spacing));
     columnLines all;
-    if (columns.whole)
+    if (team.isMaster())
     {
         all = makeColumnLines
         (
-            fields.background, fields.isotropic, startsOfAll(columns, spacing),
-            weighting
+            fields.background, fields.isotropic, starts, weighting
         );
     }
-    if (team.isAlone())
-    {
-        return all;
-    }
-
     labelList n(1, all.lines.nSamples);
     team.broadcast(n);
+
+    const shareTable& table = team.columns;
     columnLines own;
     own.lines.nSamples = n[0];
-    own.lines.points = team.fromMaster(all.lines.points, n[0]);
-    own.slopes = team.fromMaster(all.slopes);
-    own.isSet.setSize(own.slopes.size(), true);
+    own.lines.points = table.fromMaster(std::move(all.lines.points), n[0]);
+    own.lines.energies = table.fromMaster(std::move(all.lines.energies), n[0]);
+    own.slopes = table.fromMaster(std::move(all.slopes));
+    own.isSet = table.fromMaster(std::move(all.isSet));
 
     return own;
 }
 
 
 //- On the master: radii at all points of the wall. Collective
-static envelopeRadii radiiOfAll
+static envelopeRadii radiiOnMaster
 (
     const columnTeam& team,
     const envelopeRadii& radii
@@ -137,10 +142,10 @@ static envelopeRadii radiiOfAll
 {
     return envelopeRadii
     {
-        scalarField(team.pointsOnMaster(radii.wanted)),
-        scalarField(team.pointsOnMaster(radii.room)),
-        scalarField(team.pointsOnMaster(radii.radius)),
-        scalarField(team.pointsOnMaster(radii.edgeLengths))
+        team.points.onMaster(radii.wanted),
+        team.points.onMaster(radii.room),
+        team.points.onMaster(radii.radius),
+        team.points.onMaster(radii.edgeLengths)
     };
 }
 
@@ -157,7 +162,7 @@ static columnLines linesOfBlocks
 )
 {
     observer.begin("columnLines");
-    const wallSurface& wall = columns.context.wall;
+    const wallSurface& wall = columns.under.wall;
     const dividedWall divided
     {
         columns.team, columns.own, wall, radii, guide.spacing, blocks,
@@ -167,32 +172,65 @@ static columnLines linesOfBlocks
     (
         makeColumnLines(divided, controls.field, guide.noField)
     );
-    const label nPoints = columns.team.nWallPoints(wall.points.size());
+    const label nPoints = columns.team.points.nWhole(wall.points.size());
     observer.end(sizesOf(blocks, nPoints, guide.noField));
 
     return lines;
 }
 
 
-//- The master makes the fields of the whole wall. Collective
-static void makeWholeFields
+namespace
+{
+
+//- What the master makes of the whole wall; empty elsewhere
+struct fieldsOnMaster
+{
+    wallFields fields;
+
+    //- If layers end on level sets
+    levelSetLayers levelSets;
+};
+
+} // End anonymous namespace
+
+
+//- Collective
+static fieldsOnMaster makeFieldsOnMaster
 (
     const guidedColumns& columns,
     const envelopeRadii& radii,
     const prismLayerControls& controls,
-    const stageObserver& observer,
-    columnGuide& guide
+    const stageObserver& observer
 )
 {
-    const envelopeRadii all(radiiOfAll(columns.team, radii));
-    if (columns.whole)
+    const columnTeam& team = columns.team;
+    const bool onLevelSets = controls.layers.onLevelSets;
+    const envelopeRadii all(radiiOnMaster(team, radii));
+    const layerSpacing graded
+    (
+        onLevelSets
+      ? spacingOnMaster(columns.heights.graded, team.points) : layerSpacing()
+    );
+
+    fieldsOnMaster made;
+    if (team.isMaster())
     {
-        wallContext& context = columns.whole->context;
-        context.complete();
-        guide.envelope = makeEnvelope(context, all, controls, observer);
-        guide.fields =
-            makeFields(context, guide.envelope, controls.field, observer);
+        const wallContext context(columns.wholeWall);
+        made.fields = makeFields
+        (
+            context, makeEnvelope(context, all, controls, observer),
+            controls.field, observer
+        );
+        if (onLevelSets)
+        {
+            made.levelSets = makeLevelSets
+            (
+                context, made.fields, graded, controls, observer
+            );
+        }
     }
+
+    return made;
 }
 
 
@@ -212,23 +250,20 @@ static columnGuide fieldGuide
     guide.spacing = columns.heights.graded;
     const wallBlocks blocks
     (
-        makeWallBlocks(columns.context, radii, columns.team)
+        makeWallBlocks(columns.under, radii, columns.team)
     );
     columnLines along;
 
     if (!blocks.isDivided || keepStages)
     {
-        makeWholeFields(columns, radii, controls, observer, guide);
+        guide.fields =
+            makeFieldsOnMaster(columns, radii, controls, observer).fields;
         guide.field = guide.fields.anisotropic;
     }
     guide.fields.failure = columns.team.textOfMaster(guide.fields.failure);
 
     if (blocks.isDivided)
     {
-        if (!keepStages)
-        {
-            columns.context.drop();
-        }
         along = linesOfBlocks
         (
             columns, radii, blocks.points, controls, observer, guide
@@ -236,12 +271,7 @@ static columnGuide fieldGuide
     }
     else if (guide.fields.failure.empty())
     {
-        along = linesOfOneField
-        (
-            guide.fields,
-            columns.whole ? columns.whole->heights.graded : layerSpacing(),
-            columns
-        );
+        along = linesOfOneField(guide.fields, guide.spacing, columns);
     }
     else
     {
@@ -266,29 +296,19 @@ static columnGuide levelSetGuide
     const stageObserver& observer
 )
 {
+    fieldsOnMaster made
+    (
+        makeFieldsOnMaster(columns, radii, controls, observer)
+    );
     columnGuide guide;
-    layerSpacing spacing;
-    makeWholeFields(columns, radii, controls, observer, guide);
-
-    if (columns.whole)
-    {
-        levelSetLayers onSets
-        (
-            makeLevelSets
-            (
-                columns.whole->context, guide.fields,
-                columns.whole->heights.graded, controls, observer
-            )
-        );
-        guide.field = std::move(onSets.field);
-        spacing = std::move(onSets.spacing);
-    }
-    guide.spacing = spacingOnShare(spacing, columns.team);
-
+    guide.fields = std::move(made.fields);
+    guide.field = std::move(made.levelSets.field);
+    guide.spacing =
+        spacingFromMaster(std::move(made.levelSets.spacing), columns.team);
     guide.lines = controls.layers.alongField
       ? linesOfOneField
         (
-            guide.fields, spacing, columns, lineDirections::agreeing
+            guide.fields, guide.spacing, columns, lineDirections::agreeing
         ).lines
       : straightLines(columns, guide.spacing);
 
@@ -318,7 +338,8 @@ columnGuide makeColumnGuide
     (
         makeEnvelopeRadii
         (
-            columns.context, controls.envelope.scale*columns.heights.room,
+            columns.under.wall, columns.under.addressing,
+            controls.envelope.scale*columns.heights.room,
             columns.own.smallest(clearance), columns.team
         )
     );

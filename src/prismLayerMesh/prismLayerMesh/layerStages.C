@@ -5,8 +5,10 @@
 
 #include "layerStages.H"
 #include "adviceOnPoints.H"
+#include "distributeFront.H"
 #include "levelSets.H"
 #include "nameCauses.H"
+#include "returnMemory.H"
 #include "stageText.H"
 #include "unitConversion.H"
 #include "wallClearance.H"
@@ -16,6 +18,106 @@ namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- The heights that controls and local ask for
+static wallHeights heightsOf
+(
+    const wallSurface& wall,
+    const wallAddressing& addressing,
+    const layerControls& controls,
+    const localHeights& local,
+    const stageObserver& observer
+)
+{
+    observer.begin("layerSpacing");
+    wallHeights heights;
+    heights.request = makeLayerSpacing(wall, addressing, controls, local);
+    requireCountable(addressing.edges.size(), heights.request.nLayers);
+    heights.graded =
+        gradedSpacing(heights.request, addressing, controls.transitionRatio);
+    heights.room = controls.onLevelSets
+      ? uniformSpacing(heights.graded).thickness : heights.graded.thickness;
+    observer.end
+    (
+        text(heights.request.nLayers, " layers\n",
+            describe(heights.request, wall, controls).c_str())
+    );
+
+    return heights;
+}
+
+
+//- The bare front with multiple normals at angles below one [deg]
+static layerFront frontOf
+(
+    const wallSurface& wall,
+    const wallAddressing& addressing,
+    const wallVisibility& visibility,
+    const scalar multipleNormalsAngle,
+    const stageObserver& observer
+)
+{
+    observer.begin("layerFront");
+    layerFront front
+    (
+        makeBareFront
+        (
+            wall, addressing, visibility, degToRad(multipleNormalsAngle)
+        )
+    );
+    observer.end(sizesOf(front));
+
+    return front;
+}
+
+
+//- As makeShare, of all of the wall. The front is bare if several processes
+//  share it.
+static shareOfWall makeWhole
+(
+    const wallSurface& wall,
+    const layerControls& controls,
+    const scalar angle,
+    const localHeights& local,
+    const stageObserver& observer,
+    const bool isShared
+)
+{
+    observer.begin("wallVisibility");
+    wallAddressing addressing(makeWallAddressing(wall));
+    wallVisibility visibility(makeWallVisibility(wall, addressing));
+    shareOfWall whole;
+    whole.kinds = kindsOfPoints(wall, addressing, visibility);
+    whole.curvature =
+        inwardCurvature(wall, addressing, visibility, whole.kinds);
+    observer.end(sizesOf(whole.kinds));
+
+    whole.heights = heightsOf(wall, addressing, controls, local, observer);
+
+    layerFront& front = whole.share.front;
+    front = frontOf(wall, addressing, visibility, angle, observer);
+    if (front.pointsWithoutDirection.size() && angle > 0)
+    {
+        front = frontOf(wall, addressing, visibility, 0, observer);
+    }
+    if (front.pointsWithoutDirection.size())
+    {
+        throw wallPointsError
+        (
+            wall, front.pointsWithoutDirection,
+            "have no direction from which all their faces are visible, even "
+            "with multiple normals",
+            adviceOnPoints(wall, addressing, front.pointsWithoutDirection)
+        );
+    }
+    if (!isShared)
+    {
+        front.complete(std::move(addressing), std::move(visibility));
+    }
+
+    return whole;
+}
+
 
 //- The room in front of the columns that this process makes. In a team the
 //  search has the part of the wall that the balls may meet, in mirrors too.
@@ -37,7 +139,7 @@ static scalarField clearanceOf
 
     if (columns.team.isAlone())
     {
-        return clearanceBy(columns.context.search());
+        return clearanceBy(wallSearch(columns.wholeWall));
     }
 
     // A ball is up to maxStretch reaches away, and one reach wide; in a mirror
@@ -61,57 +163,37 @@ static scalarField clearanceOf
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-wallHeights makeHeights
+shareOfWall makeShare
 (
-    const wallContext& context,
+    const wallSurface& wall,
     const layerControls& controls,
-    const localHeights& local,
-    const stageObserver& observer
-)
-{
-    observer.begin("layerSpacing");
-    wallHeights heights;
-    heights.request =
-        makeLayerSpacing(context.wall, context.addressing, controls, local);
-    requireCountable
-    (
-        context.addressing.edges.size(), heights.request.nLayers
-    );
-    heights.graded = gradedSpacing
-    (
-        heights.request, context.addressing, controls.transitionRatio
-    );
-    heights.room = controls.onLevelSets
-      ? uniformSpacing(heights.graded).thickness : heights.graded.thickness;
-    observer.end
-    (
-        text(heights.request.nLayers, " layers\n",
-            describe(heights.request, context.wall, controls).c_str())
-    );
-
-    return heights;
-}
-
-
-layerFront makeFront
-(
-    const wallContext& context,
     const scalar multipleNormalsAngle,
-    const stageObserver& observer
+    const localHeights& local,
+    const stageObserver& observer,
+    const processTeam& processes
 )
 {
-    observer.begin("layerFront");
-    const layerFront front
+    shareOfWall whole
     (
-        makeBareFront
-        (
-            context.wall, context.addressing, context.visibility,
-            degToRad(multipleNormalsAngle)
-        )
+        processes.onMaster([&]()
+        {
+            return makeWhole
+            (
+                wall, controls, multipleNormalsAngle, local, observer,
+                processes.size() > 1
+            );
+        })
     );
-    observer.end(sizesOf(front));
+    returnMemory();
 
-    return front;
+    shareOfWall own;
+    own.share = shareOf(std::move(whole.share.front), whole.kinds, processes);
+    const columnTeam team(own.share, processes);
+    own.kinds = team.points.fromMaster(std::move(whole.kinds));
+    own.curvature = team.points.fromMaster(std::move(whole.curvature));
+    own.heights = heightsFromMaster(std::move(whole.heights), team);
+
+    return own;
 }
 
 
@@ -159,7 +241,10 @@ layerColumns makeColumns
     );
     observer.end
     (
-        text(front.team.nColumns(front.own.wallPoints.size()), " columns")
+        text
+        (
+            front.team.columns.nWhole(front.own.wallPoints.size()), " columns"
+        )
     );
 
     return columns;
@@ -168,36 +253,31 @@ layerColumns makeColumns
 
 madeLayers makeLayers
 (
-    const guidedColumns& front,
+    const layerFront& front,
+    const List<pointKind>& kinds,
+    const layerSpacing& request,
     const layerSpacing& spacing,
     const layerColumns& columns,
     const qualityControls& quality,
+    const columnTeam& team,
     const stageObserver& observer
 )
 {
     observer.begin("prismLayers");
     layerMoveControls moves;
     moves.quality = quality;
-    madeLayers made
-    (
-        makePrismLayers(front.own, spacing, columns, moves, front.team)
-    );
+    madeLayers made(makePrismLayers(front, spacing, columns, moves, team));
 
     if (made.certified.pointsWithoutHeight.empty())
     {
         nameCauses
         (
-            front.own, front.context.kinds,
-            front.heights.request.at(front.own.wallPoints), spacing, columns,
-            made
+            front, kinds, request.at(front.wallPoints), spacing, columns, made
         );
     }
     observer.end
     (
-        sizesOf
-        (
-            made, front.team.nWholeFaces(front.own.surface.faces.size())
-        )
+        sizesOf(made, team.faces.nWhole(front.surface.faces.size()))
     );
 
     return made;
@@ -231,7 +311,6 @@ layerCertificate makeCertificate
 farFieldMesh makeFarField
 (
     const prismLayers& layers,
-    const wallAddressing& frontAddressing,
     farFieldDomain domain,
     const farFieldControls& controls,
     const stageObserver& observer
@@ -240,7 +319,7 @@ farFieldMesh makeFarField
     observer.begin("farFieldMesh");
     const farFieldMesh far
     (
-        makeFarFieldMesh(layers, frontAddressing, std::move(domain), controls)
+        makeFarFieldMesh(layers, std::move(domain), controls)
     );
     observer.end(sizesOf(far));
 
@@ -248,33 +327,28 @@ farFieldMesh makeFarField
 }
 
 
-wallPointsError errorOfPoints
+void requireHeights
 (
-    const wallContext& context,
-    const layerFront& front,
-    const certification& certified
+    const wallSurface& wall,
+    const certification& certified,
+    const processTeam& processes
 )
 {
-    const labelList& points = front.pointsWithoutDirection;
-
-    if (points.size())
+    if (certified.pointsWithoutHeight.empty())
     {
-        return wallPointsError
+        return;
+    }
+    if (processes.isMaster())
+    {
+        throw wallPointsError
         (
-            context.wall, points,
-            "have no direction from which all their faces are visible, even "
-            "with multiple normals",
-            adviceOnPoints(context.wall, context.addressing, points)
+            wall, certified.pointsWithoutHeight,
+            certified.cause == squeezeCause::intersection
+          ? "have columns whose outer faces intersect at any thickness"
+          : "have columns whose cells are not positive at any thickness"
         );
     }
-
-    return wallPointsError
-    (
-        context.wall, certified.pointsWithoutHeight,
-        certified.cause == squeezeCause::intersection
-      ? "have columns whose outer faces intersect at any thickness"
-      : "have columns whose cells are not positive at any thickness"
-    );
+    processes.any(false);
 }
 
 } // End namespace Foam

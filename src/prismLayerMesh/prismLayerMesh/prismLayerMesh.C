@@ -4,288 +4,114 @@
 \*---------------------------------------------------------------------------*/
 
 #include "prismLayerMesh.H"
-#include "distributeFront.H"
 #include "layerStages.H"
 #include "returnMemory.H"
-#include "stageText.H"
-#include "wallPartsInBoxes.H"
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Certifies the layers, and counts the faces beyond the bounds
-static void certifyMesh
-(
-    const guidedColumns& front,
-    const qualityControls& bounds,
-    const stageObserver& observer,
-    prismLayerMesh& mesh
-)
+namespace
 {
-    const prismLayers& layers = mesh.made.layers;
-    mesh.certificate = makeCertificate(layers, front.team, observer);
-    mesh.bounds = bounds;
-    mesh.faces = faceQualityOfLayers
-    (
-        layers, layerGeometry(layers, front.own.addressing), bounds, front.team
-    );
-}
+
+//- Columns, and the heights that they are to have
+struct plannedColumns
+{
+    layerColumns columns;
+    layerSpacing spacing;
+};
 
 
-//- Drops what the layers do not need
-static void dropStages(const guidedColumns& columns, prismLayerMesh& mesh)
+//- All stages, see makePrismLayerMesh
+struct pipeline
 {
-    mesh.guide = columnGuide();
-    mesh.clearance.clear();
-    columns.context.drop();
-    if (columns.whole && !columns.team.isAlone())
+    const wallSurface& wall;
+    const prismLayerControls& controls;
+    const localHeights& local;
+    const stageObserver& observer;
+    const bool keepStages;
+    const processTeam& processes;
+
+
+    //- From the wall to columns
+    plannedColumns plan(const scalar angle, prismLayerMesh& mesh) const
     {
-        columns.whole->context.drop();
-        columns.whole->heights = wallHeights();
-        mesh.front.visibility = wallVisibility();
-    }
-    returnMemory();
-}
-
-
-//- The layers of the columns of this process, until they are certified, unless
-//  points have no layers
-static void makeLayersOnColumns
-(
-    const guidedColumns& columns,
-    const prismLayerControls& controls,
-    const stageObserver& observer,
-    const bool keepStages,
-    prismLayerMesh& mesh
-)
-{
-    mesh.clearance = makeClearance(columns, controls, observer);
-    mesh.guide = makeColumnGuide
-    (
-        columns, mesh.clearance, controls, observer, keepStages
-    );
-    layerColumns made
-    (
-        makeColumns
+        shareOfWall start
         (
-            columns, mesh.clearance, mesh.guide, controls.layers, observer
-        )
-    );
-    const layerSpacing spacing
-    (
-        mesh.guide.spacing.at(columns.own.wallPoints)
-    );
-    mesh.noField = mesh.guide.noField;
-
-    mesh.columns = keepStages ? made : layerColumns();
-    if (!keepStages)
-    {
-        dropStages(columns, mesh);
-    }
-
-    mesh.made =
-        makeLayers(columns, spacing, made, controls.quality, observer);
-    if (mesh.made.certified.pointsWithoutHeight.empty())
-    {
-        certifyMesh(columns, controls.quality, observer, mesh);
-    }
-}
-
-
-//- The processes of points. Columns near edges take more time than others.
-static pointOwners ownersOf
-(
-    const List<pointKind>& kinds,
-    const processTeam& processes
-)
-{
-    boolList isOnEdge(kinds.size());
-    forAll(kinds, p)
-    {
-        isOnEdge[p] = kinds[p] != pointKind::flat;
-    }
-
-    return balancedOwners(isOnEdge, processes.size());
-}
-
-
-//- Drops what the shares of a front have. The surface of a bare front is the
-//  surface of the wall.
-static void keepColumnsOnly(layerFront& front)
-{
-    wallVisibility cones;
-    cones.cones = front.visibility.cones;
-    if (front.isBare())
-    {
-        front.surface = wallSurface();
-    }
-    front.visibility = std::move(cones);
-    front.addressing = wallAddressing();
-}
-
-
-//- As makeLayersOnColumns, on the share of this process. Collective
-static void makeLayersOnShare
-(
-    wholeWall* whole,
-    const prismLayerControls& controls,
-    const stageObserver& observer,
-    const processTeam& processes,
-    prismLayerMesh& mesh
-)
-{
-    pointOwners owners;
-    if (whole)
-    {
-        owners = ownersOf(whole->context.kinds, processes);
-        whole->context.drop();
-        returnMemory();
-    }
-    mesh.share = distributeFront(mesh.front, owners, processes);
-    if (whole)
-    {
-        keepColumnsOnly(mesh.front);
-    }
-    returnMemory();
-
-    const columnTeam team(mesh.share.get(), &processes);
-    const layerFront& own = mesh.share->front;
-    const wallSurface wall(wallOfFront(own));
-    const List<pointKind> noKinds;
-    const scalarField noCurvature;
-    const wallHeights noHeights;
-    wallContext context
-    (
-        wall,
-        team.pointsFromMaster(whole ? whole->context.kinds : noKinds),
-        scalarField
-        (
-            team.pointsFromMaster
+            makeShare
             (
-                whole ? whole->context.curvature : noCurvature
+                wall, controls.layers, angle, local, observer, processes
             )
-        )
-    );
-    mesh.heights = heightsOnShare(whole ? whole->heights : noHeights, team);
-    makeLayersOnColumns
-    (
-        guidedColumns{own, team, context, mesh.heights, whole, mesh.front},
-        controls, observer, false, mesh
-    );
-}
+        );
+        mesh.share = std::move(start.share);
+        mesh.pointKinds = std::move(start.kinds);
+        const layerFront& front = mesh.share.front;
+        const columnTeam team(mesh.share, processes);
+        const wallUnderShare under(front, mesh.pointKinds, start.curvature);
+        const guidedColumns guided{wall, team, front, under, start.heights};
 
-
-//- The mesh on a front with multiple normals at angles below one [deg], as far
-//  as layers are possible there. Collective.
-//  whole: null on a process that is not the master
-static prismLayerMesh makeLayersOnFront
-(
-    wholeWall* whole,
-    const scalar angle,
-    const prismLayerControls& controls,
-    const localHeights& local,
-    const stageObserver& observer,
-    const bool keepStages,
-    const processTeam* processes
-)
-{
-    prismLayerMesh mesh;
-    if (whole)
-    {
-        whole->context.complete();
-        if (whole->heights.request.nLayers == 0)
+        scalarField clearance(makeClearance(guided, controls, observer));
+        columnGuide guide
+        (
+            makeColumnGuide(guided, clearance, controls, observer, keepStages)
+        );
+        plannedColumns planned
         {
-            whole->heights =
-                makeHeights(whole->context, controls.layers, local, observer);
+            makeColumns(guided, clearance, guide, controls.layers, observer),
+            guide.spacing.at(front.wallPoints)
+        };
+
+        mesh.request = std::move(start.heights.request);
+        mesh.noField = guide.noField;
+        if (keepStages)
+        {
+            mesh.addressing = makeWallAddressing(wall);
+            mesh.visibility = makeWallVisibility(wall, mesh.addressing);
+            mesh.clearance = std::move(clearance);
+            mesh.guide = std::move(guide);
+            mesh.columns = planned.columns;
         }
-        mesh.front = makeFront(whole->context, angle, observer);
-    }
-    if (processes)
-    {
-        processes->broadcast(mesh.front.pointsWithoutDirection);
+
+        return planned;
     }
 
-    if (mesh.front.pointsWithoutDirection.size())
-    {
-        return mesh;
-    }
 
-    if (processes)
+    //- The mesh with multiple normals at angles below one [deg]. If points have
+    //  no layers, made.certified names them.
+    prismLayerMesh make(const scalar angle) const
     {
-        makeLayersOnShare(whole, controls, observer, *processes, mesh);
-        return mesh;
-    }
-
-    wallContext& context = whole->context;
-    mesh.front.complete(context.addressing, context.visibility);
-    makeLayersOnColumns
-    (
-        guidedColumns
+        prismLayerMesh mesh;
         {
-            mesh.front, columnTeam::alone(), context, whole->heights, whole,
-            mesh.front
-        },
-        controls, observer, keepStages, mesh
-    );
+            const plannedColumns planned(plan(angle, mesh));
+            returnMemory();
+            mesh.made = makeLayers
+            (
+                mesh.share.front, mesh.pointKinds, mesh.request,
+                planned.spacing, planned.columns, controls.quality,
+                columnTeam(mesh.share, processes), observer
+            );
+        }
+        if (mesh.made.certified.pointsWithoutHeight.size())
+        {
+            return mesh;
+        }
 
-    return mesh;
-}
+        const columnTeam team(mesh.share, processes);
+        const prismLayers& layers = mesh.made.layers;
+        mesh.certificate = makeCertificate(layers, team, observer);
+        mesh.bounds = controls.quality;
+        mesh.faces = faceQualityOfLayers
+        (
+            layers, layerGeometry(layers, mesh.share.front.addressing),
+            mesh.bounds, team
+        );
 
-
-static bool hasLayers(const prismLayerMesh& mesh)
-{
-    return mesh.front.pointsWithoutDirection.empty()
-        && mesh.made.certified.pointsWithoutHeight.empty();
-}
-
-
-//- What the only process keeps of the wall
-static void takeFromWall
-(
-    wholeWall& whole,
-    const bool keepStages,
-    prismLayerMesh& mesh
-)
-{
-    wallContext& context = whole.context;
-    mesh.heights = std::move(whole.heights);
-    if (keepStages)
-    {
-        mesh.addressing = std::move(context.addressing);
-        mesh.visibility = std::move(context.visibility);
+        return mesh;
     }
-    else
-    {
-        mesh.addressing = mesh.front.extraColumnPoints().empty()
-          ? mesh.front.addressing : makeWallAddressing(context.wall);
-        mesh.front.visibility = wallVisibility();
-    }
-}
+};
 
-
-//- Throws the error of points without layers. Processes that are not the master
-//  do not know where these points are: they get the error of the master.
-static void endWithoutLayers
-(
-    wholeWall* whole,
-    const prismLayerMesh& mesh,
-    const processTeam* processes
-)
-{
-    if (!whole)
-    {
-        processes->any(false);
-        return;
-    }
-    whole->context.complete();
-
-    throw errorOfPoints
-    (
-        whole->context, mesh.front, mesh.made.certified
-    );
-}
+} // End anonymous namespace
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
@@ -297,43 +123,23 @@ prismLayerMesh makePrismLayerMesh
     const localHeights& local,
     const stageObserver& observer,
     const bool keepStages,
-    const processTeam* processes
+    const processTeam& processes
 )
 {
-    autoPtr<wholeWall> whole;
-    if (!processes || processes->isMaster())
+    const pipeline stages
     {
-        observer.begin("wallVisibility");
-        whole.reset(new wholeWall(wall));
-        observer.end(sizesOf(whole->context.kinds));
-    }
-    const auto makeMesh = [&](const scalar angle)
-    {
-        return makeLayersOnFront
-        (
-            whole.get(), angle, controls, local, observer, keepStages,
-            processes
-        );
+        wall, controls, local, observer, keepStages && processes.size() == 1,
+        processes
     };
+    const scalar angle = controls.layers.multipleNormalsAngle;
 
-    prismLayerMesh mesh(makeMesh(controls.layers.multipleNormalsAngle));
-    if (!hasLayers(mesh) && controls.layers.multipleNormalsAngle > 0)
+    prismLayerMesh mesh(stages.make(angle));
+    if (mesh.made.certified.pointsWithoutHeight.size() && angle > 0)
     {
         mesh = prismLayerMesh();
-        mesh = makeMesh(0);
+        mesh = stages.make(0);
     }
-    if (!hasLayers(mesh))
-    {
-        endWithoutLayers(whole.get(), mesh, processes);
-    }
-    if (whole)
-    {
-        mesh.pointKinds = whole->context.kinds;
-    }
-    if (!processes)
-    {
-        takeFromWall(whole(), keepStages, mesh);
-    }
+    requireHeights(wall, mesh.made.certified, processes);
 
     return mesh;
 }

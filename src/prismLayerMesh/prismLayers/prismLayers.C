@@ -60,15 +60,15 @@ pointField prismLayers::meshPoints() const
 }
 
 
-pointField prismLayers::outerPoints() const
+pointField prismLayers::pointsOf(const label i) const
 {
-    pointField outer(nColumns());
-    forAll(outer, c)
+    pointField level(nColumns());
+    forAll(level, c)
     {
-        outer[c] = (*this)(c, nLayers);
+        level[c] = (*this)(c, i);
     }
 
-    return outer;
+    return level;
 }
 
 

@@ -191,11 +191,11 @@ layersPiece layersDivider::assemble
     layersPiece piece;
     piece.layers.nLayers = layers_.nLayers;
     piece.layers.patchNames = layers_.patchNames;
-    piece.nWallPoints = team_.nWallPoints(layers_.nWallPoints());
+    piece.nWallPoints = team_.points.nWhole(layers_.nWallPoints());
     piece.patchNames = patches_.names;
     piece.patchTypes = patches_.types();
     piece.open.setSize(open_.size());
-    setColumns(received, team_.nColumns(layers_.nColumns()), piece);
+    setColumns(received, team_.columns.nWhole(layers_.nColumns()), piece);
     setStacks(received, piece);
     setEdges(received, piece);
 

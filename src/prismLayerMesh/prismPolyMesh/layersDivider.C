@@ -161,7 +161,7 @@ labelListList layersDivider::neighbours() const
 
     labelListList beside
     (
-        team_.isMaster() ? team_.nWholeFaces(layers_.faces.size()) : 0
+        team_.isMaster() ? team_.faces.nWhole(layers_.faces.size()) : 0
     );
     for (const message& m : team_.exchange(sent))
     {

@@ -51,7 +51,7 @@ static label setFirstFaces
 )
 {
     const label n = layers.nLayers;
-    const labelList strides(team.ofAllFaces(labels.strides, layers.faces));
+    const labelList strides(team.faces.onAll(labels.strides));
     labelList firstFaces(strides.size());
     label next = 0;
     forAll(strides, facei)
@@ -82,7 +82,7 @@ static label setWallFaces
 {
     labelList patches(layers.faces.size(), -1);
     SubList<label>(patches, layers.nWallFaces()) = layers.patchIDs;
-    labelList wallFaces(team.ofAllFaces(patches, layers.faces));
+    labelList wallFaces(team.faces.onAll(patches));
 
     for (const labelList& ofPatch : invertOneToMany
         (
@@ -120,7 +120,7 @@ static label setOuterFaces
         labels.outerFaces[facei] = first + team.wholeFace(facei);
     }
 
-    return first + team.nWholeFaces(layers.faces.size());
+    return first + team.faces.nWhole(layers.faces.size());
 }
 
 

@@ -21,10 +21,7 @@ static labelList processorsOfStacks
     const stackDivision& divide
 )
 {
-    const pointField centres
-    (
-        team.facesOnMaster(centresOfStacks(own), own.faces)
-    );
+    const pointField centres(team.faces.onMaster(centresOfStacks(own)));
     const labelListList neighbours(divider.neighbours());
     labelList processors
     (
@@ -49,7 +46,7 @@ static void setPoints
     {
         owners[c] = team.owner(piece.columns[piece.layers.root(c)]);
     }
-    piece.layers.points = team.valuesOf
+    piece.layers.points = team.columns.at
     (
         piece.columns, owners, own.points, own.nLayers + 1
     );

@@ -178,7 +178,7 @@ static labelList firstFacesOfColumns
             ofColumns[c] = ofParts[parts.find(c)];
         }
     }
-    while (team.lowerToOwners(ofColumns));
+    while (team.columns.lower(ofColumns));
 
     return ofColumns;
 }

@@ -44,16 +44,16 @@ TEST(columnTeam, valuesOfOwnersGoToCopies)
 {
     onShares(3, [](const columnTeam& team, const frontShare& share)
     {
-        labelList values(share.columns.size(), -1);
+        labelList values(share.columns.whole.size(), -1);
         forAll(values, c)
         {
-            values[c] = share.isOwn[c] ? 7*share.columns[c] : -1;
+            values[c] = share.columns.isOwn[c] ? 7*share.columns.whole[c] : -1;
         }
-        team.update(values);
+        team.columns.update(values);
 
         forAll(values, c)
         {
-            EXPECT_EQ(values[c], 7*share.columns[c]);
+            EXPECT_EQ(values[c], 7*share.columns.whole[c]);
         }
     });
 }
@@ -64,20 +64,21 @@ TEST(columnTeam, someValuesOfOwnersGoToCopies)
     onShares(3, [](const columnTeam& team, const frontShare& share)
     {
         Map<scalar> values;
-        forAll(share.columns, c)
+        forAll(share.columns.whole, c)
         {
-            if (share.isOwn[c] && share.columns[c] % 2)
+            if (share.columns.isOwn[c] && share.columns.whole[c] % 2)
             {
-                values.insert(c, share.columns[c]);
+                values.insert(c, share.columns.whole[c]);
             }
         }
-        const Map<scalar> ofCopies(team.fromOwners(values));
+        const Map<scalar> ofCopies(team.columns.ofOwners(values));
 
-        forAll(share.columns, c)
+        forAll(share.columns.whole, c)
         {
-            const bool has = !share.isOwn[c] && share.columns[c] % 2;
+            const bool has =
+                !share.columns.isOwn[c] && share.columns.whole[c] % 2;
             EXPECT_EQ(ofCopies.found(c), has);
-            EXPECT_EQ(ofCopies.lookup(c, 0), has ? share.columns[c] : 0);
+            EXPECT_EQ(ofCopies.lookup(c, 0), has ? share.columns.whole[c] : 0);
         }
     });
 }
@@ -88,22 +89,22 @@ TEST(columnTeam, setsAreUnited)
     onShares(4, [](const columnTeam& team, const frontShare& share)
     {
         // Only processes that do not own them have columns in their sets
-        boolList set(share.columns.size());
+        boolList set(share.columns.whole.size());
         forAll(set, c)
         {
-            set[c] = !share.isOwn[c] && share.columns[c] % 3 == 0;
+            set[c] = !share.columns.isOwn[c] && share.columns.whole[c] % 3 == 0;
         }
-        team.unite(set);
+        team.columns.unite(set);
 
         labelHashSet sent;
-        for (const labelList& toOther : share.sent)
+        for (const labelList& toOther : share.columns.sent)
         {
             sent.insert(toOther);
         }
         forAll(set, c)
         {
-            const bool isShared = !share.isOwn[c] || sent.found(c);
-            EXPECT_EQ(set[c], isShared && share.columns[c] % 3 == 0);
+            const bool isShared = !share.columns.isOwn[c] || sent.found(c);
+            EXPECT_EQ(set[c], isShared && share.columns.whole[c] % 3 == 0);
         }
     });
 }

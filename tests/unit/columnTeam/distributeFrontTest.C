@@ -45,16 +45,21 @@ static void expectSameSurface(const wallSurface& a, const wallSurface& b)
 }
 
 
-static void expectSameShare(const frontShare& a, const frontShare& b)
+static void expectSameLabels(const sharedLabels& a, const sharedLabels& b)
 {
-    ASSERT_EQ(a.columns, b.columns);
-    ASSERT_EQ(a.faces, b.faces);
-    EXPECT_EQ(a.nColumns, b.nColumns);
-    EXPECT_EQ(a.nFaces, b.nFaces);
-    EXPECT_EQ(a.nWallPoints, b.nWallPoints);
+    EXPECT_EQ(a.whole, b.whole);
+    EXPECT_EQ(a.nWhole, b.nWhole);
     EXPECT_EQ(a.isOwn, b.isOwn);
     EXPECT_EQ(a.sent, b.sent);
     EXPECT_EQ(a.received, b.received);
+}
+
+
+static void expectSameShare(const frontShare& a, const frontShare& b)
+{
+    expectSameLabels(a.columns, b.columns);
+    expectSameLabels(a.points, b.points);
+    expectSameLabels(a.faces, b.faces);
 
     expectSameSurface(a.front.surface, b.front.surface);
     EXPECT_EQ(a.front.wallPoints, b.front.wallPoints);
@@ -89,7 +94,19 @@ static void expectSameShare(const frontShare& a, const frontShare& b)
 }
 
 
-//- Each process gets the share that it would take from the whole front
+//- The border, too, is in the same order
+static void expectSameFront(const layerFront& a, const layerFront& b)
+{
+    expectSameSurface(a.surface, b.surface);
+    EXPECT_TRUE(a.surface.border.edges == b.surface.border.edges);
+    EXPECT_EQ(a.surface.border.edgeSides, b.surface.border.edgeSides);
+    EXPECT_EQ(a.wallPoints, b.wallPoints);
+    EXPECT_EQ(a.nWallFaces, b.nWallFaces);
+}
+
+
+//- Each process gets the share that it would take from the whole front, and
+//  the master gets the front back
 static void expectShares(const wallSurface& wall, const scalar angle)
 {
     const wallAddressing addressing(makeWallAddressing(wall));
@@ -108,16 +125,21 @@ static void expectShares(const wallSurface& wall, const scalar angle)
 
         threadTeam::run(n, [&](const threadTeam& processes)
         {
-            const auto share = distributeFront
+            const frontShare share = distributeFront
             (
                 processes.isMaster() ? bare : layerFront(),
                 processes.isMaster() ? pointOwners(owners) : pointOwners(),
                 processes
             );
+            const layerFront back(gatherFront(share, wall, processes));
             const std::lock_guard<std::mutex> lock(reporting);
             expectSameShare
             (
-                *share, shareOf(whole, owners, n, processes.rank())
+                share, shareOf(whole, owners, n, processes.rank())
+            );
+            expectSameFront
+            (
+                back, processes.isMaster() ? whole : layerFront()
             );
         });
     }

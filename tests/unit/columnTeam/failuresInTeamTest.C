@@ -64,7 +64,7 @@ TEST(failuresInTeam, aStageThatThrowsEndsAllProcesses)
                         return makePrismLayerMesh
                         (
                             wall, controls, localHeights(), observer, false,
-                            &team
+                            team
                         );
                     });
                 }
@@ -104,7 +104,7 @@ TEST(failuresInTeam, pointsWithoutLayersEndAllProcesses)
             {
                 return makePrismLayerMesh
                 (
-                    wall, controls, localHeights(), observer, false, &team
+                    wall, controls, localHeights(), observer, false, team
                 );
             });
         }

@@ -70,9 +70,9 @@ TEST(frontShare, eachColumnHasOneOwner)
         labelList nOwners(front.wallPoints.size(), 0);
         for (const frontShare& share : sharesOf(front, 5))
         {
-            forAll(share.columns, c)
+            forAll(share.columns.whole, c)
             {
-                nOwners[share.columns[c]] += share.isOwn[c];
+                nOwners[share.columns.whole[c]] += share.columns.isOwn[c];
             }
         }
         EXPECT_EQ(nOwners, labelList(nOwners.size(), 1));
@@ -88,34 +88,42 @@ TEST(frontShare, whatIsAroundOwnColumnsIsWhole)
         {
             const layerFront& part = share.front;
 
-            forAll(share.columns, c)
+            forAll(share.columns.whole, c)
             {
-                const label whole = share.columns[c];
+                const label whole = share.columns.whole[c];
                 EXPECT_EQ(part.surface.points[c], front.surface.points[whole]);
                 EXPECT_EQ
                 (
-                    share.columns[part.wallPoints[c]], front.wallPoints[whole]
+                    share.columns.whole[part.wallPoints[c]],
+                    front.wallPoints[whole]
                 );
-                if (share.isOwn[c])
+                if (share.columns.isOwn[c])
                 {
                     EXPECT_EQ
                     (
-                        inWhole(part.addressing.pointFaces[c], share.faces),
+                        inWhole
+                        (
+                            part.addressing.pointFaces[c], share.faces.whole
+                        ),
                         front.addressing.pointFaces[whole]
                     );
                     EXPECT_EQ
                     (
-                        inWhole(part.addressing.pointPoints[c], share.columns),
+                        inWhole
+                        (
+                            part.addressing.pointPoints[c],
+                            share.columns.whole
+                        ),
                         front.addressing.pointPoints[whole]
                     );
                 }
             }
-            forAll(share.faces, facei)
+            forAll(share.faces.whole, facei)
             {
                 EXPECT_EQ
                 (
-                    inWhole(part.surface.faces[facei], share.columns),
-                    front.surface.faces[share.faces[facei]]
+                    inWhole(part.surface.faces[facei], share.columns.whole),
+                    front.surface.faces[share.faces.whole[facei]]
                 );
             }
         }
@@ -133,10 +141,12 @@ TEST(frontShare, ownersKnowTheCopiesOfTheirColumns)
         {
             forAll(shares, q)
             {
+                const sharedLabels& own = shares[p].columns;
+                const sharedLabels& other = shares[q].columns;
                 EXPECT_EQ
                 (
-                    inWhole(shares[p].sent[q], shares[p].columns),
-                    inWhole(shares[q].received[p], shares[q].columns)
+                    inWhole(own.sent[q], own.whole),
+                    inWhole(other.received[p], other.whole)
                 );
             }
         }
@@ -158,14 +168,14 @@ TEST(frontShare, columnsWithoutNeighboursHaveNoMean)
         (
             share.front.surface, share.front.addressing
         );
-        const scalarField ones(share.columns.size(), 1);
+        const scalarField ones(share.columns.whole.size(), 1);
 
         forAll(ones, c)
         {
             const scalar mean = smoother.mean(ones, c);
             nWithout += mean == 0;
             EXPECT_TRUE(mean == 0 || mag(mean - 1) < 1e-14);
-            EXPECT_TRUE(mean > 0 || !share.isOwn[c]);
+            EXPECT_TRUE(mean > 0 || !share.columns.isOwn[c]);
         }
     }
     EXPECT_GT(nWithout, 0);
@@ -179,11 +189,11 @@ TEST(frontShare, hasNoMoreThanTwoRingsAroundItsColumns)
     for (const frontShare& share : sharesOf(front, 4))
     {
         labelHashSet near;
-        forAll(share.columns, c)
+        forAll(share.columns.whole, c)
         {
-            if (share.isOwn[c])
+            if (share.columns.isOwn[c])
             {
-                near.insert(share.columns[c]);
+                near.insert(share.columns.whole[c]);
             }
         }
         for (label ring = 0; ring < 2; ++ring)
@@ -193,8 +203,8 @@ TEST(frontShare, hasNoMoreThanTwoRingsAroundItsColumns)
                 near.insert(front.addressing.pointPoints[c]);
             }
         }
-        EXPECT_EQ(labelHashSet(share.columns), near);
-        EXPECT_LT(share.columns.size(), front.wallPoints.size()/2);
+        EXPECT_EQ(labelHashSet(share.columns.whole), near);
+        EXPECT_LT(share.columns.whole.size(), front.wallPoints.size()/2);
     }
 }
 

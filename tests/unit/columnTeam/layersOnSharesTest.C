@@ -34,9 +34,9 @@ static label nDifferences
 )
 {
     label n = 0;
-    forAll(share.columns, c)
+    forAll(share.columns.whole, c)
     {
-        const label whole = share.columns[c];
+        const label whole = share.columns.whole[c];
 
         for (label i = 0; i <= one.layers.nLayers; ++i)
         {
@@ -47,7 +47,7 @@ static label nDifferences
     }
     for (const label c : made.gaveWay)
     {
-        n += !one.gaveWay.found(share.columns[c]);
+        n += !one.gaveWay.found(share.columns.whole[c]);
     }
 
     return n;
@@ -65,7 +65,7 @@ static void expectSameLayers
 )
 {
     SCOPED_TRACE(std::string(name) + " on " + std::to_string(n));
-    const layerFront& front = mesh.front;
+    const layerFront& front = mesh.share.front;
     const layerSpacing spacing(mesh.guide.spacing.at(front.wallPoints));
     const madeLayers one
     (
@@ -87,14 +87,14 @@ static void expectSameLayers
         (
             makePrismLayers
             (
-                share.front, spacing.at(share.columns),
-                mesh.columns.at(share.columns), controls, team
+                share.front, spacing.at(share.columns.whole),
+                mesh.columns.at(share.columns.whole), controls, team
             )
         );
         const bool isValid = certify(made.layers, team).valid();
 
         const std::lock_guard<std::mutex> lock(reporting);
-        for (const bool isOwn : share.isOwn)
+        for (const bool isOwn : share.columns.isOwn)
         {
             nOwn += isOwn;
         }
@@ -201,12 +201,12 @@ TEST(layersOnShares, heightsThatGiveWay)
 static prismLayers layersOn(const frontShare& share, const prismLayers& all)
 {
     prismLayers own(all);
-    own.points.setSize(share.columns.size()*(all.nLayers + 1));
-    forAll(share.columns, c)
+    own.points.setSize(share.columns.whole.size()*(all.nLayers + 1));
+    forAll(share.columns.whole, c)
     {
         for (label i = 0; i <= all.nLayers; ++i)
         {
-            own.points[own.index(c, i)] = all(share.columns[c], i);
+            own.points[own.index(c, i)] = all(share.columns.whole[c], i);
         }
     }
     const layerFront& front = share.front;
@@ -242,7 +242,7 @@ TEST(layersOnShares, piecesHaveTheirStacks)
     threadTeam::run(n, [&](const threadTeam& processes)
     {
         const label rank = processes.rank();
-        const frontShare share(shareOf(mesh.front, owners, n, rank));
+        const frontShare share(shareOf(mesh.share.front, owners, n, rank));
         const prismLayers own(layersOn(share, all));
         const meshPiece piece
         (

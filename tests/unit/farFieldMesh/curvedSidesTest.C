@@ -118,7 +118,7 @@ TEST(curvedSides, facesOnThemHaveTheFirstHeightThatWasAsked)
     {
         const prismLayers& layers = c->run.made.layers;
         scalarField asked(nLayers + 1);
-        c->run.heights.request.setHeights(0, thickness, asked);
+        c->run.request.setHeights(0, thickness, asked);
         const Map<labelPair> border(c->wall.border.pointSides());
         stackHeights stack(layers);
 
@@ -146,7 +146,7 @@ TEST(curvedSides, columnsOnThemHaveTheFirstHeightThatWasAsked)
     {
         const prismLayers& layers = c->run.made.layers;
         scalarField asked(nLayers + 1);
-        c->run.heights.request.setHeights(0, thickness, asked);
+        c->run.request.setHeights(0, thickness, asked);
 
         // Heights are those of faces; a point of a face may be a little off
         for (const label p : c->wall.border.pointSides().sortedToc())

@@ -19,7 +19,8 @@ static layerColumns columnsOf(const prismLayerMesh& m)
 {
     return makeLayerColumns
     (
-        m.front, m.clearance, m.guide.spacing, m.guide.lines, layerControls()
+        m.share.front, m.clearance, m.guide.spacing, m.guide.lines,
+        layerControls()
     );
 }
 

@@ -114,7 +114,7 @@ TEST(levelSets, haveTheHeightsAskedForOnASphere)
 
     const faceHeights heights
     (
-        makeFaceHeights(wall, m.heights.request, m.made.layers)
+        makeFaceHeights(wall, m.request, m.made.layers)
     );
     scalarField first(heights.firstOverRequest), all(heights.totalOverRequest);
     const percentiles spread(makePercentiles(all));
@@ -138,7 +138,7 @@ TEST(levelSets, energiesDescend)
         (
             m.guide.fields.background, m.guide.field, m.visibility.axes(),
             m.pointKinds,
-            uniformSpacing(m.heights.request)
+            uniformSpacing(m.request)
         )
     );
 
@@ -202,7 +202,7 @@ TEST(levelSets, everyLayerIsOnItsLevelSet)
     // spacing before smoothing has its energy
     const wallSurface wall(testSurfaces::sphere(16));
     const prismLayerMesh m(testSurfaces::layeredMesh(wall, onLevelSets()));
-    const layerSpacing uniform(uniformSpacing(m.heights.request));
+    const layerSpacing uniform(uniformSpacing(m.request));
     const backgroundMesh& mesh = m.guide.fields.background;
     const vectorField axes(m.visibility.axes());
     const scalarField energies
@@ -313,7 +313,7 @@ TEST(localConductivity, theChangeIsSmooth)
             ball.mesh.addressing.edgeFaces,
             makeFaceHeights
             (
-                ball.wall, ball.mesh.heights.request, ball.mesh.made.layers
+                ball.wall, ball.mesh.request, ball.mesh.made.layers
             )
            .first
         )

@@ -24,8 +24,9 @@ struct shareOfStages
 {
     const frontShare share;
     const columnTeam team;
-    const wallSurface wall;
-    const wallContext context;
+    const List<pointKind> kinds;
+    const scalarField curvature;
+    const wallUnderShare under;
     const envelopeRadii radii;
     const layerSpacing spacing;
 
@@ -46,25 +47,22 @@ struct shareOfStages
             )
         ),
         team(share, processes),
-        wall(wallOfFront(share.front)),
-        context
+        kinds(UIndirectList<pointKind>(s.context.kinds, share.points.whole)),
+        curvature
         (
-            wall,
-            List<pointKind>
-            (
-                UIndirectList<pointKind>(s.context.kinds, share.wallPoints())
-            ),
-            scalarField(s.context.curvature, share.wallPoints())
+            testSurfaces::wallOfOne(s.wall).curvature, share.points.whole
         ),
+        under(share.front, kinds, curvature),
         radii
         (
             makeEnvelopeRadii
             (
-                context, scalarField(s.radii.wanted, share.wallPoints()),
-                scalarField(s.clearance, share.wallPoints()), team
+                under.wall, under.addressing,
+                scalarField(s.radii.wanted, share.points.whole),
+                scalarField(s.clearance, share.points.whole), team
             )
         ),
-        spacing(s.spacing.at(share.wallPoints()))
+        spacing(s.spacing.at(share.points.whole))
     {}
 };
 
@@ -112,7 +110,7 @@ TEST(sharedBlocks, radiiAreThoseOfTheWholeWall)
     {
         onShares(s, n, 0, [&](const shareOfStages& own)
         {
-            const envelopeRadii whole(s.radii.at(own.share.wallPoints()));
+            const envelopeRadii whole(s.radii.at(own.share.points.whole));
             const std::lock_guard<std::mutex> lock(reporting);
             EXPECT_EQ(own.radii.wanted, whole.wanted);
             EXPECT_EQ(own.radii.room, whole.room);
@@ -126,7 +124,10 @@ TEST(sharedBlocks, radiiAreThoseOfTheWholeWall)
 TEST(sharedBlocks, islandsAreThoseOfTheWholeWall)
 {
     const stages s(testSurfaces::lBlock(12), 4, 0.05);
-    const labelList islands(findFieldIslands(s.context, s.radii));
+    const labelList islands
+    (
+        findFieldIslands(testSurfaces::wallOfOne(s.wall).under, s.radii)
+    );
     ASSERT_GT(islands.size(), 0);
     ASSERT_LT(islands.size(), s.wall.points.size());
 
@@ -136,7 +137,7 @@ TEST(sharedBlocks, islandsAreThoseOfTheWholeWall)
     {
         const labelList found
         (
-            findFieldIslands(own.context, own.radii, own.team)
+            findFieldIslands(own.under, own.radii, own.team)
         );
         const std::lock_guard<std::mutex> lock(reporting);
         for (const label p : found)
@@ -243,8 +244,8 @@ static void expectSameLines(const stages& s, const scalar angle)
         EXPECT_EQ(failureHere, "");
         forAll(lines.isSet, c)
         {
-            const label w = own.share.columns[c];
-            EXPECT_EQ(lines.isSet[c], own.share.isOwn[c]);
+            const label w = own.share.columns.whole[c];
+            EXPECT_EQ(lines.isSet[c], own.share.columns.isOwn[c]);
             nSet += lines.isSet[c];
             nDifferent += lines.isSet[c] && lines.slopes[c] != whole.slopes[w];
             for (label i = 0; i < n && lines.isSet[c]; ++i)

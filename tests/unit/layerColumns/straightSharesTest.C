@@ -28,7 +28,7 @@ static scalarField sharesOf(const prismLayerMesh& m)
 {
     return straightShares
     (
-        m.front,
+        m.share.front,
         scalarField
         (
             mag
@@ -38,9 +38,9 @@ static scalarField sharesOf(const prismLayerMesh& m)
                     m.guide.fields.background, m.guide.fields.isotropic
                 )
             ),
-            m.front.wallPoints
+            m.share.front.wallPoints
         ),
-        m.guide.spacing.at(m.front.wallPoints).thickness
+        m.guide.spacing.at(m.share.front.wallPoints).thickness
     );
 }
 
@@ -60,7 +60,7 @@ TEST(straightShares, columnsFollowTheFieldInConcaveCorners)
         EXPECT_GE(shares[c], 0);
         EXPECT_LE(shares[c], 1);
 
-        const pointKind kind = m.pointKinds[m.front.wallPoints[c]];
+        const pointKind kind = m.pointKinds[m.share.front.wallPoints[c]];
         if (kind == pointKind::concave)
         {
             ++nConcave;

@@ -21,10 +21,12 @@ static labelList islandsOf
     const scalar radius = ::radius
 )
 {
-    const wallContext context(wall);
     const scalarField all(wall.points.size(), radius);
 
-    return findFieldIslands(context, envelopeRadii{all, all, all, all});
+    return findFieldIslands
+    (
+        testSurfaces::wallOfOne(wall).under, envelopeRadii{all, all, all, all}
+    );
 }
 
 
@@ -40,7 +42,7 @@ TEST(fieldIslands, aConvexBodyHasNone)
 TEST(fieldIslands, reachFromConcaveEdges)
 {
     const wallSurface wall(testSurfaces::lBlock(20));
-    const wallContext context(wall);
+    const testSurfaces::wallOfOne one(wall);
     const boolList isIn(bitSet(wall.points.size(), islandsOf(wall)).values());
     label nFar = 0;
 
@@ -50,7 +52,7 @@ TEST(fieldIslands, reachFromConcaveEdges)
         scalar nearest = GREAT;
         forAll(wall.points, q)
         {
-            if (isOnConcaveEdge(context.kinds[q]))
+            if (isOnConcaveEdge(one.kinds[q]))
             {
                 nearest = min(nearest, mag(wall.points[q] - wall.points[p]));
             }
@@ -85,7 +87,6 @@ TEST(fieldIslands, wallsCurvedInwardsNeedAField)
 TEST(fieldIslands, pointsWithoutRoomNeedAField)
 {
     const wallSurface wall(testSurfaces::sphere(8));
-    const wallContext context(wall);
     const scalarField wanted(wall.points.size(), radius);
     scalarField limited(wanted);
     limited[7] = 0.5*radius;
@@ -93,7 +94,8 @@ TEST(fieldIslands, pointsWithoutRoomNeedAField)
     (
         findFieldIslands
         (
-            context, envelopeRadii{wanted, limited, limited, wanted}
+            testSurfaces::wallOfOne(wall).under,
+            envelopeRadii{wanted, limited, limited, wanted}
         )
     );
 

@@ -31,7 +31,8 @@ static madeLayers withPriorityThickness(const prismLayerMesh& m)
 
     return makePrismLayers
     (
-        m.front, m.guide.spacing.at(m.front.wallPoints), m.columns, moves
+        m.share.front, m.guide.spacing.at(m.share.front.wallPoints),
+        m.columns, moves
     );
 }
 
@@ -44,7 +45,8 @@ static faceQualityCounts facesOf
 {
     return faceQualityOfLayers
     (
-        layers, layerGeometry(layers, m.front.addressing), qualityControls()
+        layers, layerGeometry(layers, m.share.front.addressing),
+        qualityControls()
     );
 }
 
@@ -102,7 +104,7 @@ TEST(giveWay, thicknessIsThatOfTheColumnsThen)
         EXPECT_LE
         (
             m.made.thickness[c],
-            m.front.visibility.heightCosine(c, column) + SMALL
+            m.share.front.visibility.heightCosine(c, column) + SMALL
         );
     }
 }

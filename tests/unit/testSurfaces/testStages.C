@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "testStages.H"
+#include "testLayers.H"
 #include "testSurfaces.H"
 #include "wallClearance.H"
 
@@ -33,7 +34,8 @@ Foam::testSurfaces::stages::stages
     (
         makeEnvelopeRadii
         (
-            context, envelopeControls().scale*spacing.thickness, clearance
+            wall, context.addressing,
+            envelopeControls().scale*spacing.thickness, clearance
         )
     ),
     envelope
@@ -44,6 +46,18 @@ Foam::testSurfaces::stages::stages
             backgroundMeshControls()
         )
     )
+{}
+
+
+Foam::testSurfaces::wallOfOne::wallOfOne(const wallSurface& wall)
+:
+    front(frontOf(wall, 0)),
+    kinds(kindsOfPoints(wall, front.addressing, front.visibility)),
+    curvature
+    (
+        inwardCurvature(wall, front.addressing, front.visibility, kinds)
+    ),
+    under(front, kinds, curvature)
 {}
 
 

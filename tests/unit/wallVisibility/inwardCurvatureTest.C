@@ -5,13 +5,27 @@
 
 #include "inwardCurvature.H"
 #include "testSurfaces.H"
-#include "wallContext.H"
 
 #include <gtest/gtest.h>
 
-// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 using namespace Foam;
+
+static scalarField curvatureOf(const wallSurface& wall)
+{
+    const wallAddressing addressing(makeWallAddressing(wall));
+    const wallVisibility visibility(makeWallVisibility(wall, addressing));
+
+    return inwardCurvature
+    (
+        wall, addressing, visibility,
+        kindsOfPoints(wall, addressing, visibility)
+    );
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
 TEST(inwardCurvature, isOneOverTheRadiusInsideASphere)
 {
@@ -20,10 +34,9 @@ TEST(inwardCurvature, isOneOverTheRadiusInsideASphere)
     {
         f.flip();
     }
-    const wallContext context(cavity);
 
     // Where triangles change their size smooth normals lag behind
-    scalarField sorted(context.curvature);
+    scalarField sorted(curvatureOf(cavity));
     sort(sorted);
     EXPECT_NEAR(sorted[sorted.size()/2], 1, 0.1);
     EXPECT_GT(sorted.first(), 0.3);
@@ -33,8 +46,8 @@ TEST(inwardCurvature, isOneOverTheRadiusInsideASphere)
 
 TEST(inwardCurvature, isNoneOnAConvexBody)
 {
-    EXPECT_EQ(max(wallContext(testSurfaces::sphere(8)).curvature), 0);
-    EXPECT_EQ(max(wallContext(testSurfaces::cube(6)).curvature), 0);
+    EXPECT_EQ(max(curvatureOf(testSurfaces::sphere(8))), 0);
+    EXPECT_EQ(max(curvatureOf(testSurfaces::cube(6))), 0);
 }
 
 

@@ -10,7 +10,7 @@
 #include "prismLayerMesh/fieldStages.C"
 #include "prismLayerMesh/columnGuide.C"
 #include "prismLayerMesh/layerStages.C"
-#include "prismLayerMesh/wholeWall.C"
+#include "prismLayerMesh/gatherShares.C"
 #include "prismLayerMesh/prismLayerMesh.C"
 
 // ************************************************************************* //
