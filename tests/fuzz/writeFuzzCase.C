@@ -239,7 +239,7 @@ bool Foam::writeSurface(const fuzzCase& one, const fileName& file)
 {
     return isolatedProcess
     (
-        [&](std::FILE*)
+        [&](pipeWriter&)
         {
             wallSurface wall;
             prismLayerControls controls;
@@ -260,7 +260,7 @@ bool Foam::writeSurface(const fuzzCase& one, const fileName& file)
             writeWall(out, wall);
             std::fclose(out);
         },
-        [](std::FILE*) { return true; },
+        [](pipeReader&) {},
         60
     ) == processEnd::complete;
 }

@@ -11,7 +11,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 
 namespace Foam
 {
@@ -91,59 +90,6 @@ static columnLines straightLines
 }
 
 
-//- Writes lines for another process. First the length of the reason why there
-//  are none, then what there is.
-static void write
-(
-    const string& reason,
-    const columnLines& made,
-    std::FILE* out
-)
-{
-    const auto put = [&](const auto& values)
-    {
-        std::fwrite(values.cdata(), sizeof(values[0]), values.size(), out);
-    };
-    const size_t length = reason.size();
-    std::fwrite(&length, sizeof(length), 1, out);
-    std::fwrite(reason.data(), 1, length, out);
-    if (reason.empty())
-    {
-        put(made.slopes);
-        put(made.lines.energies);
-        put(made.lines.points);
-    }
-}
-
-
-//- Reads the output of 'write'. Returns whether it is complete.
-static bool read(std::FILE* in, string& reason, columnLines& lines)
-{
-    const auto take = [&](auto& values)
-    {
-        return std::fread
-        (
-            values.data(), sizeof(values[0]), values.size(), in
-        ) == size_t(values.size());
-    };
-    size_t length = 0;
-    if (std::fread(&length, sizeof(length), 1, in) != 1)
-    {
-        return false;
-    }
-    reason.resize(length);
-
-    return std::fread(&reason[0], 1, length, in) == length
-        && (
-               length > 0
-            || (
-                   take(lines.slopes)
-                && take(lines.lines.energies) && take(lines.lines.points)
-               )
-           );
-}
-
-
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 columnLines linesOfBlock
@@ -160,7 +106,7 @@ columnLines linesOfBlock
     columnLines lines(noLines(nColumns, starts.spacing.nLayers));
     failure.clear();
 
-    const auto work = [&](std::FILE* out)
+    const auto work = [&](pipeWriter& out)
     {
         const throwingErrors throwing;
         string reason;
@@ -177,11 +123,11 @@ columnLines linesOfBlock
         {
             reason = e.message();
         }
-        write(reason, made, out);
+        out(reason, made.slopes, made.lines.energies, made.lines.points);
     };
-    const auto receive = [&](std::FILE* in)
+    const auto receive = [&](pipeReader& in)
     {
-        return read(in, failure, lines);
+        in(failure, lines.slopes, lines.lines.energies, lines.lines.points);
     };
 
     if (isolatedProcess(work, receive) != processEnd::complete)

@@ -8,7 +8,6 @@
 #include "tetgenRun.H"
 
 #include <algorithm>
-#include <vector>
 
 namespace Foam
 {
@@ -17,6 +16,10 @@ namespace Foam
 
 //- Longest edge of a tetrahedron over the size at its centre: tuned
 static constexpr scalar maxLength = 1.6;
+
+
+//- Corners of a tetrahedron of TetGen
+typedef FixedList<int, 4> tetgenCell;
 
 
 namespace
@@ -107,7 +110,7 @@ void runTetgen
     const tetDomain& domain,
     const tetgenOptions& options,
     const tensor& rotation,
-    std::FILE* result
+    pipeWriter& result
 )
 {
     tetgenio in, out;
@@ -127,46 +130,38 @@ void runTetgen
     std::string switches(options.switches);
     ::tetrahedralize(&switches[0], &in, &out);
 
-    std::fwrite(&out.numberofpoints, sizeof(int), 1, result);
-    std::fwrite(&out.numberoftetrahedra, sizeof(int), 1, result);
-    std::fwrite(out.pointlist, sizeof(REAL), 3*out.numberofpoints, result);
-    std::fwrite
+    static_assert(sizeof(point) == 3*sizeof(REAL), "points of three doubles");
+
+    result
     (
-        out.tetrahedronlist, sizeof(int), 4*size_t(out.numberoftetrahedra),
-        result
+        UList<point>
+        (
+            reinterpret_cast<point*>(out.pointlist), out.numberofpoints
+        ),
+        UList<tetgenCell>
+        (
+            reinterpret_cast<tetgenCell*>(out.tetrahedronlist),
+            out.numberoftetrahedra
+        )
     );
 }
 
 
-bool readTetgen
+tetMesh readTetgen
 (
     const tetDomain& domain,
     const tensor& rotation,
-    std::FILE* result,
-    tetMesh& mesh
+    pipeReader& result
 )
 {
-    int sizes[2];
+    tetMesh mesh;
+    List<tetgenCell> tets;
+    result(mesh.points, tets);
 
-    if (std::fread(sizes, sizeof(int), 2, result) != 2)
-    {
-        return false;
-    }
-
-    static_assert(sizeof(point) == 3*sizeof(REAL), "points of three doubles");
-
-    mesh.points.setSize(sizes[0]);
-    mesh.tets.setSize(sizes[1]);
-    std::vector<int> corners(4*size_t(sizes[1]));
-
-    const size_t nPoints =
-        std::fread(mesh.points.data(), sizeof(point), sizes[0], result);
-    const size_t nCorners =
-        std::fread(corners.data(), sizeof(int), corners.size(), result);
-
+    mesh.tets.setSize(tets.size());
     forAll(mesh.tets, t)
     {
-        std::copy_n(corners.begin() + 4*t, 4, mesh.tets[t].begin());
+        std::copy(tets[t].begin(), tets[t].end(), mesh.tets[t].begin());
     }
 
     // Points of the domain as they were, added points turned back
@@ -176,7 +171,7 @@ bool readTetgen
           ? domain.points[p] : mesh.points[p] & rotation;
     }
 
-    return nPoints == size_t(sizes[0]) && nCorners == corners.size();
+    return mesh;
 }
 
 } // End namespace Foam
