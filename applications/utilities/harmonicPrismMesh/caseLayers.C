@@ -4,10 +4,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "caseLayers.H"
+#include "divideMesh.H"
 #include "layerSurfaces.H"
 #include "readPrismLayerControls.H"
 #include "returnMemory.H"
-#include "sharedPiece.H"
 #include "StringStream.H"
 #include "throwingErrors.H"
 
@@ -162,19 +162,17 @@ Foam::caseLayers::caseLayers
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::layersPiece Foam::caseLayers::makePiece()
+Foam::meshPiece Foam::caseLayers::makePiece()
 {
     return inTeam(parallel_, [&]()
     {
-        layersPiece piece(makeLayersPiece
+        meshPiece piece(makeMeshPiece
         (
-            mesh_.made.layers, team(),
-            [&](const labelListList& neighbours, const pointField& centres)
-            {
-                return parallel_.divide(neighbours, centres);
-            }
+            mesh_.made.layers, team(), whole_, mesh_.farField,
+            [&](const meshParts& parts) { return parallel_.divide(parts); }
         ));
         mesh_ = prismLayerMesh();
+        whole_ = prismLayers();
         returnMemory();
         setCosts();
 
@@ -199,7 +197,7 @@ void Foam::sendOrder
 }
 
 
-Foam::pieceWriter Foam::makePieceForMaster(const parallelRun& parallel)
+Foam::meshPiece Foam::makePieceForMaster(const parallelRun& parallel)
 {
     const stageObserver silent{[](const word&) {}, [](const string&) {}};
     const label n = parallel.size();
@@ -218,10 +216,10 @@ Foam::pieceWriter Foam::makePieceForMaster(const parallelRun& parallel)
 
     if (controls.farField.isWanted())
     {
-        return writerOf(parallel.receivePiece());
+        parallel.begin();
     }
 
-    return writerOf(layers.makePiece());
+    return layers.makePiece();
 }
 
 

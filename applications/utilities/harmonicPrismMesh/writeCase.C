@@ -13,43 +13,45 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Writes the mesh: in a parallel run the piece of layers, or with a far field
-//  all pieces. Returns what the log says.
+//- Writes the mesh, in a parallel run all pieces, and drops the layers. Returns
+//  what the log says.
+//  processes: is set to the costs of a parallel run
 static string writeMesh
 (
     const parallelRun& parallel,
     const caseWriter& writer,
-    layersPiece&& piece,
-    prismLayers& layers,
-    farFieldMesh& farField,
+    autoPtr<caseLayers>& made,
+    dictionary& processes,
     replacedFiles& replaced
 )
 {
-    if (!parallel.isParallel())
+    if (parallel.isParallel())
     {
-        return name(writer.writeMesh(layers, farField, replaced)) + " faces";
+        const farFieldMesh& farField = made->mesh().farField;
+        if (farField.empty())
+        {
+            made->layers() = prismLayers();
+            returnMemory();
+        }
+        else
+        {
+            writer.requireDivisible(farField);
+            parallel.begin();
+        }
+        const meshPiece piece(made->makePiece());
+        processes = made->costs();
+        made.clear();
+        writer.writeOwn(piece, replaced);
+
+        return "in parts for all processes";
     }
 
-    if (farField.empty())
-    {
-        writer.writeOwn(writerOf(std::move(piece)), replaced);
-    }
-    else
-    {
-        writer.writePieces(layers, farField, replaced);
-    }
-
-    return "in parts for all processes";
-}
-
-
-//- The piece of this process. The layers of all processes are dropped first.
-static layersPiece takePiece(caseLayers& made)
-{
-    made.layers() = prismLayers();
+    const prismLayers layers(std::move(made->layers()));
+    farFieldMesh farField(std::move(made->mesh().farField));
+    made.clear();
     returnMemory();
 
-    return made.makePiece();
+    return name(writer.writeMesh(layers, farField, replaced)) + " faces";
 }
 
 
@@ -67,7 +69,7 @@ void writeCase
 )
 {
     layerReport report(made->report());
-    farFieldMesh farField(std::move(made->mesh().farField));
+    const farFieldMesh& farField = made->mesh().farField;
     const bool hasFarField = !farField.empty();
     writer.writeOuter(made->layers(), hasFarField, replaced);
     const farFieldReport far
@@ -77,22 +79,10 @@ void writeCase
       : farFieldReport()
     );
 
-    layersPiece piece
-    (
-        parallel.isParallel() && !hasFarField
-      ? takePiece(made()) : layersPiece()
-    );
-    const dictionary processes(made->costs());
-    prismLayers layers(std::move(made->layers()));
-    made.clear();
-    returnMemory();
-
+    dictionary processes;
     const string size
     (
-        writeMesh
-        (
-            parallel, writer, std::move(piece), layers, farField, replaced
-        )
+        writeMesh(parallel, writer, made, processes, replaced)
     );
     log.end(name(report.nCells + far.nCells) + " cells, " + size);
     report.stages = log.costs();
