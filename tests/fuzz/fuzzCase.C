@@ -15,38 +15,6 @@
 namespace Foam
 {
 
-//- What is told, as lines to a process and from there
-static void send
-(
-    std::FILE* out,
-    const std::string& what,
-    const std::string& text
-)
-{
-    std::fputs((what + ' ' + text + '\n').c_str(), out);
-    std::fflush(out);
-}
-
-
-static void receive(std::FILE* in, const listener& tell)
-{
-    std::string line;
-
-    for (int c; (c = std::fgetc(in)) != EOF;)
-    {
-        if (c != '\n')
-        {
-            line += char(c);
-            continue;
-        }
-
-        const std::size_t blank = line.find(' ');
-        tell(line.substr(0, blank), line.substr(blank + 1));
-        line.clear();
-    }
-}
-
-
 //- The result that is told
 class verdictListener
 {
@@ -129,7 +97,7 @@ Foam::fuzzResult Foam::run(const fuzzCase& one, const unsigned cpuSeconds)
 
     const processEnd end = isolatedProcess
     (
-        [&](std::FILE* out)
+        [&](pipeWriter& out)
         {
             ::feenableexcept(FE_DIVBYZERO | FE_INVALID | FE_OVERFLOW);
 
@@ -138,21 +106,20 @@ Foam::fuzzResult Foam::run(const fuzzCase& one, const unsigned cpuSeconds)
                 one,
                 [&](const std::string& what, const std::string& text)
                 {
-                    send(out, what, text);
+                    out(what, text);
+                    out.flush();
                 }
             );
+            out(std::string());
         },
-        [&](std::FILE* in)
+        [&](pipeReader& in)
         {
-            receive
-            (
-                in,
-                [&](const std::string& what, const std::string& text)
-                {
-                    verdict.tell(what, text);
-                }
-            );
-            return true;
+            std::string what, text;
+            for (in(what); what.size(); in(what))
+            {
+                in(text);
+                verdict.tell(what, text);
+            }
         },
         cpuSeconds
     );

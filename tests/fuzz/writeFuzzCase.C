@@ -230,7 +230,7 @@ bool Foam::writeSurface(const fuzzCase& one, const fileName& file)
 {
     return isolatedProcess
     (
-        [&](std::FILE*)
+        [&](pipeWriter&)
         {
             const fuzzWall made(makeFuzzWall(one, [](const auto&...) {}));
             const prismLayerControls& controls = made.controls;
@@ -253,7 +253,7 @@ bool Foam::writeSurface(const fuzzCase& one, const fileName& file)
             writeFaces(out, made.surface);
             std::fclose(out);
         },
-        [](std::FILE*) { return true; },
+        [](pipeReader&) {},
         60
     ) == processEnd::complete;
 }

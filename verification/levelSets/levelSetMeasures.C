@@ -177,19 +177,11 @@ offsetEnvelope envelopeFor
 
     const envelopeRadii radii
     (
-<<<<<<< HEAD
         makeEnvelopeRadii
         (
-            context, controls.envelope.scale*request.thickness, clearance
+            context.wall, context.addressing,
+            controls.envelope.scale*request.thickness, clearance
         )
-=======
-        context,
-        makeEnvelopeRadii
-        (
-            context.wall, context.addressing, radius, clearance
-        ),
-        controls, observer
->>>>>>> onepath
     );
 
     return makeEnvelope(context, radii, controls, observer);

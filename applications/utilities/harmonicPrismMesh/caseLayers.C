@@ -4,8 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "caseLayers.H"
+#include "divideMesh.H"
 #include "readPrismLayerControls.H"
-#include "sharedPiece.H"
 #include "StringStream.H"
 #include "throwingErrors.H"
 
@@ -82,25 +82,21 @@ void Foam::caseLayers::takeLayers
     const bool isAlone = team.size() == 1;
     layers_ = std::move(mesh.made.layers);
     const bool hasSides = !hasFarField && endOnParts(layers_);
-    prismLayers whole;
 
     if (!isAlone && (hasFarField || hasSides))
     {
-        whole = layersOnMaster(layers_, mesh.share, wall, team);
+        whole_ = layersOnMaster(layers_, mesh.share, wall, team);
     }
     if (hasSides && team.isMaster())
     {
-        surfaces_.sides.reset
-        (
-            new wallSurface(sideSurface(isAlone ? layers_ : whole))
-        );
+        surfaces_.sides.reset(new wallSurface(sideSurface(wholeLayers())));
     }
-    if (!isAlone && hasFarField)
+    if (!hasFarField)
     {
-        layers_ = std::move(whole);
+        whole_ = prismLayers();
     }
     surfaces_.outer = hasFarField
-      ? outerSurface{layers_.outerPoints(), layers_.faces}
+      ? outerSurface{wholeLayers().outerPoints(), wholeLayers().faces}
       : outerOnMaster(layers_, mesh.share, wall, team);
     labels_ = std::move(mesh.share);
 }
@@ -159,18 +155,16 @@ Foam::caseLayers::caseLayers
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::layersPiece Foam::caseLayers::makePiece()
+Foam::meshPiece Foam::caseLayers::makePiece(farFieldMesh& farField)
 {
     return inTeam(parallel_, [&]()
     {
         const prismLayers own(std::move(layers_));
-        layersPiece piece(makeLayersPiece
+        const prismLayers whole(std::move(whole_));
+        meshPiece piece(makeMeshPiece
         (
-            own, columnTeam(labels_, parallel_.team()),
-            [&](const labelListList& neighbours, const pointField& centres)
-            {
-                return parallel_.divide(neighbours, centres);
-            }
+            own, columnTeam(labels_, parallel_.team()), whole, farField,
+            [&](const meshParts& parts) { return parallel_.divide(parts); }
         ));
         setCosts();
 
@@ -195,7 +189,7 @@ void Foam::sendOrder
 }
 
 
-Foam::pieceWriter Foam::makePieceForMaster(const parallelRun& parallel)
+Foam::meshPiece Foam::makePieceForMaster(const parallelRun& parallel)
 {
     const stageObserver silent{[](const word&) {}, [](const string&) {}};
     const label n = parallel.size();
@@ -214,10 +208,11 @@ Foam::pieceWriter Foam::makePieceForMaster(const parallelRun& parallel)
 
     if (controls.farField.isWanted())
     {
-        return writerOf(parallel.receivePiece());
+        parallel.begin();
     }
+    farFieldMesh noFarField;
 
-    return writerOf(layers.makePiece());
+    return layers.makePiece(noFarField);
 }
 
 

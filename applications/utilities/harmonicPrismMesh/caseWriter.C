@@ -18,33 +18,6 @@ namespace Foam
 //- The end of the last line of OpenFOAM's files
 static const char* const dividerEnd = "* //";
 
-
-//- Pieces have neither face zones nor patches with something on another side
-static void refuseCoupled(const polyMesh& mesh)
-{
-    string name;
-    for (const faceZone& zone : mesh.faceZones())
-    {
-        name = "faceZone " + zone.name();
-    }
-    for (const polyPatch& patch : mesh.boundaryMesh())
-    {
-        if (patch.coupled())
-        {
-            name = "coupled patch " + patch.name();
-        }
-    }
-
-    if (name.size())
-    {
-        FatalErrorInFunction
-            << "The mesh has the " << name.c_str() << ". A run in parallel"
-            << " cannot write it" << nl
-            << "Make the mesh in one process, and decompose it then"
-            << exit(FatalError);
-    }
-}
-
 } // End namespace Foam
 
 
@@ -133,21 +106,20 @@ void Foam::caseWriter::writeMeshFolder
 
 void Foam::caseWriter::writePiece
 (
-    const pieceWriter& write,
+    const meshPiece& piece,
     replacedFiles& files
 ) const
 {
     writeMeshFolder
     (
-        files,
-        [&](const IOobject& io) { write(parallel_.processor(), io); }
+        files, [&](const IOobject& io) { writeMeshPiece(piece, io); }
     );
 }
 
 
 Foam::label Foam::caseWriter::writeMesh
 (
-    prismLayers& layers,
+    const prismLayers& layers,
     farFieldMesh& far,
     replacedFiles& files
 ) const
@@ -163,49 +135,53 @@ Foam::label Foam::caseWriter::writeMesh
 }
 
 
+void Foam::caseWriter::requireDivisible(const farFieldMesh& far) const
+{
+    string name;
+    for (const faceZoneParts& zone : far.faceZones)
+    {
+        name = "faceZone " + zone.name;
+    }
+    const polyMesh frame
+    (
+        case_.meshObject(), pointField(), faceList(), labelList(), labelList(),
+        false
+    );
+    forAll(far.patches.names, i)
+    {
+        dictionary entries(far.patches.entries[i]);
+        entries.set("nFaces", 0);
+        entries.set("startFace", 0);
+        const word& patch = far.patches.names[i];
+        if (polyPatch::New(patch, entries, i, frame.boundaryMesh())->coupled())
+        {
+            name = "coupled patch " + patch;
+        }
+    }
+
+    if (name.size())
+    {
+        FatalErrorInFunction
+            << "The mesh has the " << name.c_str() << ". A run in parallel"
+            << " cannot write it" << nl
+            << "Make the mesh in one process, and decompose it then"
+            << exit(FatalError);
+    }
+}
+
+
 void Foam::caseWriter::writeOwn
 (
-    const pieceWriter& write,
+    const meshPiece& piece,
     replacedFiles& files
 ) const
 {
-    writePiece(write, files);
+    writePiece(piece, files);
     parallel_.requireWritten();
 }
 
 
-void Foam::caseWriter::writePieces
-(
-    prismLayers& layers,
-    farFieldMesh& far,
-    replacedFiles& files
-) const
-{
-    writeOwn(writerOf(dividePieces(layers, far)), files);
-}
-
-
-Foam::meshPiece Foam::caseWriter::dividePieces
-(
-    prismLayers& layers,
-    farFieldMesh& far
-) const
-{
-    const label nStacks = layers.faces.size();
-    const label nLayers = layers.nLayers;
-    const autoPtr<polyMesh> mesh
-    (
-        makePrismPolyMesh(layers, far, case_.meshObject())
-    );
-    refuseCoupled(mesh());
-    layers = prismLayers();
-    far = farFieldMesh();
-
-    return parallel_.sendPieces(mesh(), nStacks, nLayers);
-}
-
-
-bool Foam::caseWriter::writeOnOther(const pieceWriter& write) const
+bool Foam::caseWriter::writeOnOther(const meshPiece& piece) const
 {
     replacedFiles files;
     string failure;
@@ -214,7 +190,7 @@ bool Foam::caseWriter::writeOnOther(const pieceWriter& write) const
 
     try
     {
-        writePiece(write, files);
+        writePiece(piece, files);
     }
     catch (const Foam::error& e)
     {

@@ -133,7 +133,7 @@ void meshWall
     {
         farField = makeFarField
         (
-            made->layers(), std::move(domain), controls.farField,
+            made->wholeLayers(), std::move(domain), controls.farField,
             log.observer()
         );
     }

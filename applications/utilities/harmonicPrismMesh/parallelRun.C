@@ -9,7 +9,6 @@
 #include "IOdictionary.H"
 #include "IPstream.H"
 #include "OPstream.H"
-#include "pieceMessages.H"
 #include "Time.H"
 
 #include <omp.h>
@@ -25,36 +24,6 @@ namespace Foam
 static const unsigned lookInterval = 5000;
 
 static const auto scheduled = UPstream::commsTypes::scheduled;
-
-
-//- Means of the centres of the faces of cells. Centres of cells, and all else
-//  that a polyMesh makes with them, would take more memory than the mesh.
-static pointField centresOfFaces(const polyMesh& mesh)
-{
-    pointField centres(mesh.nCells(), Zero);
-    labelList nFaces(mesh.nCells(), 0);
-    const auto add = [&](const label celli, const point& x)
-    {
-        centres[celli] += x;
-        ++nFaces[celli];
-    };
-
-    forAll(mesh.faces(), facei)
-    {
-        const point x(mesh.faces()[facei].centre(mesh.points()));
-        add(mesh.faceOwner()[facei], x);
-        if (mesh.isInternalFace(facei))
-        {
-            add(mesh.faceNeighbour()[facei], x);
-        }
-    }
-    forAll(centres, celli)
-    {
-        centres[celli] /= nFaces[celli];
-    }
-
-    return centres;
-}
 
 
 //- Wakes a process that sleeps
@@ -76,35 +45,6 @@ static void sleep()
         usleep(lookInterval);
     }
     UPstream::resetRequests(request);
-}
-
-
-//- By stack of layers, and by other cell: the processes of all cells
-static labelList processorsOfCells
-(
-    const decompositionMethod& decomposition,
-    const polyMesh& mesh,
-    const label nStacks,
-    const label nLayers
-)
-{
-    const label nLayerCells = nStacks*nLayers;
-    const label nParts = nStacks + mesh.nCells() - nLayerCells;
-    const pointField cellCentres(centresOfFaces(mesh));
-    labelList parts(mesh.nCells());
-    pointField centres(nParts, Zero);
-    scalarField weights(nParts, Zero);
-
-    forAll(parts, celli)
-    {
-        parts[celli] = celli < nLayerCells
-          ? celli/nLayers : nStacks + celli - nLayerCells;
-        centres[parts[celli]] += cellCentres[celli];
-        weights[parts[celli]] += 1;
-    }
-    centres /= weights;
-
-    return decomposition.decompose(mesh, parts, centres, weights);
 }
 
 
@@ -157,38 +97,12 @@ parallelRun::~parallelRun()
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-labelList parallelRun::divide
-(
-    const labelListList& neighbours,
-    const pointField& centres
-) const
+labelList parallelRun::divide(const meshParts& parts) const
 {
     return decomposition_->decompose
     (
-        neighbours, centres, scalarField(centres.size(), 1)
+        parts.neighbours, parts.centres, parts.weights
     );
-}
-
-
-meshPiece parallelRun::sendPieces
-(
-    const polyMesh& mesh,
-    const label nStacks,
-    const label nLayers
-) const
-{
-    const labelList processors
-    (
-        processorsOfCells(decomposition_(), mesh, nStacks, nLayers)
-    );
-
-    for (label other = 1; other < nProcesses_; ++other)
-    {
-        wake(other);
-        sendPiece(makeMeshPiece(mesh, processors, other), other);
-    }
-
-    return makeMeshPiece(mesh, processors, 0);
 }
 
 
@@ -228,14 +142,6 @@ void parallelRun::begin() const
     {
         wake(other);
     }
-}
-
-
-meshPiece parallelRun::receivePiece() const
-{
-    sleep();
-
-    return Foam::receivePiece(0);
 }
 
 

@@ -13,33 +13,39 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Writes the mesh: in a parallel run the piece of layers, or with a far field
-//  all pieces. Returns what the log says.
+//- Writes the mesh, in a parallel run all pieces, and drops the layers. Returns
+//  what the log says.
+//  processes: is set to the costs of a parallel run
 static string writeMesh
 (
     const parallelRun& parallel,
     const caseWriter& writer,
-    layersPiece&& piece,
-    prismLayers& layers,
+    autoPtr<caseLayers>& made,
     farFieldMesh& farField,
+    dictionary& processes,
     replacedFiles& replaced
 )
 {
-    if (!parallel.isParallel())
+    if (parallel.isParallel())
     {
-        return name(writer.writeMesh(layers, farField, replaced)) + " faces";
+        if (!farField.empty())
+        {
+            writer.requireDivisible(farField);
+            parallel.begin();
+        }
+        const meshPiece piece(made->makePiece(farField));
+        processes = made->costs();
+        made.clear();
+        writer.writeOwn(piece, replaced);
+
+        return "in parts for all processes";
     }
 
-    if (farField.empty())
-    {
-        writer.writeOwn(writerOf(std::move(piece)), replaced);
-    }
-    else
-    {
-        writer.writePieces(layers, farField, replaced);
-    }
+    const prismLayers layers(std::move(made->layers()));
+    made.clear();
+    returnMemory();
 
-    return "in parts for all processes";
+    return name(writer.writeMesh(layers, farField, replaced)) + " faces";
 }
 
 
@@ -64,26 +70,14 @@ void writeCase
     const farFieldReport far
     (
         hasFarField
-      ? makeFarFieldReport(made->layers(), farField, bounds)
+      ? makeFarFieldReport(made->wholeLayers(), farField, bounds)
       : farFieldReport()
     );
 
-    layersPiece piece
-    (
-        parallel.isParallel() && !hasFarField
-      ? made->makePiece() : layersPiece()
-    );
-    const dictionary processes(made->costs());
-    prismLayers layers(std::move(made->layers()));
-    made.clear();
-    returnMemory();
-
+    dictionary processes;
     const string size
     (
-        writeMesh
-        (
-            parallel, writer, std::move(piece), layers, farField, replaced
-        )
+        writeMesh(parallel, writer, made, farField, processes, replaced)
     );
     log.end(name(report.nCells + far.nCells) + " cells, " + size);
     report.stages = log.costs();

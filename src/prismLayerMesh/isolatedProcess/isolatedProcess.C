@@ -101,7 +101,7 @@ static void closeEnd(std::FILE* in)
 
 [[noreturn]] static void runChild
 (
-    const std::function<void(std::FILE*)>& work,
+    const std::function<void(pipeWriter&)>& work,
     const unsigned cpuSeconds,
     const int writeEnd
 )
@@ -139,7 +139,8 @@ static void closeEnd(std::FILE* in)
     try
     {
         std::FILE* out = ::fdopen(writeEnd, "wb");
-        work(out);
+        pipeWriter writer(out);
+        work(writer);
         status = std::fclose(out) ? 1 : 0;
     }
     catch (...)
@@ -154,8 +155,8 @@ static void closeEnd(std::FILE* in)
 
 processEnd isolatedProcess
 (
-    const std::function<void(std::FILE*)>& work,
-    const std::function<bool(std::FILE*)>& read,
+    const std::function<void(pipeWriter&)>& work,
+    const std::function<void(pipeReader&)>& read,
     const unsigned cpuSeconds
 )
 {
@@ -178,7 +179,16 @@ processEnd isolatedProcess
     }
 
     std::FILE* in = ::fdopen(end, "rb");
-    const bool complete = read(in);
+    bool complete = true;
+    try
+    {
+        pipeReader reader(in);
+        read(reader);
+    }
+    catch (const endOfPipe&)
+    {
+        complete = false;
+    }
     closeEnd(in);
 
     int status = 1;

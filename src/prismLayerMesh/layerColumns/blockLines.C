@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <cstdio>
 
 namespace Foam
 {
@@ -146,7 +145,7 @@ static columnLines linesOfBlock
     columnLines lines(noLines(nColumns, starts.spacing.nLayers));
     failure.clear();
 
-    const auto work = [&](std::FILE* out)
+    const auto work = [&](pipeWriter& out)
     {
         const throwingErrors throwing;
         string reason;
@@ -163,16 +162,11 @@ static columnLines linesOfBlock
         {
             reason = e.message();
         }
-        writeItems(reason, out);
-        writeItems(made.slopes, out);
-        writeItems(made.lines.energies, out);
-        writeItems(made.lines.points, out);
+        out(reason, made.slopes, made.lines.energies, made.lines.points);
     };
-    const auto receive = [&](std::FILE* in)
+    const auto receive = [&](pipeReader& in)
     {
-        return readItems(in, failure) && readItems(in, lines.slopes)
-            && readItems(in, lines.lines.energies)
-            && readItems(in, lines.lines.points);
+        in(failure, lines.slopes, lines.lines.energies, lines.lines.points);
     };
 
     if (isolatedProcess(work, receive) != processEnd::complete)

@@ -3,86 +3,84 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "layersDivider.H"
+#include "pieceMessages.H"
 #include "bitSet.H"
 #include "Map.H"
 #include "placeInList.H"
 
 #include <algorithm>
+#include <tuple>
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-namespace
+//- Sets the stacks of a piece and their edges. Returns the labels of the stacks
+static labelList receiveStacks(const List<message>& messages, meshPiece& piece)
 {
-
-//- A stack, and where its corners begin in a list of corners
-struct receivedStack
-{
-    stackRecord record;
-    label firstCorner;
-};
-
-
-//- What the messages have
-struct receivedStacks
-{
-    DynamicList<receivedStack> stacks;
-    DynamicList<stackCorner> corners;
+    DynamicList<meshStack> stacks;
+    DynamicList<stackEdge> edges;
     DynamicList<stackSide> sides;
-
-
-    explicit receivedStacks(const List<message>& messages)
+    for (const message& m : messages)
     {
-        for (const message& m : messages)
+        sentStacks received;
+        messageReader reader(m);
+        reader(received.stacks, received.edges, received.sides);
+        for (meshStack& stack : received.stacks)
         {
-            messageReader reader(m);
-            sides.append(reader.list<stackSide>());
-            while (!reader.atEnd())
-            {
-                const stackRecord record(reader.value<stackRecord>());
-                stacks.append(receivedStack{record, corners.size()});
-                for (label k = 0; k < record.nCorners; ++k)
-                {
-                    corners.append(reader.value<stackCorner>());
-                }
-            }
+            stack.firstEdge += edges.size();
         }
-        std::sort
-        (
-            stacks.begin(), stacks.end(),
-            [](const receivedStack& a, const receivedStack& b)
-            {
-                return a.record.stack < b.record.stack;
-            }
-        );
+        stacks.append(received.stacks);
+        edges.append(received.edges);
+        sides.append(received.sides);
     }
-};
+    std::sort
+    (
+        stacks.begin(), stacks.end(),
+        [](const meshStack& a, const meshStack& b) { return a.stack < b.stack; }
+    );
 
-} // End anonymous namespace
-
-
-//- Sets the columns of a piece, and the points of the wall under further ones.
-//  nColumns: of the whole front
-static void setColumns
-(
-    const receivedStacks& received,
-    const label nColumns,
-    layersPiece& piece
-)
-{
-    bitSet isIn(nColumns);
-    Map<label> roots;
-    for (const stackCorner& corner : received.corners)
+    labelList labels(stacks.size());
+    forAll(labels, i)
     {
-        isIn.set(corner.column);
-        isIn.set(corner.root);
-        if (corner.column != corner.root)
+        labels[i] = stacks[i].stack;
+    }
+    placeInList place(labels);
+    for (const stackSide& side : sides)
+    {
+        stackEdge& e = edges[stacks[place(side.stack)].firstEdge + side.k];
+        e.firstSide = side.firstSide;
+        e.sideStride = side.sideStride;
+    }
+    piece.stacks = std::move(stacks);
+    piece.edges = std::move(edges);
+
+    return labels;
+}
+
+
+//- Sets the columns of a piece, and the points of the wall under further ones
+static void setColumns(const sentFarField& far, meshPiece& piece)
+{
+    bitSet isIn(piece.nColumns);
+    Map<label> roots;
+    const auto add = [&](const label column, const label root)
+    {
+        isIn.set(column);
+        isIn.set(root);
+        if (column != root)
         {
-            roots.set(corner.column, corner.root);
+            roots.set(column, root);
         }
+    };
+    for (const stackEdge& e : piece.edges)
+    {
+        add(e.column, e.root);
+    }
+    forAll(far.roots, i)
+    {
+        add(far.points[i], far.roots[i]);
     }
     piece.columns = isIn.toc();
 
@@ -100,115 +98,177 @@ static void setColumns
 }
 
 
-//- Sets the front faces of a piece and their labels in the whole mesh
-static void setStacks(const receivedStacks& received, layersPiece& piece)
+//- Sets the front faces of a piece. Adds the sides of its stacks that are faces
+//  to other processes
+static void setStacks(meshPiece& piece, DynamicList<faceBetween>& between)
 {
-    DynamicList<label> patches, wallFaces;
-    const label n = received.stacks.size();
-    prismFaceLabels& labels = piece.labels;
-    piece.stacks.setSize(n);
-    piece.layers.faces.setSize(n);
-    labels.nLayers = piece.layers.nLayers;
-    labels.firstFaces.setSize(n);
-    labels.strides.setSize(n);
-    labels.outerFaces.setSize(n);
-
+    prismLayers& layers = piece.layers;
+    DynamicList<label> patches;
     placeInList place(piece.columns);
-    forAll(received.stacks, i)
-    {
-        const stackRecord& record = received.stacks[i].record;
-        piece.stacks[i] = record.stack;
-        labels.firstFaces[i] = record.firstFace;
-        labels.strides[i] = record.stride;
-        labels.outerFaces[i] = record.outerFace;
-        if (record.patch >= 0)
-        {
-            patches.append(record.patch);
-            wallFaces.append(record.wallFace);
-        }
-
-        face& f = piece.layers.faces[i];
-        f.setSize(record.nCorners);
-        forAll(f, k)
-        {
-            f[k] = place
-            (
-                received.corners[received.stacks[i].firstCorner + k].column
-            );
-        }
-    }
-    piece.layers.patchIDs = std::move(patches);
-    labels.wallFaces = std::move(wallFaces);
-}
-
-
-//- Sets what is beyond the edges of the front faces, and the labels of sides
-static void setEdges(const receivedStacks& received, layersPiece& piece)
-{
-    prismFaceLabels& labels = piece.labels;
-    piece.faceNeighbours.setSize(piece.stacks.size());
-    labels.firstSides.setSize(piece.stacks.size());
-    labels.sideStrides.setSize(piece.stacks.size());
+    layers.faces.setSize(piece.stacks.size());
 
     forAll(piece.stacks, i)
     {
-        const receivedStack& stack = received.stacks[i];
-        const label n = stack.record.nCorners;
-        piece.faceNeighbours[i].setSize(n);
-        labels.firstSides[i].setSize(n);
-        labels.sideStrides[i].setSize(n);
-        for (label k = 0; k < n; ++k)
+        const meshStack& stack = piece.stacks[i];
+        if (stack.patch >= 0)
         {
-            const stackCorner& edge = received.corners[stack.firstCorner + k];
-            piece.faceNeighbours[i][k] = edge.neighbour;
-            labels.firstSides[i][k] = edge.firstSide;
-            labels.sideStrides[i][k] = edge.sideStride;
-            if (edge.open >= 0)
+            patches.append(stack.patch);
+        }
+        layers.faces[i].setSize(stack.nEdges);
+        for (label k = 0; k < stack.nEdges; ++k)
+        {
+            const stackEdge& e = piece.edges[stack.firstEdge + k];
+            layers.faces[i][k] = place(e.column);
+            if (e.open >= 0)
             {
-                piece.open[edge.open].append(labelPair(i, k));
+                piece.open[e.open].append(labelPair(i, k));
+            }
+
+            const bool isBetween = e.process >= 0 && e.process != piece.process;
+            for (label level = 1; isBetween && level <= layers.nLayers; ++level)
+            {
+                const meshFace f
+                {
+                    prismFaceKey{i, k, level}, -1, e.neighbour < stack.stack
+                };
+                between.append
+                (
+                    faceBetween
+                    {
+                        e.process, piece.faceAddress(f),
+                        cellLabel(layers, i, level), f
+                    }
+                );
             }
         }
     }
-    placeInList place(piece.stacks);
-    for (const stackSide& side : received.sides)
+    layers.patchIDs = std::move(patches);
+}
+
+
+//- Sets the cells and points of the far field of a piece. Returns the labels in
+//  the piece of the points that came.
+static labelList setFarCells(const sentFarField& far, meshPiece& piece)
+{
+    const label nOnLayers = far.roots.size();
+    const label nColumns = piece.columns.size();
+    const label nOwn = far.points.size() - nOnLayers;
+    piece.farCells = far.cells;
+    piece.far.nCells = far.cells.size();
+    piece.farPoints = SubList<label>(far.points, nOwn, nOnLayers);
+    piece.far.points.setSize(nColumns + nOwn, Zero);
+
+    labelList labels(far.points.size());
+    placeInList place(piece.columns);
+    forAll(labels, i)
     {
-        const label i = place(side.stack);
-        labels.firstSides[i][side.k] = side.firstSide;
-        labels.sideStrides[i][side.k] = side.sideStride;
+        labels[i] = i < nOnLayers
+          ? place(far.points[i]) : nColumns + i - nOnLayers;
+        piece.far.points[labels[i]] = far.coordinates[i];
+    }
+
+    return labels;
+}
+
+
+//- Sets the far field of a piece, and its faces to other processes there.
+//  stacks: labels of the stacks in the piece
+static void setFarField
+(
+    const labelUList& stacks,
+    const sentFarField& far,
+    meshPiece& piece,
+    DynamicList<faceBetween>& between
+)
+{
+    const label n = piece.layers.nLayers;
+    const labelList points(setFarCells(far, piece));
+    polyMeshTopology& mesh = piece.far.topology;
+    placeInList place(stacks);
+    DynamicList<label> fronts;
+    label at = 0;
+    piece.farFaces.setSize(far.faces.size());
+
+    forAll(far.faces, facei)
+    {
+        const farFaceRecord& record = far.faces[facei];
+        face f(SubList<label>(far.corners, record.nCorners, at));
+        inplaceRenumber(points, f);
+        at += record.nCorners;
+        mesh.faces.append(std::move(f));
+        mesh.owner.append(record.owner);
+        piece.farFaces[facei] = record.address;
+
+        if (record.patch == -1)
+        {
+            mesh.neighbour.append(record.beyond);
+        }
+        else if (record.patch >= 0)
+        {
+            ++mesh.patchSizes[record.patch];
+        }
+        else
+        {
+            const label owner = record.owner < 0
+              ? cellLabel(piece.layers, place(-1 - record.owner), n)
+              : stacks.size()*n + record.owner;
+            const meshFace onFar{prismFaceKey{-1, -1, 0}, facei, false};
+            between.append
+            (
+                faceBetween{record.beyond, record.address, owner, onFar}
+            );
+        }
+        if (record.patch == 0)
+        {
+            fronts.append(place(record.beyond));
+        }
+    }
+    piece.far.frontFaces = std::move(fronts);
+
+    label start = mesh.neighbour.size();
+    for (const label size : mesh.patchSizes)
+    {
+        mesh.patchStarts.append(start);
+        start += size;
+    }
+    forAll(far.zoneCells, i)
+    {
+        cellZoneParts& zone = piece.far.cellZones[i];
+        zone.cells = far.zoneCells[i];
+        zone.frontFaces = far.zoneStacks[i];
+        for (label& stack : zone.frontFaces)
+        {
+            stack = place(stack);
+        }
     }
 }
 
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-layersPiece layersDivider::assemble
+void assemblePiece
 (
     const List<message>& messages,
-    const labelUList& processorOfStack
-) const
+    const sentFarField& far,
+    meshPiece& piece
+)
 {
-    const receivedStacks received(messages);
-    layersPiece piece;
-    piece.layers.nLayers = layers_.nLayers;
-    piece.layers.patchNames = layers_.patchNames;
-    piece.nWallPoints = team_.points.nWhole(layers_.nWallPoints());
-    piece.patchNames = patches_.names;
-    piece.patchTypes = patches_.types();
-    piece.open.setSize(open_.size());
-    setColumns(received, team_.columns.nWhole(layers_.nColumns()), piece);
-    setStacks(received, piece);
-    setEdges(received, piece);
+    const labelList stacks(receiveStacks(messages, piece));
+    DynamicList<faceBetween> between;
+    setColumns(far, piece);
+    setStacks(piece, between);
+    setFarField(stacks, far, piece, between);
 
-    piece.processors = piece.faceNeighbours;
-    for (labelList& others : piece.processors)
-    {
-        for (label& other : others)
+    std::sort
+    (
+        between.begin(), between.end(),
+        [](const faceBetween& a, const faceBetween& b)
         {
-            other = other < 0 ? -1 : processorOfStack[other];
+            return std::make_tuple(a.process, mag(a.address))
+                 < std::make_tuple(b.process, mag(b.address));
         }
-    }
-
-    return piece;
+    );
+    piece.between = std::move(between);
 }
 
 } // End namespace Foam

@@ -78,6 +78,18 @@ void meshBlocks::count()
 }
 
 
+pointField meshBlocks::allPoints() const
+{
+    DynamicList<point> all(nPoints);
+    for (label i = 0; i < nPointBlocks; ++i)
+    {
+        all.append(points(i));
+    }
+
+    return pointField(std::move(all));
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 labelRange rangeOfBlock

@@ -4,8 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "meshOrder.H"
-#include "layerBlocks.H"
-#include "prismPolyMesh.H"
+#include "bitSet.H"
+#include "findFaceNeighbours.H"
 #include "UIndirectList.H"
 
 namespace Foam
@@ -20,8 +20,10 @@ void meshOrder::addRanges
     const labelRange& items
 )
 {
+    // A closed front of triangles has 2.5 faces for each cell
     const label perBlock = kind == faceKind::stacks
-      ? stacksPerBlock(layers_.nLayers) : meshBlocks::blockSize;
+      ? max(label(1), label(meshBlocks::blockSize/(2.5*layers_.nLayers)))
+      : meshBlocks::blockSize;
 
     for (label i = 0; i < numberOfBlocks(items.size(), perBlock); ++i)
     {
@@ -38,78 +40,161 @@ void meshOrder::addRanges
 }
 
 
-void meshOrder::addLayerPatch(const label patchi)
+void meshOrder::setRanges(const UList<labelPair>& patchParts)
 {
-    addRanges
-    (
-        faceKind::layerPatch, patchi, labelRange(0, boundary_[patchi].size())
-    );
-}
-
-
-void meshOrder::addFarPatches()
-{
-    const label nWall = layers_.patchNames.size();
-    const wordList sideNames(sidePatchNames(layers_.border));
     const polyMeshTopology& far = far_.topology;
+    addRanges(faceKind::stacks, -1, labelRange(0, layers_.faces.size()));
+    addRanges(faceKind::farField, -1, labelRange(0, far.neighbour.size()));
 
-    forAll(far_.patches.names, patchi)
+    for (const labelPair& parts : patchParts)
     {
         patchBlocks_.append(ranges_.size());
-
-        // The sides of layers follow the wall and the outer surface
-        const label side = sideNames.find(far_.patches.names[patchi]);
-        if (side >= 0)
+        const label onLayers = parts.first();
+        const label onFar = parts.second();
+        if (onLayers >= 0)
         {
-            addLayerPatch(nWall + 1 + side);
+            addRanges
+            (
+                faceKind::layerPatch, onLayers,
+                labelRange(0, boundary_[onLayers].size())
+            );
         }
-        addRanges
-        (
-            faceKind::farField, -1,
-            labelRange(far.patchStarts[1 + patchi], far.patchSizes[1 + patchi])
-        );
+        if (onFar >= 0)
+        {
+            addRanges
+            (
+                faceKind::farField, -1,
+                labelRange(far.patchStarts[onFar], far.patchSizes[onFar])
+            );
+        }
+    }
+    patchBlocks_.append(ranges_.size());
+    addRanges(faceKind::between, -1, labelRange(0, between_.size()));
+
+    if (ranges_.empty())
+    {
+        ranges_.append(faceRange{faceKind::stacks, -1, labelRange(0, 0)});
     }
 }
 
 
-void meshOrder::addFarPoints
-(
-    const label facei,
-    const bool flip,
-    faceBlock& block
-) const
+void meshOrder::setNewPoints()
+{
+    bitSet columns(layers_.nColumns());
+    for (const face& f : layers_.faces)
+    {
+        columns.set(f);
+    }
+
+    // Other columns are there for their points on the wall or the far field
+    bitSet isUsed(nAllPoints() - layers_.extraColumnPoints.size());
+    for (const label c : columns)
+    {
+        for (label i = 0; i <= layers_.nLayers; ++i)
+        {
+            isUsed.set(layers_.pointLabel(c, i));
+        }
+    }
+    for (const face& f : far_.topology.faces)
+    {
+        for (const label p : f)
+        {
+            isUsed.set(farPoint(p));
+        }
+    }
+
+    if (!isUsed.all())
+    {
+        newPoints_ = invert(isUsed);
+    }
+    blocks_.nPoints = isUsed.count();
+}
+
+
+void meshOrder::setBlocks()
+{
+    blocks_.nCells = layers_.faces.size()*layers_.nLayers + far_.nCells;
+    blocks_.nPointBlocks = max
+    (
+        label(1), numberOfBlocks(nAllPoints(), meshBlocks::blockSize)
+    );
+    blocks_.points = [this](const label i) { return points(i); };
+    blocks_.nFaceBlocks = ranges_.size();
+    blocks_.faces = [this](const label i) { return faces(i); };
+    blocks_.count();
+}
+
+
+label meshOrder::nAllPoints() const
+{
+    return layers_.points.size()
+      + max(label(0), far_.points.size() - layers_.nColumns());
+}
+
+
+label meshOrder::farPoint(const label p) const
 {
     const label n = layers_.nColumns();
-    const label shift =
-        layers_.points.size() - layers_.extraColumnPoints.size() - n;
-    const face& f = far_.topology.faces[facei];
 
-    forAll(f, k)
+    return p < n
+      ? layers_.pointLabel(p, layers_.nLayers)
+      : p + layers_.points.size() - layers_.extraColumnPoints.size() - n;
+}
+
+
+void meshOrder::appendPoints
+(
+    const meshFace& f,
+    DynamicList<label>& points
+) const
+{
+    if (f.farFace >= 0)
     {
-        const label p = f[flip ? (f.size() - k) % f.size() : k];
-        block.points.append
+        const face& corners = far_.topology.faces[f.farFace];
+        const label n = corners.size();
+        for (label k = 0; k < n; ++k)
+        {
+            points.append(farPoint(corners[f.isTurned ? (n - k) % n : k]));
+        }
+    }
+    else if (f.isTurned)
+    {
+        // The face is of the stack with the lower label
+        const edge e(layers_.faces[f.key.front].faceEdge(f.key.edge));
+        points.append
         (
-            p < n ? layers_.pointLabel(p, layers_.nLayers) : p + shift
+            sideFace(layers_, e.reverseEdge(), f.key.level).reverseFace()
         );
+    }
+    else
+    {
+        appendFace(layers_, f.key, points);
     }
 }
 
 
-void meshOrder::addStack(const label fronti, faceBlock& block) const
+template<class Visit>
+void meshOrder::visitStack(const label fronti, const Visit& visit) const
 {
-    appendStack(layers_, faceNeighbours_, fronti, block);
-    addFacesToFar(fronti, block);
-}
+    visitInternalFaces
+    (
+        layers_.nLayers, faceNeighbours_[fronti], fronti,
+        [&](const label k, const label i, const label other)
+        {
+            const label celli = cellLabel(layers_, fronti, i);
+            visit
+            (
+                meshFace{prismFaceKey{fronti, k, i}}, celli,
+                k < 0 ? celli + 1 : cellLabel(layers_, other, i)
+            );
+        }
+    );
 
-
-void meshOrder::addFacesToFar(const label fronti, faceBlock& block) const
-{
+    // Cells of the far field on the last cell, with their faces
     const auto onFront = std::equal_range
     (
         far_.frontFaces.begin(), far_.frontFaces.end(), fronti
     );
-
-    // Cells of the far field on the last cell, with their faces
     DynamicList<labelPair> neighbours;
     for (auto iter = onFront.first; iter != onFront.second; ++iter)
     {
@@ -122,48 +207,68 @@ void meshOrder::addFacesToFar(const label fronti, faceBlock& block) const
     const label firstFar = layers_.faces.size()*layers_.nLayers;
     for (const labelPair& b : neighbours)
     {
-        addFarPoints(b.second(), true, block);
-        block.endFace
+        visit
         (
+            meshFace{prismFaceKey{-1, -1, 0}, b.second(), true},
             cellLabel(layers_, fronti, layers_.nLayers), firstFar + b.first()
         );
     }
 }
 
 
-void meshOrder::addFarFace(const label facei, faceBlock& block) const
+template<class Visit>
+void meshOrder::visitRange(const faceRange& range, const Visit& visit) const
 {
     const label firstFar = layers_.faces.size()*layers_.nLayers;
     const polyMeshTopology& far = far_.topology;
-
-    addFarPoints(facei, false, block);
-    block.endFace
-    (
-        firstFar + far.owner[facei],
-        facei < far.neighbour.size() ? firstFar + far.neighbour[facei] : -1
-    );
-}
-
-
-faceBlock meshOrder::faces(const label blocki) const
-{
-    const faceRange& range = ranges_[blocki];
-    faceBlock block;
 
     for (const label i : range.items)
     {
         if (range.kind == faceKind::stacks)
         {
-            addStack(i, block);
+            visitStack(i, visit);
+        }
+        else if (range.kind == faceKind::layerPatch)
+        {
+            const prismFaceKey& key = boundary_[range.patch][i];
+            visit
+            (
+                meshFace{key},
+                cellLabel(layers_, key.front, max(key.level, label(1))), -1
+            );
         }
         else if (range.kind == faceKind::farField)
         {
-            addFarFace(i, block);
+            visit
+            (
+                meshFace{prismFaceKey{-1, -1, 0}, i, false},
+                firstFar + far.owner[i],
+                i < far.neighbour.size() ? firstFar + far.neighbour[i] : -1
+            );
         }
         else
         {
-            appendPatchFace(layers_, boundary_[range.patch][i], block);
+            visit(between_[i].face, between_[i].owner, -1);
         }
+    }
+}
+
+
+faceBlock meshOrder::faces(const label blocki) const
+{
+    faceBlock block;
+    visitRange
+    (
+        ranges_[blocki],
+        [&](const meshFace& f, const label owner, const label neighbour)
+        {
+            appendPoints(f, block.points);
+            block.endFace(owner, neighbour);
+        }
+    );
+    if (newPoints_.size())
+    {
+        inplaceRenumber(newPoints_, block.points);
     }
 
     return block;
@@ -173,8 +278,11 @@ faceBlock meshOrder::faces(const label blocki) const
 pointField meshOrder::points(const label blocki) const
 {
     const label n = layers_.nLayers + 1;
-    const label nWall = layers_.nWallPoints()*n;
     const label nLayers = layers_.points.size();
+    const auto isUsed = [&](const label p)
+    {
+        return newPoints_.empty() || newPoints_[p] >= 0;
+    };
     DynamicList<point> points(meshBlocks::blockSize);
 
     const labelRange range
@@ -185,22 +293,23 @@ pointField meshOrder::points(const label blocki) const
     {
         if (i >= nLayers)
         {
-            points.append(far_.points[layers_.nColumns() + i - nLayers]);
+            const label p = layers_.nColumns() + i - nLayers;
+            if (isUsed(farPoint(p)))
+            {
+                points.append(far_.points[p]);
+            }
         }
-        else if (i < nWall || i % n)
+        else if
+        (
+            (i % n || i/n < layers_.nWallPoints())
+         && isUsed(layers_.pointLabel(i/n, i % n))
+        )
         {
             points.append(layers_.points[i]);
         }
     }
 
     return pointField(std::move(points));
-}
-
-
-label meshOrder::nAllPoints() const
-{
-    return layers_.points.size()
-      + (far_.empty() ? 0 : far_.points.size() - layers_.nColumns());
 }
 
 
@@ -211,7 +320,8 @@ meshOrder::meshOrder
     const prismLayers& layers,
     const farFieldMesh& far,
     labelListList&& faceNeighbours,
-    const UList<DynamicList<labelPair>>& open
+    const UList<DynamicList<labelPair>>& open,
+    const UList<labelPair>& patchParts
 )
 :
     layers_(layers),
@@ -219,28 +329,23 @@ meshOrder::meshOrder
     faceNeighbours_(std::move(faceNeighbours)),
     boundary_(boundaryFaces(layers, open))
 {
-    const label nLayerPatches =
-        far.empty() ? boundary_.size() : layers.patchNames.size();
-
-    addRanges(faceKind::stacks, -1, labelRange(0, layers.faces.size()));
-    addRanges
-    (
-        faceKind::farField, -1, labelRange(0, far.topology.neighbour.size())
-    );
-    for (label patchi = 0; patchi < nLayerPatches; ++patchi)
-    {
-        patchBlocks_.append(ranges_.size());
-        addLayerPatch(patchi);
-    }
-    addFarPatches();
-
-    blocks_.nCells = layers.faces.size()*layers.nLayers + far.nCells;
+    setRanges(patchParts);
     blocks_.nPoints = nAllPoints() - layers.extraColumnPoints.size();
-    blocks_.nPointBlocks = numberOfBlocks(nAllPoints(), meshBlocks::blockSize);
-    blocks_.points = [this](const label i) { return points(i); };
-    blocks_.nFaceBlocks = ranges_.size();
-    blocks_.faces = [this](const label i) { return faces(i); };
-    blocks_.count();
+    setBlocks();
+}
+
+
+meshOrder::meshOrder(const meshPiece& piece)
+:
+    layers_(piece.layers),
+    far_(piece.far),
+    faceNeighbours_(findFaceNeighbours(piece.layers)),
+    boundary_(boundaryFaces(piece.layers, piece.open)),
+    between_(piece.between)
+{
+    setRanges(piece.patchParts);
+    setNewPoints();
+    setBlocks();
 }
 
 
@@ -248,34 +353,78 @@ meshOrder::meshOrder
 
 labelList meshOrder::patchStarts() const
 {
-    labelList starts
-    (
-        UIndirectList<label>(blocks_.firstFaces, patchBlocks_)
-    );
-    starts.append(blocks_.nFaces());
+    return labelList(UIndirectList<label>(blocks_.firstFaces, patchBlocks_));
+}
 
-    return starts;
+
+List<labelPair> meshOrder::facesToProcesses() const
+{
+    DynamicList<labelPair> processes;
+    for (const faceBetween& f : between_)
+    {
+        if (processes.empty() || processes.last().first() != f.process)
+        {
+            processes.append(labelPair(f.process, 0));
+        }
+        ++processes.last().second();
+    }
+
+    return List<labelPair>(std::move(processes));
 }
 
 
 labelList meshOrder::farFaceLabels() const
 {
-    labelList labels(far_.topology.faces.size(), -1);
-
-    forAll(ranges_, i)
+    labelList labels(far_.topology.faces.size());
+    label facei = 0;
+    for (const faceRange& range : ranges_)
     {
-        const faceRange& range = ranges_[i];
-        if (range.kind == faceKind::farField)
-        {
-            for (const label facei : range.items)
+        visitRange
+        (
+            range,
+            [&](const meshFace& f, label, label)
             {
-                labels[facei] =
-                    blocks_.firstFaces[i] + facei - range.items.start();
+                if (f.farFace >= 0)
+                {
+                    labels[f.farFace] = facei;
+                }
+                ++facei;
             }
-        }
+        );
     }
 
     return labels;
+}
+
+
+labelList meshOrder::faceAddressing(const meshPiece& piece) const
+{
+    DynamicList<label> addressing(blocks_.nFaces());
+    for (const faceRange& range : ranges_)
+    {
+        visitRange
+        (
+            range,
+            [&](const meshFace& f, label, label)
+            {
+                addressing.append(piece.faceAddress(f));
+            }
+        );
+    }
+
+    return labelList(std::move(addressing));
+}
+
+
+labelList meshOrder::pointAddressing(const meshPiece& piece) const
+{
+    labelList addressing(piece.pointAddressing());
+    if (newPoints_.size())
+    {
+        inplaceReorder(newPoints_, addressing, true);
+    }
+
+    return addressing;
 }
 
 } // End namespace Foam

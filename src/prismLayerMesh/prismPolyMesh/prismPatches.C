@@ -156,6 +156,32 @@ meshPatches patchesOfMesh
     return patches;
 }
 
+
+List<labelPair> partsOfPatches
+(
+    const prismLayers& layers,
+    const label nOpen,
+    const farFieldMesh& far
+)
+{
+    const label nWall = layers.patchNames.size();
+    const wordList sideNames(sidePatchNames(layers.border));
+    DynamicList<labelPair> parts;
+
+    for (label i = 0; i < (far.empty() ? nWall + 1 + nOpen : nWall); ++i)
+    {
+        parts.append(labelPair(i, -1));
+    }
+    forAll(far.patches.names, i)
+    {
+        // The sides of layers follow the wall and the outer surface
+        const label side = sideNames.find(far.patches.names[i]);
+        parts.append(labelPair(side < 0 ? -1 : nWall + 1 + side, 1 + i));
+    }
+
+    return List<labelPair>(std::move(parts));
+}
+
 } // End namespace Foam
 
 // ************************************************************************* //

@@ -5,8 +5,10 @@
 
 #include "prismPolyMesh.H"
 #include "findFaceNeighbours.H"
+#include "labelIOList.H"
 #include "meshFiles.H"
 #include "meshOrder.H"
+#include "processorPolyPatch.H"
 
 namespace Foam
 {
@@ -18,15 +20,19 @@ const word boundaryLayerName("boundaryLayer");
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- starts: the first face of each patch, then the number of all faces
+//- Adds the patches of the whole mesh, then those to other processes.
+//  process: of the piece
 static void addPatches
 (
-    const labelList& starts,
+    const meshOrder& order,
     const meshPatches& all,
+    const label process,
     const bool isWhole,
     polyMesh& mesh
 )
 {
+    const polyBoundaryMesh& boundary = mesh.boundaryMesh();
+    const labelList starts(order.patchStarts());
     PtrList<polyPatch> patches(all.names.size());
 
     forAll(patches, patchi)
@@ -37,11 +43,22 @@ static void addPatches
         patches.set
         (
             patchi,
-            polyPatch::New
+            polyPatch::New(all.names[patchi], patch, patchi, boundary)
+        );
+    }
+
+    label start = starts.last();
+    for (const labelPair& other : order.facesToProcesses())
+    {
+        patches.append
+        (
+            new processorPolyPatch
             (
-                all.names[patchi], patch, patchi, mesh.boundaryMesh()
+                other.second(), start, patches.size(), boundary, process,
+                other.first()
             )
         );
+        start += other.second();
     }
 
     mesh.addPatches(patches, isWhole);
@@ -75,6 +92,7 @@ static labelList cellsOf
 }
 
 
+//- Adds the zones of a mesh with a far field
 static void addZones
 (
     const prismLayers& layers,
@@ -126,16 +144,56 @@ static void addZones
 }
 
 
-//- The points of a mesh
-static pointField pointsOf(const meshBlocks& mesh)
+//- Copies a block of faces to its place in a mesh
+static void copyFaces
+(
+    const faceBlock& block,
+    const label firstFace,
+    const label firstInternal,
+    polyMeshTopology& mesh
+)
 {
-    DynamicList<point> points(mesh.nPoints);
-    for (label i = 0; i < mesh.nPointBlocks; ++i)
+    forAll(block.ends, i)
     {
-        points.append(mesh.points(i));
+        mesh.faces[firstFace + i] = face(block.face(i));
+        mesh.owner[firstFace + i] = block.owner[i];
+    }
+    forAll(block.neighbour, i)
+    {
+        mesh.neighbour[firstInternal + i] = block.neighbour[i];
+    }
+}
+
+
+//- The faces of a mesh of layers and far field
+static polyMeshTopology makeTopology(const meshOrder& order)
+{
+    const meshBlocks& blocks = order.blocks();
+    polyMeshTopology mesh;
+    mesh.faces.setSize(blocks.nFaces());
+    mesh.owner.setSize(blocks.nFaces());
+    mesh.neighbour.setSize(blocks.nInternalFaces());
+
+    #pragma omp parallel for schedule(dynamic)
+    for (label i = 0; i < blocks.nFaceBlocks; ++i)
+    {
+        copyFaces
+        (
+            blocks.faces(i), blocks.firstFaces[i], blocks.firstInternal[i], mesh
+        );
     }
 
-    return pointField(std::move(points));
+    mesh.patchStarts = order.patchStarts();
+    const label nPatches = mesh.patchStarts.size() - 1;
+    mesh.patchSizes.setSize(nPatches);
+    forAll(mesh.patchSizes, patchi)
+    {
+        mesh.patchSizes[patchi] =
+            mesh.patchStarts[patchi + 1] - mesh.patchStarts[patchi];
+    }
+    mesh.patchStarts.setSize(nPatches);
+
+    return mesh;
 }
 
 
@@ -146,11 +204,12 @@ namespace
 struct prismMesh
 {
     const prismLayers& layers;
-    farFieldMesh& far;
+    const farFieldMesh& far;
     labelListList faceNeighbours;
     List<DynamicList<labelPair>> open;
     meshPatches patches;
     meshOrder order;
+    const label process = 0;
 
     prismMesh(const prismLayers& l, farFieldMesh& f)
     :
@@ -159,7 +218,20 @@ struct prismMesh
         faceNeighbours(findFaceNeighbours(l)),
         open(openEdges(l, faceNeighbours)),
         patches(patchesOfMesh(l, open.size(), f)),
-        order(l, f, std::move(faceNeighbours), open)
+        order
+        (
+            l, f, std::move(faceNeighbours), open,
+            partsOfPatches(l, open.size(), f)
+        )
+    {}
+
+    explicit prismMesh(const meshPiece& piece)
+    :
+        layers(piece.layers),
+        far(piece.far),
+        patches(piece.patches),
+        order(piece),
+        process(piece.process)
     {}
 
     //- Makes the mesh with patches and zones.
@@ -183,16 +255,33 @@ struct prismMesh
                 std::move(points),
                 faceList(std::move(topology.faces)),
                 labelList(std::move(topology.owner)),
-                labelList(std::move(topology.neighbour))
+                labelList(std::move(topology.neighbour)),
+                false
             )
         );
-        addPatches(order.patchStarts(), patches, isWhole, mesh());
-        if (!far.empty())
+        addPatches(order, patches, process, isWhole, mesh());
+        if (far.topology.patchSizes.size())
         {
             addZones(layers, far, order, mesh());
         }
 
         return mesh;
+    }
+
+    //- Writes the files. Returns the mesh without points and faces.
+    autoPtr<polyMesh> write(const IOobject& io) const
+    {
+        // Zones of faces look whether they have labels of faces
+        polyMeshTopology nothing;
+        nothing.faces.setSize
+        (
+            far.faceZones.size() ? order.blocks().nFaces() : 0
+        );
+        nothing.owner.setSize(nothing.faces.size(), 0);
+        autoPtr<polyMesh> frame(make(io, pointField(), std::move(nothing)));
+        writeMeshFiles(frame(), order.blocks());
+
+        return frame;
     }
 };
 
@@ -200,6 +289,14 @@ struct prismMesh
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+polyMeshTopology makePrismTopology(const prismLayers& layers)
+{
+    farFieldMesh none;
+
+    return makeTopology(prismMesh(layers, none).order);
+}
+
 
 autoPtr<polyMesh> makePrismPolyMesh
 (
@@ -212,7 +309,7 @@ autoPtr<polyMesh> makePrismPolyMesh
 
     return mesh.make
     (
-        io, pointsOf(mesh.order.blocks()), makeTopology(mesh.order)
+        io, mesh.order.blocks().allPoints(), makeTopology(mesh.order)
     );
 }
 
@@ -225,19 +322,32 @@ label writePrismMesh
 )
 {
     const prismMesh mesh(layers, far);
-    const label nFaces = mesh.order.blocks().nFaces();
+    mesh.write(io);
 
-    // Zones of faces look whether they have labels of faces
-    polyMeshTopology nothing;
-    nothing.faces.setSize(far.faceZones.size() ? nFaces : 0);
-    nothing.owner.setSize(nothing.faces.size(), 0);
-    const autoPtr<polyMesh> frame
-    (
-        mesh.make(io, pointField(), std::move(nothing))
-    );
-    writeMeshFiles(frame(), mesh.order.blocks());
+    return mesh.order.blocks().nFaces();
+}
 
-    return nFaces;
+
+void writeMeshPiece(const meshPiece& piece, const IOobject& io)
+{
+    const prismMesh mesh(piece);
+    const autoPtr<polyMesh> frame(mesh.write(io));
+    const auto write = [&](const char* name, const labelUList& labels)
+    {
+        const IOobject object
+        (
+            name, frame->facesInstance(), polyMesh::meshSubDir, frame(),
+            IOobject::NO_READ, IOobject::NO_WRITE, false
+        );
+        writeWhole(labelIOList(object, labelList(labels)));
+    };
+    labelList patches(identity(piece.patches.names.size()));
+    patches.append(labelList(mesh.order.facesToProcesses().size(), -1));
+
+    write("cellProcAddressing", piece.cellAddressing());
+    write("faceProcAddressing", mesh.order.faceAddressing(piece));
+    write("pointProcAddressing", mesh.order.pointAddressing(piece));
+    write("boundaryProcAddressing", patches);
 }
 
 } // End namespace Foam

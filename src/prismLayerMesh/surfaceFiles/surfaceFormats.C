@@ -160,7 +160,7 @@ static void checkObjPoints(const fileName& file)
 //  process of their own, because some crash on inconsistent sizes
 static void tryReader(const fileName& file, const word& extension)
 {
-    const auto read = [&](std::FILE*)
+    const auto read = [&](pipeWriter&)
     {
         try
         {
@@ -170,7 +170,7 @@ static void tryReader(const fileName& file, const word& extension)
         {}
     };
 
-    const auto nothing = [](std::FILE*) { return true; };
+    const auto nothing = [](pipeReader&) {};
 
     if (isolatedProcess(read, nothing, 600) != processEnd::complete)
     {

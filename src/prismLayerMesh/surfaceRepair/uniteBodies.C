@@ -21,52 +21,44 @@ namespace Foam
 static constexpr label maxUnions = 10;
 
 
-static void send(const char tag, const OStringStream& text, std::FILE* out)
+//- Calls wire(item) for a surface without patches, and for the steps that made
+//  it
+template<class Wire, class Surface, class Steps>
+static void visit(Wire& wire, Surface& surface, Steps& steps)
 {
-    writeItems(tag + text.str(), out);
-    std::fflush(out);
-}
-
-
-//- Sends 's', a surface and the steps that made it
-static void sendSurface
-(
-    const wallSurface& surface,
-    const repairSteps& made,
-    std::FILE* out
-)
-{
-    OStringStream result(IOstream::BINARY);
-    result << surface.points << surface.faces << surface.patchIDs;
-    result << made.size();
-    for (const repairStep& s : made)
+    wire(surface.points, surface.faces, surface.patchIDs);
+    label n = steps.size();
+    wire(n);
+    steps.resize(n);
+    for (auto& s : steps)
     {
-        result << token::SPACE << s.what << s.count << s.places;
+        wire(s.what, s.count, s.places);
     }
-    send('s', result, out);
 }
 
 
-//- Sends 'p' and the places of two bodies before they are joined; at last the
-//  surface
+//- Sends true and the places of two bodies before they are joined. At last sends
+//  false and the surface
 static void sendJoined
 (
     wallSurface surface,
     const bool fluidOutside,
     const scalar step,
-    std::FILE* out
+    pipeWriter& out
 )
 {
     const joinObserver tellPlaces = [&](const point& a, const point& b)
     {
         OStringStream places;
         places << a << " and " << b;
-        send('p', places, out);
+        out(true, string(places.str()));
+        out.flush();
     };
 
     repairSteps made;
     joinBodies(surface, fluidOutside, step, tellPlaces, made);
-    sendSurface(surface, made, out);
+    out(false);
+    visit(out, surface, made);
 }
 
 
@@ -92,7 +84,7 @@ static void addContacts
 
 
 //- Sends the exact union, without contacts
-static void sendUnion(wallSurface surface, const scalar step, std::FILE* out)
+static void sendUnion(wallSurface surface, const scalar step, pipeWriter& out)
 {
     repairSteps made;
     uniteExactly(surface, made);
@@ -124,48 +116,32 @@ static void sendUnion(wallSurface surface, const scalar step, std::FILE* out)
         made, "needles and low triangles removed", removeSlivers(step, surface)
     );
     stitchFaces(surface, made);
-    sendSurface(surface, made, out);
+    out(false);
+    visit(out, surface, made);
 }
 
 
-//- Reads what sendJoined or sendUnion sends. Returns false if no surface comes;
-//  the places are those of the last two bodies then.
-static bool readSurface
+//- Takes what sendJoined or sendUnion sends. If no surface comes, sets the places
+//  of the last two bodies
+static void readSurface
 (
-    std::FILE* in,
+    pipeReader& in,
     string& places,
     wallSurface& surface,
     repairSteps& steps
 )
 {
-    std::string message;
-    while (readItems(in, message))
+    bool isJoining = true;
+    for (in(isJoining); isJoining; in(isJoining))
     {
-        const std::string text(message, 1);
-        if (message[0] == 'p')
-        {
-            places = text;
-            continue;
-        }
-
-        IStringStream result(text, IOstream::BINARY);
-        label nSteps;
-        result >> surface.points >> surface.faces >> surface.patchIDs
-            >> nSteps;
-
-        for (label i = 0; i < nSteps; ++i)
-        {
-            string what;
-            label count;
-            DynamicList<point> at;
-            result >> what >> count >> at;
-            addStep(steps, what, count, at);
-        }
-
-        return true;
+        in(places);
     }
 
-    return false;
+    wallSurface united(surface);
+    repairSteps made;
+    visit(in, united, made);
+    surface = united;
+    steps.append(made);
 }
 
 
@@ -173,7 +149,7 @@ static bool readSurface
 //  surface came; sets the places of the last two bodies of which it was told.
 static bool receiveSurface
 (
-    const std::function<void(std::FILE*)>& sender,
+    const std::function<void(pipeWriter&)>& sender,
     string& places,
     wallSurface& surface,
     repairSteps& steps
@@ -182,7 +158,7 @@ static bool receiveSurface
     const processEnd end = isolatedProcess
     (
         sender,
-        [&](std::FILE* in) { return readSurface(in, places, surface, steps); }
+        [&](pipeReader& in) { readSurface(in, places, surface, steps); }
     );
 
     return end == processEnd::complete;
@@ -199,7 +175,7 @@ string uniteBalanced
 )
 {
     string places;
-    const auto sender = [&](std::FILE* out) { sendUnion(surface, step, out); };
+    const auto sender = [&](pipeWriter& out) { sendUnion(surface, step, out); };
 
     return
         receiveSurface(sender, places, surface, steps)
@@ -217,7 +193,7 @@ string uniteBodies
 )
 {
     string places;
-    const auto sender = [&](std::FILE* out)
+    const auto sender = [&](pipeWriter& out)
     {
         sendJoined(surface, fluidOutside, step, out);
     };

@@ -22,6 +22,10 @@ static constexpr scalar maxLength = 1.6;
 typedef FixedList<int, 4> corners;
 
 
+//- Corners of a tetrahedron of TetGen
+typedef FixedList<int, 4> tetgenCell;
+
+
 namespace
 {
 
@@ -110,7 +114,7 @@ void runTetgen
     const tetDomain& domain,
     const tetgenOptions& options,
     const tensor& rotation,
-    std::FILE* result
+    pipeWriter& result
 )
 {
     tetgenio in, out;
@@ -131,44 +135,37 @@ void runTetgen
     ::tetrahedralize(&switches[0], &in, &out);
 
     static_assert(sizeof(point) == 3*sizeof(REAL), "points of three doubles");
-    writeItems
+
+    result
     (
         UList<point>
         (
             reinterpret_cast<point*>(out.pointlist), out.numberofpoints
         ),
-        result
-    );
-    writeItems
-    (
-        UList<corners>
+        UList<tetgenCell>
         (
-            reinterpret_cast<corners*>(out.tetrahedronlist),
+            reinterpret_cast<tetgenCell*>(out.tetrahedronlist),
             out.numberoftetrahedra
-        ),
-        result
+        )
     );
 }
 
 
-bool readTetgen
+tetMesh readTetgen
 (
     const tetDomain& domain,
     const tensor& rotation,
-    std::FILE* result,
-    tetMesh& mesh
+    pipeReader& result
 )
 {
-    List<corners> tets;
-    if (!readItems(result, mesh.points) || !readItems(result, tets))
-    {
-        return false;
-    }
+    tetMesh mesh;
+    List<tetgenCell> tets;
+    result(mesh.points, tets);
 
     mesh.tets.setSize(tets.size());
-    forAll(tets, t)
+    forAll(mesh.tets, t)
     {
-        std::copy_n(tets[t].begin(), 4, mesh.tets[t].begin());
+        std::copy(tets[t].begin(), tets[t].end(), mesh.tets[t].begin());
     }
 
     // Points of the domain as they were, added points turned back
@@ -178,7 +175,7 @@ bool readTetgen
           ? domain.points[p] : mesh.points[p] & rotation;
     }
 
-    return true;
+    return mesh;
 }
 
 } // End namespace Foam

@@ -115,13 +115,13 @@ static tetMesh attempts
 
         const processEnd end = isolatedProcess
         (
-            [&](std::FILE* result)
+            [&](pipeWriter& result)
             {
                 runTetgen(domain, options, rotation, result);
             },
-            [&](std::FILE* result)
+            [&](pipeReader& result)
             {
-                return readTetgen(domain, rotation, result, mesh);
+                mesh = readTetgen(domain, rotation, result);
             },
             max(seconds >> min(attempt, 2), tuned.shortest)
         );

@@ -3,12 +3,11 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
+#include "divideMesh.H"
 #include "makePrismLayers.H"
-#include "layersPiece.H"
 #include "percentiles.H"
 #include "pieceInLists.H"
 #include "prismQuality.H"
-#include "sharedPiece.H"
 #include "testLayers.H"
 #include "testStages.H"
 #include "openSurfaces.H"
@@ -228,9 +227,9 @@ TEST(layersOnShares, piecesHaveTheirStacks)
     label nCells = 0;
 
     // Stack by stack to another process than the one that made it
-    const auto divide = [&](const labelListList& neighbours, const pointField&)
+    const auto divide = [&](const meshParts& parts)
     {
-        labelList processors(neighbours.size());
+        labelList processors(parts.neighbours.size());
         forAll(processors, facei)
         {
             processors[facei] = facei % n;
@@ -244,15 +243,16 @@ TEST(layersOnShares, piecesHaveTheirStacks)
         const label rank = processes.rank();
         const frontShare share(shareOf(mesh.share.front, owners, n, rank));
         const prismLayers own(layersOn(share, all));
-        const meshPiece piece
+        farFieldMesh none;
+        const listedPiece piece
         (
             pieceInLists
             (
-                makeLayersPiece
+                makeMeshPiece
                 (
-                    own, columnTeam(share, processes), divide
-                ),
-                rank
+                    own, columnTeam(share, processes), prismLayers(), none,
+                    divide
+                )
             )
         );
 

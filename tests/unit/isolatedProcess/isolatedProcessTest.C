@@ -11,7 +11,6 @@
 #include <numeric>
 #include <omp.h>
 #include <stdexcept>
-#include <vector>
 
 #include <sys/stat.h>
 
@@ -22,37 +21,37 @@
 using namespace Foam;
 
 //- How a piece of work ends, when one number is read on
-static processEnd endOf(const std::function<void(std::FILE*)>& work)
+static processEnd endOf(const std::function<void(pipeWriter&)>& work)
 {
     return isolatedProcess
     (
         work,
-        [](std::FILE* in)
+        [](pipeReader& in)
         {
             int i = 0;
-            return std::fread(&i, sizeof(i), 1, in) == 1 && i == 42;
+            in(i);
+            EXPECT_EQ(i, 42);
         },
         1
     );
 }
 
 
-static bool completes(const std::function<void(std::FILE*)>& work)
+static bool completes(const std::function<void(pipeWriter&)>& work)
 {
     return endOf(work) == processEnd::complete;
 }
 
 
-static bool fails(const std::function<void(std::FILE*)>& work)
+static bool fails(const std::function<void(pipeWriter&)>& work)
 {
     return endOf(work) == processEnd::failed;
 }
 
 
-static void write42(std::FILE* out)
+static void write42(pipeWriter& out)
 {
-    const int i = 42;
-    std::fwrite(&i, sizeof(i), 1, out);
+    out(42);
 }
 
 
@@ -66,24 +65,15 @@ TEST(isolatedProcess, writtenDataIsRead)
 
 TEST(isolatedProcess, moreThanAPipeHolds)
 {
-    std::vector<int> sent(1000000), received(sent.size());
+    List<int> sent(1000000), received;
     std::iota(sent.begin(), sent.end(), 0);
 
     EXPECT_EQ
     (
         isolatedProcess
         (
-            [&](std::FILE* out)
-            {
-                std::fwrite(sent.data(), sizeof(int), sent.size(), out);
-            },
-            [&](std::FILE* in)
-            {
-                return received.size() == std::fread
-                (
-                    received.data(), sizeof(int), received.size(), in
-                );
-            },
+            [&](pipeWriter& out) { out(sent); },
+            [&](pipeReader& in) { in(received); },
             60
         ),
         processEnd::complete
@@ -96,7 +86,7 @@ TEST(isolatedProcess, workWithoutEndTakesTooLong)
 {
     EXPECT_EQ
     (
-        endOf([](std::FILE*) { for (volatile int i = 0; ; i = !i) {} }),
+        endOf([](pipeWriter&) { for (volatile int i = 0; ; i = !i) {} }),
         processEnd::tooLong
     );
 }
@@ -105,7 +95,7 @@ TEST(isolatedProcess, workWithoutEndTakesTooLong)
 TEST(isolatedProcess, childChangesNothingHere)
 {
     int i = 1;
-    EXPECT_TRUE(completes([&](std::FILE* out) { i = 2; write42(out); }));
+    EXPECT_TRUE(completes([&](pipeWriter& out) { i = 2; write42(out); }));
     EXPECT_EQ(i, 1);
 }
 
@@ -125,7 +115,7 @@ TEST(isolatedProcess, childHasOneThreadOfOpenMP)
     EXPECT_EQ(count(), 3);
 
     // On more threads the child would wait for ever
-    const auto countOne = [&](std::FILE* out)
+    const auto countOne = [&](pipeWriter& out)
     {
         if (count() == 1)
         {
@@ -143,7 +133,7 @@ TEST(isolatedProcess, signalsAreFailures)
     {
         EXPECT_TRUE
         (
-            fails([&](std::FILE* out) { write42(out); std::raise(sig); })
+            fails([&](pipeWriter& out) { write42(out); std::raise(sig); })
         );
     }
 }
@@ -155,14 +145,14 @@ TEST(isolatedProcess, exceptionsAreFailures)
     (
         fails
         (
-            [](std::FILE* out)
+            [](pipeWriter& out)
             {
                 write42(out);
                 throw std::runtime_error("no result");
             }
         )
     );
-    EXPECT_TRUE(fails([](std::FILE*) { throw 1; }));
+    EXPECT_TRUE(fails([](pipeWriter&) { throw 1; }));
 }
 
 
@@ -172,7 +162,7 @@ TEST(isolatedProcess, fatalErrorsAreFailures)
     (
         fails
         (
-            [](std::FILE* out)
+            [](pipeWriter& out)
             {
                 write42(out);
                 FatalErrorInFunction << "no result" << exit(FatalError);
@@ -184,26 +174,26 @@ TEST(isolatedProcess, fatalErrorsAreFailures)
 
 TEST(isolatedProcess, exitIsAFailure)
 {
-    EXPECT_TRUE(fails([](std::FILE* out) { write42(out); std::_Exit(3); }));
-    EXPECT_TRUE(fails([](std::FILE*) { std::_Exit(0); }));
+    EXPECT_TRUE(fails([](pipeWriter& out) { write42(out); std::_Exit(3); }));
+    EXPECT_TRUE(fails([](pipeWriter&) { std::_Exit(0); }));
 }
 
 
-TEST(isolatedProcess, readerThatRefusesIsAFailure)
+TEST(isolatedProcess, readerThatEndsEarlyLetsWorkFail)
 {
     // It leaves a child behind that has more to write
     EXPECT_EQ
     (
         isolatedProcess
         (
-            [](std::FILE* out)
+            [](pipeWriter& out)
             {
                 for (int i = 0; i < 1000000; ++i)
                 {
                     write42(out);
                 }
             },
-            [](std::FILE*) { return false; },
+            [](pipeReader&) {},
             60
         ),
         processEnd::failed
@@ -215,7 +205,7 @@ TEST(isolatedProcess, readerThatRefusesIsAFailure)
 static bool completesBeside
 (
     const int nOthers,
-    const std::function<void(std::FILE*)>& work
+    const std::function<void(pipeWriter&)>& work
 )
 {
     if (nOthers == 0)
@@ -227,11 +217,7 @@ static bool completesBeside
     isolatedProcess
     (
         write42,
-        [&](std::FILE*)
-        {
-            inner = completesBeside(nOthers - 1, work);
-            return true;
-        }
+        [&](pipeReader&) { inner = completesBeside(nOthers - 1, work); }
     );
 
     return inner;
@@ -248,7 +234,7 @@ TEST(isolatedProcess, childrenHaveChildren)
             completesBeside
             (
                 nOthers,
-                [](std::FILE* out)
+                [](pipeWriter& out)
                 {
                     if (completes(write42))
                     {
@@ -282,15 +268,11 @@ static int nPipesOfChild(const std::function<void()>& whileReading)
 
     isolatedProcess
     (
-        [](std::FILE* out)
-        {
-            const int own = nPipes();
-            std::fwrite(&own, sizeof(own), 1, out);
-        },
-        [&](std::FILE* in)
+        [](pipeWriter& out) { out(nPipes()); },
+        [&](pipeReader& in)
         {
             whileReading();
-            return std::fread(&n, sizeof(n), 1, in) == 1;
+            in(n);
         }
     );
 

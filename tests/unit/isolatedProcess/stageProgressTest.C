@@ -107,16 +107,18 @@ TEST(stageProgress, goesOnWhileAnotherProcessWorks)
 {
     heardSteps heard;
     tellProgress("waiting ");
-    const auto work = [](std::FILE* out)
+    const auto work = [](pipeWriter& out)
     {
         // Nobody hears this process
         tellProgress("child ");
         ::usleep(2500000);
-        std::fputc('x', out);
+        out('x');
     };
-    const auto read = [](std::FILE* in) { return std::fgetc(in) == 'x'; };
+    char byte = 0;
+    const auto read = [&](pipeReader& in) { in(byte); };
 
     EXPECT_EQ(isolatedProcess(work, read), processEnd::complete);
+    EXPECT_EQ(byte, 'x');
     ASSERT_GE(heard.all.size(), 2u);
     for (const std::string& step : heard.all)
     {

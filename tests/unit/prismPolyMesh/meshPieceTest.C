@@ -3,12 +3,11 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
+#include "sharedMesh.H"
 #include "labelIOList.H"
-#include "memoryMesh.H"
 #include "temporaryFiles.H"
 #include "testLayers.H"
 #include "testSurfaces.H"
-#include "writeMeshPiece.H"
 
 #include <gtest/gtest.h>
 
@@ -16,33 +15,38 @@
 
 using namespace Foam;
 
-static const label nProcessors = 3;
-
 //- A mesh in pieces, not all of which touch each other
 struct piecedMesh
+:
+    sharedMesh
 {
-    memoryMesh memory;
-    labelList processorOfCell;
-    List<meshPiece> pieces;
+    List<listedPiece> lists;
 
     piecedMesh()
     :
-        memory(testSurfaces::shakenLayers(testSurfaces::sphere(4))),
-        processorOfCell(memory().nCells()),
-        pieces(nProcessors)
+        sharedMesh
+        (
+            testSurfaces::shakenLayers(testSurfaces::sphere(4)),
+            farFieldMesh(), 3,
+            [](const meshParts& parts)
+            {
+                labelList processes(parts.centres.size());
+                forAll(processes, i)
+                {
+                    const scalar x = parts.centres[i].x();
+                    processes[i] = x < -0.5 ? 0 : x < 0.5 ? 1 : 2;
+                }
+
+                return processes;
+            }
+        ),
+        lists(pieces.size())
     {
-        forAll(processorOfCell, celli)
+        forAll(lists, i)
         {
-            const scalar x = memory().cellCentres()[celli].x();
-            processorOfCell[celli] = x < -0.5 ? 0 : x < 0.5 ? 1 : 2;
-        }
-        forAll(pieces, i)
-        {
-            pieces[i] = makeMeshPiece(memory(), processorOfCell, i);
+            lists[i] = inLists(i);
         }
     }
-
-    const polyMesh& mesh() const { return memory(); }
 
     bool isBetween(const label facei) const
     {
@@ -54,7 +58,7 @@ struct piecedMesh
 
 
 //- First face to the k-th other process
-static label startOf(const meshPiece& piece, const label k)
+static label startOf(const listedPiece& piece, const label k)
 {
     label start = piece.neighbour.size() + sum(piece.patchSizes);
     for (label i = 0; i < k; ++i)
@@ -73,7 +77,7 @@ TEST(meshPiece, everyCellIsInOne)
     const piecedMesh m;
     labelList n(m.mesh().nCells(), Zero);
 
-    for (const meshPiece& piece : m.pieces)
+    for (const listedPiece& piece : m.lists)
     {
         for (const label celli : piece.cellAddressing)
         {
@@ -95,7 +99,7 @@ TEST(meshPiece, facesAreThoseOfTheWholeMesh)
     const piecedMesh m;
     labelList n(m.mesh().nFaces(), Zero);
 
-    for (const meshPiece& piece : m.pieces)
+    for (const listedPiece& piece : m.lists)
     {
         forAll(piece.faces, i)
         {
@@ -126,13 +130,13 @@ TEST(meshPiece, facesAreThoseOfTheWholeMesh)
 TEST(meshPiece, facesBetweenProcessesAreInOneOrder)
 {
     const piecedMesh m;
-    EXPECT_EQ(m.pieces[0].processors, labelList(1, 1));
-    EXPECT_EQ(m.pieces[1].processors, labelList({0, 2}));
+    EXPECT_EQ(m.lists[0].processors, labelList(1, 1));
+    EXPECT_EQ(m.lists[1].processors, labelList({0, 2}));
 
     for (const label other : {0, 2})
     {
-        const meshPiece& a = m.pieces[1];
-        const meshPiece& b = m.pieces[other];
+        const listedPiece& a = m.lists[1];
+        const listedPiece& b = m.lists[other];
         const label k = a.processors.find(other);
         EXPECT_EQ(a.processorSizes[k], b.processorSizes[0]);
 
@@ -169,13 +173,13 @@ TEST_F(meshPieceFiles, areAMeshInUpperTriangularOrder)
     forAll(m.pieces, i)
     {
         IOobject io("piece" + name(i), time.constant(), time);
-        writeMeshPiece(m.pieces[i], i, io);
+        writeMeshPiece(m.pieces[i], io);
         io.readOpt() = IOobject::MUST_READ;
         const polyMesh mesh(io);
 
-        EXPECT_EQ(mesh.nCells(), m.pieces[i].cellAddressing.size());
-        EXPECT_EQ(mesh.points(), m.pieces[i].points);
-        EXPECT_EQ(mesh.faces(), m.pieces[i].faces);
+        EXPECT_EQ(mesh.nCells(), m.lists[i].cellAddressing.size());
+        EXPECT_EQ(mesh.points(), m.lists[i].points);
+        EXPECT_EQ(mesh.faces(), m.lists[i].faces);
         EXPECT_FALSE(mesh.checkUpperTriangular());
         EXPECT_EQ(mesh.boundaryMesh().last().type(), "processor");
         EXPECT_FALSE(mesh.boundaryMesh().checkDefinition());
@@ -189,7 +193,7 @@ TEST_F(meshPieceFiles, areAMeshInUpperTriangularOrder)
                     mesh, IOobject::MUST_READ, IOobject::NO_WRITE, false
                 )
             ),
-            m.pieces[i].faceAddressing
+            m.lists[i].faceAddressing
         );
     }
 }

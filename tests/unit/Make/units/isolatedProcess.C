@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "isolatedProcess/isolatedProcessTest.C"
+#include "isolatedProcess/messageTest.C"
 #include "isolatedProcess/stageProgressTest.C"
 #include "isolatedProcess/runProgramTest.C"
 #include "isolatedProcess/throwingErrorsTest.C"

@@ -7,7 +7,7 @@
 #include "prismPolyMesh/meshFilesTest.C"
 #include "prismPolyMesh/meshPieceTest.C"
 #include "prismPolyMesh/writeBlocksTest.C"
-#include "prismPolyMesh/layersPieceTest.C"
+#include "prismPolyMesh/divideMeshTest.C"
 #include "prismPolyMesh/multipleNormalsMeshTest.C"
 #include "prismPolyMesh/endedMeshTest.C"
 

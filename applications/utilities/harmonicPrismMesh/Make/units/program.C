@@ -11,7 +11,6 @@
 #include "caseWriter.C"
 #include "writeCase.C"
 #include "hostThreads.C"
-#include "pieceMessages.C"
 #include "pstreamTeam.C"
 #include "caseLayers.C"
 #include "parallelRun.C"
