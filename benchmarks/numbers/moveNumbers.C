@@ -22,13 +22,13 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "argList.H"
-#include "throwingErrors.H"
 #include "cpuTime.H"
-#include "faceHeights.H"
 #include "memoryMesh.H"
+#include "patchReport.H"
 #include "polyMeshTools.H"
 #include "preparedCase.H"
 #include "prismLayerMesh.H"
+#include "throwingErrors.H"
 
 using namespace Foam;
 

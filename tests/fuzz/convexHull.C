@@ -4,8 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "convexHull.H"
+#include "cellPredicates.H"
 #include "DynamicList.H"
-#include "orientation.H"
 
 #include <set>
 #include <utility>

@@ -5,7 +5,7 @@
 
 #include "randomSurface.H"
 #include "mathematicalConstants.H"
-#include "orientWallSurface.H"
+#include "readWallSurface.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 

@@ -5,8 +5,8 @@
 
 #include "farFieldFaults.H"
 #include "faultText.H"
-#include "outerTriangles.H"
 #include "planeDomain.H"
+#include "tetBoundary.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 

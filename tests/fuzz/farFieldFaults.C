@@ -5,10 +5,10 @@
 
 #include "farFieldFaults.H"
 #include "faultText.H"
+#include "makeFarFieldMesh.H"
+#include "makeHexCore.H"
 #include "meshCertificate.H"
 #include "prismPolyMesh.H"
-#include "makeFarFieldMesh.H"
-#include "hexFaces.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 

@@ -4,8 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "fuzzFarField.H"
-#include "boxSidePlanes.H"
 #include "planeDomain.H"
+#include "planesOfBorder.H"
 #include "randomSurface.H"
 
 using Foam::randomSurfaces::chance;

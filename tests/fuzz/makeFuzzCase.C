@@ -6,9 +6,9 @@
 #include "fuzzCase.H"
 #include "addNeedles.H"
 #include "boundBox.H"
-#include "cutReflexFaces.H"
-#include "layerSpacing.H"
 #include "damageSurface.H"
+#include "layerSpacing.H"
+#include "wallChanges.H"
 
 #include <cstdint>
 

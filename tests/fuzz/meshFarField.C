@@ -4,11 +4,11 @@
 \*---------------------------------------------------------------------------*/
 
 #include "meshFarField.H"
+#include "cellSizes.H"
 #include "farBoundary.H"
 #include "farFieldFaults.H"
 #include "farFieldReport.H"
 #include "makeFarFieldMesh.H"
-#include "makeSizeBounds.H"
 #include "prismPolyMesh.H"
 
 #include <omp.h>

@@ -5,12 +5,12 @@
 
 #include "fuzzFarField.H"
 #include "farBoundary.H"
-#include "hexFaces.H"
 #include "makeFarFieldMesh.H"
+#include "makeHexCore.H"
 #include "meshCertificate.H"
 #include "randomSurface.H"
 #include "refineSurface.H"
-#include "tetAddressing.H"
+#include "tetEditor.H"
 #include "tetrahedralize.H"
 #include "wallSearch.H"
 

@@ -22,8 +22,8 @@ Usage
 
 #include "argList.H"
 #include "cpuTime.H"
-#include "faceHeights.H"
 #include "memoryMesh.H"
+#include "patchReport.H"
 #include "polyMeshTools.H"
 #include "preparedCase.H"
 #include "prismLayerMesh.H"

@@ -44,13 +44,13 @@ Usage
 
 #include "argList.H"
 #include "cellSet.H"
-#include "Time.H"
-#include "polyMesh.H"
 #include "certificateLog.H"
 #include "patchOptions.H"
 #include "pluginVersion.H"
+#include "polyMesh.H"
 #include "prismPolyMesh.H"
-#include "waitPassively.H"
+#include "returnMemory.H"
+#include "Time.H"
 
 using namespace Foam;
 

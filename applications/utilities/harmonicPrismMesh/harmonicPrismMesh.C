@@ -57,7 +57,6 @@ Usage
 #include "readPrismLayerControls.H"
 #include "returnMemory.H"
 #include "Time.H"
-#include "waitPassively.H"
 
 #include <new>
 

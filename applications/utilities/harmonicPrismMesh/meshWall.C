@@ -4,18 +4,180 @@
 \*---------------------------------------------------------------------------*/
 
 #include "meshWall.H"
+#include "cellSizes.H"
+#include "farFieldReport.H"
 #include "layerStages.H"
 #include "OSspecific.H"
-#include "readDomain.H"
+#include "prismCase.H"
+#include "prismPolyMesh.H"
 #include "readLocalHeights.H"
-#include "replacedFiles.H"
+#include "returnMemory.H"
 #include "wallPointsError.H"
 #include "writeStageFields.H"
 
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+//- Errors: FatalError if the wall has a patch of the far boundary
+static void requireNotOf(const wallSurface& wall, const word& farPatch)
+{
+    if (prismPatchNames(wall.patchNames).found(farPatch))
+    {
+        FatalErrorInFunction
+            << "The far boundary and the wall both have a patch " << farPatch
+            << ". Rename one of them" << exit(FatalError);
+    }
+}
+
+
+farFieldDomain readFarField
+(
+    const prismCase& files,
+    const wallSurface& wall,
+    const bool fluidOutside,
+    const farFieldControls& controls,
+    const Time& time,
+    stageLog& log
+)
+{
+    farFieldDomain domain;
+
+    if (!controls.isWanted())
+    {
+        return domain;
+    }
+
+    if
+    (
+        !fluidOutside && controls.boundary.type != farBoundaryType::none
+     && wall.border.sides.empty()
+    )
+    {
+        FatalErrorInFunction
+            << "The fluid is inside of the wall: there is no far boundary"
+            << exit(FatalError);
+    }
+
+    domain.bounds = makeSizeBounds(controls, time);
+
+    if (controls.type == farFieldType::mesh)
+    {
+        log.begin("readMesh");
+        domain.core = files.readCore(controls.region);
+        log.end(name(domain.core.nCells) + " cells");
+
+        return domain;
+    }
+
+    log.begin("farBoundary");
+    domain.boundary = makeFarBoundary
+    (
+        controls.boundary,
+        [&](const fileName& file) { return files.surfaceFile(file); }
+    );
+
+    string names(farBoundaryTypes[int(controls.boundary.type)]);
+    for (const word& patch : domain.boundary.surface.patchNames)
+    {
+        names += ' ' + patch;
+        requireNotOf(wall, patch);
+    }
+    log.end(names);
+
+    return domain;
+}
+
+
+// * * * * * * * * * * * * * * *  Write Case * * * * * * * * * * * * * * * * //
+
+//- Writes the mesh, in a parallel run all pieces, and drops the layers. Returns
+//  what the log says.
+//  processes: is set to the costs of a parallel run
+static string writeMesh
+(
+    const parallelRun& parallel,
+    const caseWriter& writer,
+    autoPtr<caseLayers>& made,
+    farFieldMesh& farField,
+    dictionary& processes,
+    replacedFiles& replaced
+)
+{
+    if (parallel.isParallel())
+    {
+        if (!farField.empty())
+        {
+            writer.requireDivisible(farField);
+            parallel.begin();
+        }
+        const meshPiece piece(made->makePiece(farField));
+        processes = made->costs();
+        made.clear();
+        writer.writeOwn(piece, replaced);
+
+        return "in parts for all processes";
+    }
+
+    const prismLayers layers(std::move(made->layers()));
+    made.clear();
+    returnMemory();
+
+    return name(writer.writeMesh(layers, farField, replaced)) + " faces";
+}
+
+
+void writeCase
+(
+    const prismCase& files,
+    const parallelRun& parallel,
+    const caseWriter& writer,
+    const caseWall& given,
+    autoPtr<caseLayers>& made,
+    farFieldMesh&& farField,
+    const qualityControls& bounds,
+    stageLog& log,
+    replacedFiles& replaced
+)
+{
+    layerReport report(made->report());
+    const bool hasFarField = !farField.empty();
+    writer.writeSurfaces(made->surfaces(), replaced);
+    const farFieldReport far
+    (
+        hasFarField
+      ? makeFarFieldReport(made->wholeLayers(), farField, bounds)
+      : farFieldReport()
+    );
+
+    dictionary processes;
+    const string size
+    (
+        writeMesh(parallel, writer, made, farField, processes, replaced)
+    );
+    log.end(name(report.nCells + far.nCells) + " cells, " + size);
+    report.stages = log.costs();
+
+    dictionary entries(toDictionary(report));
+    entries.add("surface", given.changes);
+    if (processes.size())
+    {
+        entries.add("processes", processes);
+    }
+    Foam::write(Info, report);
+
+    if (hasFarField)
+    {
+        entries.add("farField", toDictionary(far));
+        Foam::write(Info, far);
+    }
+
+    IOstream::defaultPrecision(6);
+    const fileName& file = files.reportFile();
+    writeReport(replaced.scratch(file, file.name())/file.name(), entries);
+}
+
+
+// * * * * * * * * * * * * * * * *  Mesh Wall  * * * * * * * * * * * * * * * //
 
 //- The requests for parts of the wall, looked up and reported
 static localHeights readLocal
@@ -94,7 +256,20 @@ static autoPtr<caseLayers> makeLayers
 }
 
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+//- Logs the files of the case that were written.
+//  surface: empty if the surface was not
+static void logFiles(const prismCase& files, const fileName& surface)
+{
+    Info<< nl << "Mesh:   " << files.polyMeshFolder() << nl
+        << "Outer:  " << files.outerFile() << nl
+        << "Report: " << files.reportFile() << nl;
+    if (surface.size())
+    {
+        Info<< "Surface: " << surface << nl;
+    }
+    Info<< endl;
+}
+
 
 void meshWall
 (
@@ -153,11 +328,7 @@ void meshWall
     });
     rm(files.failedPointsFile());
 
-    Info<< nl << "Mesh:   " << files.polyMeshFolder() << nl
-        << "Outer:  " << files.outerFile() << nl
-        << "Report: " << files.reportFile() << nl
-        << (isChanged ? "Surface: " + preparedFile + '\n' : "").c_str()
-        << endl;
+    logFiles(files, isChanged ? preparedFile : fileName());
 }
 
 } // End namespace Foam

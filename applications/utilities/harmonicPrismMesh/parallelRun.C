@@ -5,19 +5,162 @@
 
 #include "parallelRun.H"
 #include "decompositionMethod.H"
-#include "hostThreads.H"
+#include "HashSet.H"
 #include "IOdictionary.H"
 #include "IPstream.H"
+#include "labelList.H"
 #include "OPstream.H"
+#include "OSspecific.H"
+#include "Pstream.H"
 #include "Time.H"
+#include "UIPstream.H"
+#include "UOPstream.H"
 
 #include <omp.h>
+#include <sched.h>
 #include <unistd.h>
 
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+//- Returns the processors on which this process may run, in ascending order
+static labelList ownProcessors()
+{
+    cpu_set_t set;
+    CPU_ZERO(&set);
+    sched_getaffinity(0, sizeof(set), &set);
+    DynamicList<label> processors;
+
+    for (label i = 0; i < CPU_SETSIZE; ++i)
+    {
+        if (CPU_ISSET(i, &set))
+        {
+            processors.append(i);
+        }
+    }
+
+    return labelList(std::move(processors));
+}
+
+
+void useShareOfHost()
+{
+    const label own = UPstream::myProcNo();
+    List<string> hosts(UPstream::nProcs());
+    labelListList processors(UPstream::nProcs());
+    hosts[own] = hostName();
+    processors[own] = ownProcessors();
+    Pstream::gatherList(hosts);
+    Pstream::scatterList(hosts);
+    Pstream::gatherList(processors);
+    Pstream::scatterList(processors);
+
+    labelHashSet ofHost;
+    label nProcesses = 0;
+    forAll(hosts, i)
+    {
+        if (hosts[i] == hosts[own])
+        {
+            ofHost.insert(processors[i]);
+            ++nProcesses;
+        }
+    }
+
+    if (!env("OMP_NUM_THREADS"))
+    {
+        omp_set_num_threads(max(ofHost.size()/nProcesses, label(1)));
+    }
+}
+
+
+// * * * * * * * * * * * * * * *  Pstream Team * * * * * * * * * * * * * * * //
+
+static const auto nonBlocking = UPstream::commsTypes::nonBlocking;
+
+
+namespace
+{
+
+//- Switches communication on while it exists
+class communicating
+{
+    const bool was_;
+
+public:
+
+    communicating()
+    :
+        was_(UPstream::parRun())
+    {
+        setParallel(true);
+    }
+
+    ~communicating()
+    {
+        setParallel(was_);
+    }
+};
+
+}
+
+
+// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
+
+labelList pstreamTeam::exchangeLabels(const labelList& sent) const
+{
+    const communicating on;
+    labelList received(size_);
+    UPstream::allToAll(sent, received);
+
+    return received;
+}
+
+
+void pstreamTeam::exchangeMessages
+(
+    const List<message>& sent,
+    List<message>& received
+) const
+{
+    const communicating on;
+    const label start = UPstream::nRequests();
+
+    forAll(received, p)
+    {
+        if (p != rank_ && received[p].size())
+        {
+            UIPstream::read
+            (
+                nonBlocking, p, received[p].data(), received[p].size()
+            );
+        }
+    }
+    forAll(sent, p)
+    {
+        if (p != rank_ && sent[p].size())
+        {
+            UOPstream::write
+            (
+                nonBlocking, p, sent[p].cdata(), sent[p].size()
+            );
+        }
+    }
+    received[rank_] = sent[rank_];
+    UPstream::waitRequests(start);
+}
+
+
+void setParallel(const bool on)
+{
+    #if OPENFOAM >= 2106
+    UPstream::parRun(on);
+    #else
+    UPstream::parRun() = on;
+    #endif
+}
+
+
+// * * * * * * * * * * * * * * *  Parallel Run * * * * * * * * * * * * * * * //
 
 //- How often a process that waits looks for the master [microseconds]. Waiting
 //  messages of MPI keep a processor busy, which the master's threads need.

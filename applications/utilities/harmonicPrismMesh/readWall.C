@@ -4,8 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "readWall.H"
+#include "prismCase.H"
 #include "readWallSurface.H"
-#include "replacedFiles.H"
 
 namespace Foam
 {

@@ -5,10 +5,7 @@
 
 #include "backgroundMesh.H"
 #include "ListOps.H"
-#include "frontTets.H"
 #include "ranges.H"
-#include "sideFacets.H"
-#include "slitEdges.H"
 #include "tetrahedralize.H"
 #include "wallBridges.H"
 #include "wallDomain.H"

@@ -5,15 +5,13 @@
 
 #include "cadSurface.H"
 #include "cadTriangulation.H"
-#include "cadUnit.H"
 #include "clockTime.H"
-#include "gmshScript.H"
-#include "guardedReading.H"
+#include "gmshOutput.H"
+#include "isolatedProcess.H"
 #include "OSspecific.H"
-#include "runProgram.H"
-#include "scratchFolder.H"
 #include "stepFaceNames.H"
 #include "stringOps.H"
+#include "throwingErrors.H"
 
 #include <cstdio>
 #include <cstdlib>

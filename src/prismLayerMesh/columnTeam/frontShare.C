@@ -4,13 +4,167 @@
 \*---------------------------------------------------------------------------*/
 
 #include "frontShare.H"
+#include "DynamicList.H"
+#include "HashSet.H"
+#include "labelRange.H"
 #include "ListOps.H"
+#include "Map.H"
 #include "surfacePart.H"
+
+#include <algorithm>
 
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+//- A range that begins elsewhere has to be better by this share of the hard
+//  points: the copies of columns at its further border take time, too
+static const scalar leastGain = 0.02;
+
+
+//- Where a range of some length has to begin to have a share of the hard
+//  points. Beyond the end of the points the range goes on at their beginning.
+static label startOfRange
+(
+    const labelUList& points,
+    const UList<bool>& isHard,
+    const label length,
+    const scalar share
+)
+{
+    const label n = points.size();
+    label nHard = 0, inRange = 0;
+    for (label i = 0; i < n; ++i)
+    {
+        nHard += isHard[points[i]];
+        inRange += i < length && isHard[points[i]];
+    }
+
+    const scalar wanted = share*nHard;
+    label best = 0;
+    scalar least = mag(inRange - wanted) - leastGain*wanted;
+    for (label start = 1; start < n; ++start)
+    {
+        inRange += isHard[points[(start + length - 1) % n]];
+        inRange -= isHard[points[start - 1]];
+        if (mag(inRange - wanted) < least)
+        {
+            least = mag(inRange - wanted);
+            best = start;
+        }
+    }
+
+    return best;
+}
+
+
+//- Divides points between processes
+static void divide
+(
+    const labelUList& points,
+    const UList<bool>& isHard,
+    const labelRange& processes,
+    labelList& processOfPoint
+)
+{
+    if (processes.size() == 1)
+    {
+        for (const label p : points)
+        {
+            processOfPoint[p] = processes.start();
+        }
+        return;
+    }
+
+    const label nFirst = processes.size()/2;
+    const scalar share = scalar(nFirst)/processes.size();
+    const label n = points.size();
+
+    // Rounded up: if there are points, the master has some
+    const label length =
+        (std::int64_t(n)*nFirst + processes.size() - 1)/processes.size();
+    const label start = startOfRange(points, isHard, length, share);
+    const label end = start + length;
+
+    DynamicList<label> first(length), second(n - length);
+    forAll(points, i)
+    {
+        const bool isIn =
+            (i >= start && i < end) || (i + n >= start && i + n < end);
+        (isIn ? first : second).append(points[i]);
+    }
+    divide
+    (
+        first, isHard, labelRange(processes.start(), nFirst), processOfPoint
+    );
+    divide
+    (
+        second, isHard,
+        labelRange(processes.start() + nFirst, processes.size() - nFirst),
+        processOfPoint
+    );
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+pointOwners::pointOwners(const labelUList& processOfPoint)
+{
+    DynamicList<label> starts, processes;
+    forAll(processOfPoint, p)
+    {
+        if (processes.empty() || processes.last() != processOfPoint[p])
+        {
+            starts.append(p);
+            processes.append(processOfPoint[p]);
+        }
+    }
+    starts_ = std::move(starts);
+    processes_ = std::move(processes);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+label pointOwners::operator()(const label pointi) const
+{
+    return processes_
+    [
+        std::upper_bound(starts_.begin(), starts_.end(), pointi)
+      - starts_.begin() - 1
+    ];
+}
+
+
+labelList ownersByRange(const label nPoints, const label nProcesses)
+{
+    labelList owners(nPoints);
+    forAll(owners, p)
+    {
+        owners[p] = std::int64_t(p)*nProcesses/nPoints;
+    }
+
+    return owners;
+}
+
+
+pointOwners balancedOwners
+(
+    const UList<bool>& isHard,
+    const label nProcesses
+)
+{
+    labelList processOfPoint(isHard.size(), 0);
+    divide
+    (
+        identity(isHard.size()), isHard, labelRange(0, nProcesses),
+        processOfPoint
+    );
+
+    return pointOwners(processOfPoint);
+}
+
+
+// * * * * * * * * * * * * * * *  Front Share  * * * * * * * * * * * * * * * //
 
 //- Of points that the share does not have
 static const label notInShare = labelMax;
@@ -282,8 +436,6 @@ struct shareBuilder
 } // End anonymous namespace
 
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
 frontShare makeFrontShare
 (
     const layerFront& whole,
@@ -310,6 +462,108 @@ frontShare makeFrontShare
     share.setCopies(some(owners, share.points.whole), nProcesses, process);
 
     return share;
+}
+
+
+// * * * * * * * * * * * * * * *  Share Copies * * * * * * * * * * * * * * * //
+
+//- By point of the wall in the share, the processes other than this one that
+//  own a point with which it shares a face
+static Map<labelHashSet> othersBeside
+(
+    const layerFront& front,
+    const labelUList& owners,
+    const label process
+)
+{
+    Map<labelHashSet> others;
+    for (const face& f : front.surface.faces)
+    {
+        const labelList points(front.pointsUnder(f));
+        for (const label p : points)
+        {
+            if (owners[p] != process)
+            {
+                for (const label q : points)
+                {
+                    others(q).insert(owners[p]);
+                }
+            }
+        }
+    }
+
+    return others;
+}
+
+
+//- The labels of lists that are below a bound
+static labelListList below(const label bound, labelListList lists)
+{
+    for (labelList& labels : lists)
+    {
+        inplaceSubsetList(labels, [=](const label c) { return c < bound; });
+    }
+
+    return lists;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void frontShare::setCopies
+(
+    const labelUList& owners,
+    const label nProcesses,
+    const label process
+)
+{
+    const Map<labelHashSet> beside(othersBeside(front, owners, process));
+    Map<labelHashSet> near;
+
+    for (const face& f : front.surface.faces)
+    {
+        const labelList points(front.pointsUnder(f));
+        for (const label p : points)
+        {
+            if (beside.found(p))
+            {
+                for (const label q : points)
+                {
+                    near(q) |= beside[p];
+                }
+            }
+        }
+    }
+
+    List<DynamicList<label>> toOthers(nProcesses);
+    List<DynamicList<label>> fromOthers(nProcesses);
+    forAll(front.wallPoints, c)
+    {
+        const label p = front.wallPoints[c];
+        if (!columns.isOwn[c])
+        {
+            fromOthers[owners[p]].append(c);
+        }
+        else if (near.found(p))
+        {
+            for (const label other : near[p])
+            {
+                toOthers[other].append(c);
+            }
+        }
+    }
+
+    columns.sent.setSize(nProcesses);
+    columns.received.setSize(nProcesses);
+    forAll(columns.sent, p)
+    {
+        columns.sent[p] = std::move(toOthers[p]);
+        columns.received[p] = std::move(fromOthers[p]);
+    }
+
+    // The label of a point is the label of its first column
+    points.sent = below(points.whole.size(), columns.sent);
+    points.received = below(points.whole.size(), columns.received);
 }
 
 } // End namespace Foam

@@ -5,11 +5,112 @@
 
 #include "stayingCells.H"
 #include "bitSet.H"
+#include "boundBox.H"
+#include "edgeHashes.H"
+#include "HashSet.H"
+#include "ranges.H"
 
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+corePlanes::corePlanes
+(
+    const polyMeshParts& core,
+    const UList<sidePatch>& planes
+)
+:
+    core_(core),
+    planes_(planes),
+    tolerance_(1e-9*boundBox(core.points, false).mag())
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+label corePlanes::planeOf(const label facei) const
+{
+    forAll(planes_, s)
+    {
+        bool isInside = true;
+        for (const label p : core_.topology.faces[facei])
+        {
+            isInside = isInside && isIn(s, p);
+        }
+        if (isInside)
+        {
+            return s;
+        }
+    }
+
+    return -1;
+}
+
+
+bitSet corePlanes::pointsIn(const label plane) const
+{
+    bitSet points(core_.points.size());
+    forAll(core_.points, p)
+    {
+        points.set(p, isIn(plane, p));
+    }
+
+    return points;
+}
+
+
+labelList corePlanes::facesTouching
+(
+    const label plane,
+    const std::function<bool(label)>& stays
+) const
+{
+    const polyMeshTopology& t = core_.topology;
+    const bitSet isInPlane(pointsIn(plane));
+    labelHashSet points;
+    edgeHashSet edges;
+    for (label i = t.neighbour.size(); i < t.faces.size(); ++i)
+    {
+        if (stays(t.owner[i]) && planeOf(i) == plane)
+        {
+            points.insert(t.faces[i]);
+            edges.insert(t.faces[i].edges());
+        }
+    }
+
+    // The plane is triangulated beside these faces alone
+    const auto isBeside = [&](const edge& e)
+    {
+        return points.found(e.start())
+         && (!isInPlane.test(e.end()) || edges.found(e));
+    };
+
+    DynamicList<label> touching;
+    forAll(t.faces, facei)
+    {
+        const face& f = t.faces[facei];
+        bool touches = false;
+        forAll(f, k)
+        {
+            touches = touches
+             || (
+                    isInPlane.test(f[k])
+                 && !isBeside(edge(f[k], f.nextLabel(k)))
+                );
+        }
+
+        if (touches)
+        {
+            touching.append(facei);
+        }
+    }
+
+    return labelList(std::move(touching));
+}
+
+
+// * * * * * * * * * * * * * * *  Staying Cells  * * * * * * * * * * * * * * //
 
 namespace
 {
@@ -227,6 +328,184 @@ disjointSets stayingCells::parts() const
     }
 
     return together;
+}
+
+
+// * * * * * * * * * * * * * *  Patches On Wall  * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Constants that were tuned
+const struct
+{
+    //- Faces of a patch on the wall are nearer to the obstacles than so many
+    //  widths of their cells
+    scalar onWall = 2;
+
+    //- Cosine of the angle between the normal of one of them and the way to the
+    //  obstacles, at least: all faces on a side of the domain look away
+    scalar towardsWall = 0.1;
+
+    //- Where the owner of a face begins: share of the way to its centre
+    scalar within = 0.1;
+
+} tunedPatches;
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool stayingCells::looksAtObstacles(const label facei) const
+{
+    const face& f = core_.topology.faces[facei];
+    const vector fromFoot
+    (
+        obstacles_.surface.footOf(f.centre(core_.points)).direction
+    );
+
+    return (-fromFoot & f.unitNormal(core_.points)) > tunedPatches.towardsWall;
+}
+
+
+bool stayingCells::liesOnWall(const label patchi) const
+{
+    const polyMeshTopology& t = core_.topology;
+    const label start = t.patchStarts[patchi];
+    const label size = t.patchSizes[patchi];
+    bool near = size > 0 && isPlain(patchi);
+    label nBehind = 0;
+    bool looksAtWall = false;
+
+    for (label facei = start; near && facei < start + size; ++facei)
+    {
+        const point centre(t.faces[facei].centre(core_.points));
+        if (planeOf(facei) >= 0)
+        {
+            near = false;
+        }
+        else if (!inFluid(facei))
+        {
+            ++nBehind;
+        }
+        else
+        {
+            near = obstacles_.surface.nearer
+            (
+                centre, tunedPatches.onWall*width(t.owner[facei])
+            );
+            looksAtWall = looksAtWall || looksAtObstacles(facei);
+        }
+    }
+
+    return near && (looksAtWall || 2*nBehind > size);
+}
+
+
+void stayingCells::removeOnWall()
+{
+    DynamicList<word> names;
+
+    forAll(core_.patches.names, patchi)
+    {
+        if (liesOnWall(patchi))
+        {
+            const label start = core_.topology.patchStarts[patchi];
+            const label size = core_.topology.patchSizes[patchi];
+            names.append(core_.patches.names[patchi]);
+            for (label i = start; i < start + size; ++i)
+            {
+                leave(core_.topology.owner[i]);
+            }
+        }
+    }
+
+    wallPatches_.transfer(names);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool stayingCells::isPlain(const label patchi) const
+{
+    const wordList plain({"patch", "wall", "symmetry", "symmetryPlane"});
+
+    return plain.found(core_.patches.entries[patchi].get<word>("type"));
+}
+
+
+bool stayingCells::inFluid(const label facei) const
+{
+    const label own = core_.topology.owner[facei];
+    const point centre(core_.topology.faces[facei].centre(core_.points));
+
+    return obstacles_.fluid.inFront
+    (
+        centre + tunedPatches.within*(boxes_[own].midpoint() - centre)
+    );
+}
+
+
+// * * * * * * * * * * * * * *  Coupled Patches  * * * * * * * * * * * * * * //
+
+//- Number of the faces of a patch whose cells stay
+static label nStaying
+(
+    const polyMeshParts& core,
+    const stayingCells& stays,
+    const label patchi
+)
+{
+    const polyMeshTopology& t = core.topology;
+    const SubList<label> owners
+    (
+        t.owner, t.patchSizes[patchi], t.patchStarts[patchi]
+    );
+
+    return countOf(owners, [&](const label celli) { return stays[celli]; });
+}
+
+
+void refuseCoupled
+(
+    const polyMeshParts& core,
+    const stayingCells& stays,
+    const coreObstacles& obstacles,
+    const label patchi
+)
+{
+    const polyMeshTopology& t = core.topology;
+    const label start = t.patchStarts[patchi];
+    const dictionary& entry = core.patches.entries[patchi];
+    const word neighbour(entry.lookupOrDefault<word>("neighbourPatch", ""));
+    const label other = core.patches.names.find(neighbour);
+
+    // Both of a pair may be behind the obstacles
+    const bool isGone =
+        !nStaying(core, stays, patchi)
+     && (other < 0 || !nStaying(core, stays, other));
+
+    for (label facei = start; facei < start + t.patchSizes[patchi]; ++facei)
+    {
+        if
+        (
+            stays[t.owner[facei]]
+         || (isGone && !stays.inFluid(facei))
+        )
+        {
+            continue;
+        }
+
+        const point centre(t.faces[facei].centre(core.points));
+        FatalErrorInFunction
+            << "The layers need room at the patch "
+            << core.patches.names[patchi] << " of type "
+            << entry.get<word>("type") << ", at " << centre << ", "
+            << obstacles.surface.footOf(centre).distance << " from them" << nl
+            << "Make the cells between the patch and the layers smaller, or"
+            << " farField.gap, or move the patch away" << exit(FatalError);
+    }
 }
 
 } // End namespace Foam

@@ -4,7 +4,55 @@
 \*---------------------------------------------------------------------------*/
 
 #include "diffusionTensor.H"
+#include "controlEntries.H"
 #include "harmonicField.H"
+
+namespace Foam
+{
+
+fieldControls readFieldControls
+(
+    const dictionary& dict,
+    const bool onLevelSets
+)
+{
+    const wordList models
+    (
+        diffusionTensor::dictionaryConstructorTablePtr_->sortedToc()
+    );
+    wordList keys({"tensor", "solver", "tolerance"});
+
+    for (const word& model : models)
+    {
+        keys.append(model + "Coeffs");
+    }
+
+    checkKeys(dict, keys);
+
+    fieldControls controls;
+    if (onLevelSets)
+    {
+        controls.tensor = fieldControls::levelSetTensor;
+    }
+    readChoice(dict, "tensor", models, controls.tensor);
+    readChoice(dict, "solver", {"krylov", "iteration"}, controls.solver);
+    readBounded
+    (
+        dict, "tolerance",
+        scalar(1e-14), scalar(0.1), controls.tolerance
+    );
+
+    // Its coefficients are checked here, not when they are used in mid-run
+    controls.tensorCoeffs = optionalDict(dict, controls.tensor + "Coeffs");
+    diffusionTensor::New(controls.tensor, controls.tensorCoeffs);
+
+    return controls;
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * *  Diffusion Tensor * * * * * * * * * * * * * * //
 
 // * * * * * * * * * * * * * * * * Static Members  * * * * * * * * * * * * * //
 
@@ -38,8 +86,6 @@ Foam::autoPtr<Foam::diffusionTensor> Foam::diffusionTensor::New
 }
 
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
 Foam::vectorField Foam::scaledGradients
 (
     const backgroundMesh& mesh,
@@ -68,6 +114,5 @@ Foam::symmTensorField Foam::tetMeans
 
     return means;
 }
-
 
 // ************************************************************************* //

@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "cellPredicates.H"
-#include "tetSigns.H"
 
 namespace Foam
 {

@@ -5,13 +5,14 @@
 
 #include "cellSizes.H"
 #include "farFieldMeshControls.H"
+#include "regionSearch.H"
 #include "searchTree.H"
 #include "treeDataPoint.H"
 
+#include <memory>
+
 namespace Foam
 {
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Centre of one of the eight parts of a cube, octant as of treeBoundBox
 static point partCentre
@@ -255,6 +256,45 @@ scalar cellSizes::operator()(const point& x) const
 scalar cellSizes::nCubes(const std::function<bool(const point&)>& inside) const
 {
     return cubesIn(0, corner_ + point::uniform(0.5*width_), width_, inside);
+}
+
+
+// * * * * * * * * * * * * * *  Make Size Bounds * * * * * * * * * * * * * * //
+
+sizeBounds makeSizeBounds(const farFieldControls& controls, const Time& time)
+{
+    sizeBounds bounds;
+    bounds.largest = controls.maxCellSize;
+    if (controls.regions.empty())
+    {
+        return bounds;
+    }
+
+    const auto searches = std::make_shared<const PtrList<regionSearch>>
+    (
+        makeSearches(controls.regions, time)
+    );
+
+    bounds.atPoints = [=](const pointField& points)
+    {
+        scalarField sizes(points.size(), GREAT);
+
+        forAll(*searches, i)
+        {
+            const scalarField distances((*searches)[i].distances(points));
+
+            sizes = min
+            (
+                sizes,
+                controls.regions[i].cellSize
+              + (controls.growthRate - 1)*distances
+            );
+        }
+
+        return sizes;
+    };
+
+    return bounds;
 }
 
 } // End namespace Foam

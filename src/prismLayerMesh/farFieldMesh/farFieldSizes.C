@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "farFieldSizes.H"
-#include "fillWithTets.H"
+#include "farFieldTets.H"
 #include "limitGradient.H"
 
 namespace Foam

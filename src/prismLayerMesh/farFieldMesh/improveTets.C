@@ -4,14 +4,127 @@
 \*---------------------------------------------------------------------------*/
 
 #include "improveTets.H"
+#include "edgeHashes.H"
 #include "farFieldMeshControls.H"
 #include "stageProgress.H"
+#include "tetEditor.H"
 #include "tetImprover.H"
+#include "triangleIndex.H"
 
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+//- What cells may not be split at, or are to be split for
+struct cornerBounds
+{
+    //- Triangles of patches and of the layers, those of the cut, and the edges
+    //  of all
+    triangleIndex triangles;
+    triangleIndex cut;
+    edgeHashSet edges;
+};
+
+
+//- Returns the edge or face at which a tetrahedron with two or three faces on
+//  the boundary is to be split: the edge opposite to two such faces, or a face
+//  if there are three or the edge is on the boundary. Other tetrahedra have no
+//  such simplex, nor have those between the boundary and the cut: its last
+//  point is -1.
+static simplex cornerSplit(const tetCell& tet, const cornerBounds& bounds)
+{
+    // Points opposite to faces on the boundary, and the others
+    DynamicList<label> opposite(4);
+    DynamicList<label> others(4);
+
+    for (label i = 0; i < 4; ++i)
+    {
+        const bool isBoundary =
+            bounds.triangles.lookup(triFace(tet.face(i)), -1) >= 0;
+        (isBoundary ? opposite : others).append(tet[i]);
+    }
+
+    if (opposite.size() < 2)
+    {
+        return sortedSimplex(-1, -1, -1);
+    }
+
+    const label a = opposite[0];
+    const label b = opposite[1];
+    if (opposite.size() == 2 && !bounds.edges.found(edge(a, b)))
+    {
+        return sortedSimplex(-1, a, b);
+    }
+
+    // Points of the faces inside that have both
+    DynamicList<label> thirds
+    (
+        opposite.size() > 2
+      ? labelList(1, opposite[2]) : labelList({others[1], others[0]})
+    );
+    for (const label c : thirds)
+    {
+        if (bounds.cut.lookup(triFace(a, b, c), -1) < 0)
+        {
+            return sortedSimplex(c, a, b);
+        }
+    }
+
+    return sortedSimplex(-1, -1, -1);
+}
+
+
+void splitCornerCells(farFieldTets& mesh)
+{
+    // Cells whose points are all on the far boundary may be beside the layers,
+    // where these end on side patches
+    faceList all(mesh.boundaryTriangles);
+    all.append(mesh.outerTriangles);
+    cornerBounds bounds;
+    bounds.triangles = makeTriangleIndex(all);
+    bounds.cut = makeTriangleIndex(mesh.cutTriangles);
+    all.append(mesh.cutTriangles);
+    boolList onBoundary(mesh.points.size(), false);
+
+    for (const face& f : mesh.boundaryTriangles)
+    {
+        UIndirectList<bool>(onBoundary, f) = true;
+    }
+    for (const face& f : all)
+    {
+        bounds.edges.insert(f.edges());
+    }
+
+    simplexSet simplices;
+    for (const tetCell& tet : mesh.tets)
+    {
+        if
+        (
+            onBoundary[tet[0]] && onBoundary[tet[1]]
+         && onBoundary[tet[2]] && onBoundary[tet[3]]
+        )
+        {
+            const simplex s(cornerSplit(tet, bounds));
+
+            if (s[2] >= 0)
+            {
+                simplices.append(s);
+            }
+        }
+    }
+    simplices.sort();
+
+    const label nPoints = mesh.points.size();
+    mesh.points.setSize(nPoints + simplices.simplices().size());
+    forAll(simplices.simplices(), i)
+    {
+        mesh.points[nPoints + i] =
+            centreOf(simplices.simplices()[i], mesh.points);
+    }
+    splitTets(simplices, mesh.points, nPoints, mesh.tets);
+}
+
+
+// * * * * * * * * * * * * * * *  Improve Tets * * * * * * * * * * * * * * * //
 
 void improveTets(const neighbourCells& neighbours, farFieldTets& mesh)
 {

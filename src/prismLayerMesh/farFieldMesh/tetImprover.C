@@ -4,13 +4,112 @@
 \*---------------------------------------------------------------------------*/
 
 #include "tetImprover.H"
+#include "faceQuality.H"
 #include "farFieldMeshControls.H"
+#include "HashSet.H"
+#include "ListOps.H"
 #include "ranges.H"
-#include "splitTets.H"
+#include "tetEditor.H"
 #include "tetrahedralize.H"
 
 namespace Foam
 {
+
+//- The triangles of layers and cut
+static faceList innerTriangles(const farFieldTets& mesh)
+{
+    faceList triangles(mesh.outerTriangles);
+    triangles.append(mesh.cutTriangles);
+
+    return triangles;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+tetViolation::tetViolation
+(
+    const neighbourCells& neighbours,
+    const farFieldTets& mesh,
+    const DynamicList<point>& points,
+    const tetEditor& tets
+)
+:
+    inner_(makeTriangleIndex(innerTriangles(mesh))),
+    neighbourCells_(neighbours),
+    points_(points),
+    tets_(tets)
+{}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+scalar tetViolation::ofFace(const label t, const label i) const
+{
+    const triFace f(tets_[t].face(i));
+    const label neighbour = tets_.neighbour(t, i);
+    const label triangle = neighbour < 0 ? inner_.lookup(f, -1) : -1;
+
+    if (neighbour < 0 && triangle < 0)
+    {
+        return 0;
+    }
+
+    const point owner(tets_[t].tet(points_).centre());
+    const point other
+    (
+        neighbour < 0
+      ? neighbourCells_.centres[triangle]
+      : tets_[neighbour].tet(points_).centre()
+    );
+    const FixedList<point, 3> x({points_[f[0]], points_[f[1]], points_[f[2]]});
+    const faceGeometry g(x);
+    const scalar toOwner = mag((g.centre - owner) & g.area);
+    const scalar toNeighbour = mag((other - g.centre) & g.area);
+    const scalar weight =
+        min(toOwner, toNeighbour)/(toOwner + toNeighbour + VSMALL);
+    const scalar target = farFieldTuned.targetCosine;
+    const scalar maxSkewness = farFieldTuned.targetSkewness;
+    const scalar volume = neighbour < 0 ? neighbourCells_.volumes[triangle] : 0;
+    const scalar ratio = volume > 0 ? tets_[t].tet(points_).mag()/volume : 1;
+
+    return
+        pow3(nonOrthoViolation(g.area, other - owner, target)/target)
+      + pow3(skewnessViolation(g, x, owner, other, maxSkewness))
+      + pow3(max(1 - weight/farFieldTuned.targetWeight, scalar(0)))
+      + pow3(max(1 - ratio/farFieldTuned.targetVolumeRatio, scalar(0)));
+}
+
+
+scalar tetViolation::ofTets(const labelUList& tets, const scalar bound) const
+{
+    scalar sum = 0;
+
+    for (const label t : tets)
+    {
+        for (label i = 0; i < 4 && sum <= bound; ++i)
+        {
+            const label neighbour = tets_.neighbour(t, i);
+            const bool within = neighbour >= 0 && tets.found(neighbour);
+
+            if (!within || neighbour > t)
+            {
+                sum += ofFace(t, i);
+            }
+        }
+    }
+
+    return sum;
+}
+
+
+bool tetViolation::missesTargets(const label t, const label i) const
+{
+    return ofFace(t, i) > farFieldTuned.toleratedViolation;
+}
+
+
+// * * * * * * * * * * * * * * *  Tet Improver * * * * * * * * * * * * * * * //
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -241,6 +340,249 @@ bool tetImprover::split(const label t, const label i)
     changed_.remove();
 
     return false;
+}
+
+
+// * * * * * * * * * * * * *  Tet Improver Moves * * * * * * * * * * * * * * //
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool tetImprover::step(const label p, const scalar distance, scalar& least)
+{
+    const labelList around(tets_.pointTets(p));
+    const point from(points_[p]);
+    point to(from);
+    bool moved = false;
+
+    for (label k = 0; k < 6; ++k)
+    {
+        vector direction(Zero);
+        direction[k/2] = k % 2 ? 1 : -1;
+        points_[p] = from + distance*direction;
+        const scalar trial = violation_.ofTets(around, least);
+
+        if (trial < least && allPositive(points_, tets_.subset(around)))
+        {
+            least = trial;
+            to = points_[p];
+            moved = true;
+        }
+    }
+
+    points_[p] = to;
+
+    return moved;
+}
+
+
+scalar tetImprover::sizeAt(const label p) const
+{
+    scalar sum = 0;
+
+    for (const label t : tets_.pointTets(p))
+    {
+        for (const label q : tets_[t])
+        {
+            sum += mag(points_[q] - points_[p]);
+        }
+    }
+
+    return sum/max(3*tets_.pointTets(p).size(), 1);
+}
+
+
+bool tetImprover::move(const label p)
+{
+    const scalar size = sizeAt(p);
+    scalar least = violation_.ofTets(tets_.pointTets(p));
+    label nMoves = 0;
+
+    for (const scalar length : farFieldTuned.moves)
+    {
+        while
+        (
+            nMoves < farFieldTuned.maxMoves && step(p, length*size, least)
+        )
+        {
+            ++nMoves;
+        }
+    }
+
+    return nMoves;
+}
+
+
+void tetImprover::markChanged(const labelUList& points)
+{
+    for (const label p : points)
+    {
+        changed_[p] = pass_;
+        touched_.append(p);
+    }
+}
+
+
+bool tetImprover::hasChanged(const label t) const
+{
+    return t >= 0 && anyOf(tets_[t], [&](const label p)
+    {
+        return changed_[p] + 1 >= pass_;
+    });
+}
+
+
+List<labelPair> tetImprover::allMissingTargets() const
+{
+    // Bit i is for face i
+    labelList missing(tets_.size(), 0);
+
+    #pragma omp parallel for schedule(static, 256)
+    forAll(missing, t)
+    {
+        for (label i = 0; i < 4; ++i)
+        {
+            if (isOwner(t, i) && violation_.missesTargets(t, i))
+            {
+                missing[t] |= 1 << i;
+            }
+        }
+    }
+
+    DynamicList<labelPair> faces;
+    forAll(missing, t)
+    {
+        for (label i = 0; i < 4; ++i)
+        {
+            if (missing[t] >> i & 1)
+            {
+                faces.append(labelPair(t, i));
+            }
+        }
+    }
+
+    return List<labelPair>(std::move(faces));
+}
+
+
+void tetImprover::appendFaces
+(
+    const label t,
+    DynamicList<labelPair>& faces
+) const
+{
+    for (label i = 0; i < 4; ++i)
+    {
+        const label owner = isOwner(t, i) ? t : tets_.neighbour(t, i);
+        label j = i;
+        while (owner != t && tets_.neighbour(owner, j) != t)
+        {
+            j = (j + 1) % 4;
+        }
+        faces.append(labelPair(owner, j));
+    }
+}
+
+
+const List<labelPair>& tetImprover::facesMissingTargets()
+{
+    // Other faces are as they were when the list was made
+    DynamicList<labelPair> faces(missing_);
+    inplaceUniqueSort(touched_);
+    for (const label p : touched_)
+    {
+        for (const label t : tets_.pointTets(p))
+        {
+            appendFaces(t, faces);
+        }
+    }
+    touched_.clear();
+    inplaceUniqueSort(faces);
+
+    DynamicList<labelPair> missing(faces.size());
+    for (const labelPair& f : faces)
+    {
+        const label t = f.first();
+        const label i = f.second();
+
+        if
+        (
+            !tets_.removed(t) && isOwner(t, i)
+         && (hasChanged(t) || hasChanged(tets_.neighbour(t, i)))
+         && violation_.missesTargets(t, i)
+        )
+        {
+            missing.append(f);
+        }
+    }
+    missing_.transfer(missing);
+
+    return missing_;
+}
+
+
+labelList tetImprover::pointsInside(const List<labelPair>& faces) const
+{
+    labelHashSet points;
+
+    for (const labelPair& f : faces)
+    {
+        for
+        (
+            const label t
+          : {f.first(), tets_.neighbour(f.first(), f.second())}
+        )
+        {
+            for (label k = 0; t >= 0 && k < 4; ++k)
+            {
+                if (tets_[t][k] >= nBoundaryPoints_)
+                {
+                    points.insert(tets_[t][k]);
+                }
+            }
+        }
+    }
+
+    return points.sortedToc();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool tetImprover::improve()
+{
+    ++pass_;
+    bool better = false;
+
+    const auto tryAll = [&](bool (tetImprover::*change)(label, label))
+    {
+        for (const labelPair& f : facesMissingTargets())
+        {
+            // What was changed before may have removed the tetrahedron
+            const label t = f.first();
+            if (!tets_.removed(t) && violation_.missesTargets(t, f.second()))
+            {
+                better = (this->*change)(t, f.second()) || better;
+            }
+        }
+    };
+
+    tryAll(&tetImprover::flip);
+
+    for (const label p : pointsInside(facesMissingTargets()))
+    {
+        if (move(p))
+        {
+            better = true;
+            for (const label t : tets_.pointTets(p))
+            {
+                markChanged(labelList(tets_[t]));
+            }
+        }
+    }
+
+    tryAll(&tetImprover::split);
+
+    return better;
 }
 
 } // End namespace Foam

@@ -3,16 +3,14 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include <Eigen/SparseCore>
-#include <Eigen/IterativeLinearSolvers>
-
 #include "harmonicField.H"
 #include "ListOps.H"
 
+#include <Eigen/IterativeLinearSolvers>
+#include <Eigen/SparseCore>
+
 namespace Foam
 {
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 typedef Eigen::SparseMatrix<double, Eigen::RowMajor> sparseMatrix;
 
@@ -168,8 +166,6 @@ static void iterate
 }
 
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
 scalarField cotangentWeights(const backgroundMesh& mesh)
 {
     const symmTensor one(symmTensor::I);
@@ -243,6 +239,197 @@ scalar harmonicEnergy
     }
 
     return energy;
+}
+
+
+// * * * * * * * * * * * * * *  Field Gradients  * * * * * * * * * * * * * * //
+
+//- Solid angle of the triangle that three unit vectors span on the sphere
+static scalar solidAngle(const vector& a, const vector& b, const vector& c)
+{
+    return 2*::atan2
+    (
+        mag((a ^ b) & c),
+        1 + (a & b) + (b & c) + (c & a)
+    );
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+tetAreas::tetAreas(const tetPointRef& tet)
+{
+    const vector ab = tet.b() - tet.a();
+    const vector ac = tet.c() - tet.a();
+    const vector ad = tet.d() - tet.a();
+
+    normals[0] = ac ^ ad;
+    normals[1] = ad ^ ab;
+    normals[2] = ab ^ ac;
+    sixV = max
+    (
+        normals[2] & ad,
+        harmonicControls::smallestShape*mag(ab)*mag(ac)*mag(ad)
+    );
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+FixedList<vector, 4> tetAreas::gradients() const
+{
+    FixedList<vector, 4> gradients;
+
+    for (label i = 1; i < 4; ++i)
+    {
+        gradients[i] = normals[i - 1]/sixV;
+    }
+    gradients[0] = -(gradients[1] + gradients[2] + gradients[3]);
+
+    return gradients;
+}
+
+
+vectorField tetGradients(const backgroundMesh& mesh, const scalarField& field)
+{
+    vectorField gradients(mesh.tets.size());
+
+    forAll(mesh.tets, t)
+    {
+        const FixedList<vector, 4> g(tetAreas(mesh.tet(t)).gradients());
+
+        gradients[t] = Zero;
+        for (label i = 0; i < 4; ++i)
+        {
+            gradients[t] += field[mesh.tets[t][i]]*g[i];
+        }
+    }
+
+    return gradients;
+}
+
+
+gradientMeans pointGradientMeans
+(
+    const backgroundMesh& mesh,
+    const scalarField& field
+)
+{
+    const vectorField tetGradient(tetGradients(mesh, field));
+    const scalarField tetSize(mag(tetGradient));
+
+    gradientMeans means;
+    means.gradients.setSize(mesh.points.size(), Zero);
+    means.sizes.setSize(mesh.points.size(), 0);
+    scalarField angles(mesh.points.size(), 0);
+
+    forAll(mesh.tets, t)
+    {
+        const tetCell& tet = mesh.tets[t];
+
+        for (label i = 0; i < 4; ++i)
+        {
+            const point& x = mesh.points[tet[i]];
+            const scalar angle = solidAngle
+            (
+                normalised(mesh.points[tet[(i + 1) % 4]] - x),
+                normalised(mesh.points[tet[(i + 2) % 4]] - x),
+                normalised(mesh.points[tet[(i + 3) % 4]] - x)
+            );
+
+            means.gradients[tet[i]] += angle*tetGradient[t];
+            means.sizes[tet[i]] += angle*tetSize[t];
+            angles[tet[i]] += angle;
+        }
+    }
+
+    means.gradients /= max(angles, VSMALL);
+    means.sizes /= max(angles, VSMALL);
+
+    return means;
+}
+
+
+vectorField pointGradients(const backgroundMesh& mesh, const scalarField& field)
+{
+    return pointGradientMeans(mesh, field).gradients;
+}
+
+
+// * * * * * * * * * * * * * *  Monotone Field * * * * * * * * * * * * * * * //
+
+//- Free points whose values exceed all those of their neighbours, or fall
+//  below, by more than tolerance
+static boolList extremaOf
+(
+    const backgroundMesh& mesh,
+    const scalarField& field,
+    const scalar tolerance
+)
+{
+    scalarField smallest(field.size(), GREAT), largest(field.size(), -GREAT);
+
+    for (const edge& e : mesh.edges)
+    {
+        for (const label p : {e.start(), e.end()})
+        {
+            const scalar other = field[e.otherVertex(p)];
+            smallest[p] = min(smallest[p], other);
+            largest[p] = max(largest[p], other);
+        }
+    }
+
+    boolList extrema(field.size(), false);
+    forAll(extrema, p)
+    {
+        extrema[p] = mesh.free[p] && smallest[p] <= largest[p]
+         && (
+                field[p] > largest[p] + tolerance
+             || field[p] < smallest[p] - tolerance
+            );
+    }
+
+    return extrema;
+}
+
+
+monotoneField makeMonotoneField
+(
+    const backgroundMesh& mesh,
+    scalarField edgeWeights,
+    const fieldControls& controls
+)
+{
+    monotoneField field;
+    bool changed = true;
+
+    while (changed)
+    {
+        field.values = makeHarmonicField(mesh, edgeWeights, controls);
+        const boolList extrema
+        (
+            extremaOf(mesh, field.values, controls.tolerance)
+        );
+        changed = false;
+
+        forAll(mesh.edges, e)
+        {
+            const edge& ends = mesh.edges[e];
+
+            if
+            (
+                edgeWeights[e] < 0
+             && (extrema[ends.start()] || extrema[ends.end()])
+            )
+            {
+                edgeWeights[e] = 0;
+                ++field.nClipped;
+                changed = true;
+            }
+        }
+    }
+
+    return field;
 }
 
 } // End namespace Foam

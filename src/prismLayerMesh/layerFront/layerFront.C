@@ -4,13 +4,12 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layerFront.H"
-#include "sideCurve.H"
+#include "normalSectors.H"
+#include "sidePatch.H"
 #include "sideShape.H"
 
 namespace Foam
 {
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Returns the constraint of a column at x on a side patch
 static columnConstraint onSide(const sidePatch& side, const point& x)
@@ -132,6 +131,247 @@ void layerFront::setConstraints
             constraints[c] = onSide(sides[own[0]], x);
         }
     }
+}
+
+
+// * * * * * * * * * * * * * *  Make Layer Front * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- The front while it is divided
+struct frontBuilder
+{
+    const wallSurface& wall;
+    const wallAddressing& addressing;
+    const wallSectors& divided;
+    layerFront& front;
+
+    //- The second column of each divided point
+    labelList secondColumns = labelList(divided.points.size());
+
+
+    //- Column of the sector of point k
+    label sectorColumn(const label k, const label s) const
+    {
+        return s ? secondColumns[k] + s - 1 : divided.points[k];
+    }
+
+
+    //- Column of face i around point p of the wall
+    label column(const label p, const label i) const
+    {
+        const label k = divided.indices[p];
+
+        return k < 0 ? p : sectorColumn(k, divided.sectors[k].sector(i));
+    }
+
+
+    //- Face that has no area on the wall
+    void addFace(const face& columns)
+    {
+        front.surface.faces.append(columns);
+        front.surface.patchIDs.append(-1);
+    }
+
+
+    void addColumns()
+    {
+        forAll(divided.points, k)
+        {
+            secondColumns[k] = front.wallPoints.size();
+
+            for (label s = 1; s < divided.sectors[k].starts.size(); ++s)
+            {
+                front.wallPoints.append(divided.points[k]);
+                front.surface.points.append(wall.points[divided.points[k]]);
+            }
+        }
+    }
+
+
+    //- The faces of the wall stand on the columns of their sectors
+    void moveFaces()
+    {
+        for (const label p : divided.points)
+        {
+            const labelList& pFaces = addressing.pointFaces[p];
+
+            forAll(pFaces, i)
+            {
+                face& f = front.surface.faces[pFaces[i]];
+                f[wall.faces[pFaces[i]].find(p)] = column(p, i);
+            }
+        }
+    }
+
+
+    //- On the edges where sectors of point k meet
+    void addEdgeFaces(const label k)
+    {
+        const label p = divided.points[k];
+
+        for (const label i : divided.sectors[k].starts)
+        {
+            if (i == 0 && addressing.isOnBorder(p)) continue;
+
+            const label before = addressing.pointFaces[p].rcIndex(i);
+            const label q = addressing.pointPoints[p][i];
+
+            // Right of the edge from p to q is left of that from q to p
+            const label back = addressing.pointPoints[q].find(p);
+            const label right = column(q, back);
+            const label left =
+                column(q, addressing.pointFaces[q].rcIndex(back));
+
+            if (left == right)
+            {
+                addFace(face({left, column(p, i), column(p, before)}));
+            }
+            else if (p < q)
+            {
+                addFace(face({column(p, before), right, left, column(p, i)}));
+            }
+        }
+    }
+
+
+    //- The edges of the border stand on the columns of their sectors; further
+    //  ones are between the first and the last column of each divided point
+    void moveBorder()
+    {
+        wallBorder& border = front.surface.border;
+
+        for (edge& e : border.edges)
+        {
+            e = edge
+            (
+                column(e.start(), 0),
+                column(e.end(), addressing.pointFaces[e.end()].size() - 1)
+            );
+        }
+
+        forAll(divided.points, k)
+        {
+            if (addressing.isOnBorder(divided.points[k]))
+            {
+                const label last = divided.sectors[k].starts.size() - 1;
+                border.edges.append
+                (
+                    edge(sectorColumn(k, last), sectorColumn(k, 0))
+                );
+                border.edgeSides.append
+                (
+                    addressing.sidesOf(divided.points[k])[0]
+                );
+            }
+        }
+    }
+
+
+    //- Between three or more columns of point k
+    void addPointFaces(const label k)
+    {
+        for (face f : divided.sectors[k].triangles)
+        {
+            for (label& s : f)
+            {
+                s = sectorColumn(k, s);
+            }
+
+            addFace(f);
+        }
+    }
+
+
+    //- What the columns of a divided point must be in front of besides their
+    //  faces
+    void addPlanes()
+    {
+        wallVisibility& visibility = front.visibility;
+
+        forAll(divided.points, k)
+        {
+            forAll(divided.sectors[k].starts, s)
+            {
+                const label c = sectorColumn(k, s);
+                visibility.polygonNormals[c].append
+                (
+                    divided.sectors[k].planes[s]
+                );
+                visibility.setCone(c);
+            }
+        }
+    }
+
+
+    void divide()
+    {
+        addColumns();
+        moveFaces();
+        moveBorder();
+
+        forAll(divided.points, k)
+        {
+            addEdgeFaces(k);
+            addPointFaces(k);
+        }
+
+        front.addressing = makeWallAddressing(front.surface);
+        front.visibility =
+            makeWallVisibility(front.surface, front.addressing);
+        addPlanes();
+    }
+};
+
+} // End anonymous namespace
+
+layerFront makeBareFront
+(
+    const wallSurface& wall,
+    const wallAddressing& addressing,
+    const wallVisibility& visibility,
+    const scalar smallestAngle
+)
+{
+    layerFront front;
+    front.surface = wall;
+    front.wallPoints = identity(wall.points.size());
+    front.nWallFaces = wall.faces.size();
+
+    const boolList narrow(visibility.narrowCones(smallestAngle));
+
+    if (narrow.found(true))
+    {
+        const wallSectors divided
+        (
+            divideNarrowPoints(wall, addressing, visibility, narrow)
+        );
+        front.pointsWithoutDirection = divided.pointsWithoutDirection;
+
+        if (front.pointsWithoutDirection.empty())
+        {
+            frontBuilder{wall, addressing, divided, front}.divide();
+        }
+    }
+
+    front.setConstraints
+    (
+        front.isBare() ? addressing : front.addressing,
+        front.isBare() ? visibility.sideLines : front.visibility.sideLines
+    );
+
+    return front;
+}
+
+
+labelList pointsWithoutDirection(const wallSurface& wall)
+{
+    const wallAddressing addressing(makeWallAddressing(wall));
+    const wallVisibility visibility(makeWallVisibility(wall, addressing));
+
+    return
+        makeBareFront(wall, addressing, visibility, 0).pointsWithoutDirection;
 }
 
 } // End namespace Foam

@@ -4,12 +4,104 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layerEditor.H"
-#include "columnColours.H"
+#include "bitSet.H"
+#include "DynamicList.H"
+#include "Hasher.H"
+#include "ListOps.H"
 
 #include <algorithm>
+#include <tuple>
 
 namespace Foam
 {
+
+static bool isBefore(const label a, const label b)
+{
+    const unsigned hashA = Hasher(&a, sizeof(a));
+    const unsigned hashB = Hasher(&b, sizeof(b));
+
+    return std::tie(hashA, a) < std::tie(hashB, b);
+}
+
+
+//- The colour of a column. -1 if columns before it have none yet.
+static label colourOf
+(
+    const label c,
+    const faceList& faces,
+    const labelListList& columnFaces,
+    const columnTeam& team,
+    const labelList& colours
+)
+{
+    DynamicList<label> others;
+
+    for (const label facei : columnFaces[c])
+    {
+        for (const label q : faces[facei])
+        {
+            if (colours[q] >= 0)
+            {
+                others.append(colours[q]);
+            }
+            else if (isBefore(team.wholeColumn(q), team.wholeColumn(c)))
+            {
+                return -1;
+            }
+        }
+    }
+
+    label colour = 0;
+    while (others.found(colour))
+    {
+        ++colour;
+    }
+
+    return colour;
+}
+
+
+labelList columnColours
+(
+    const faceList& faces,
+    const labelListList& columnFaces,
+    const columnTeam& team
+)
+{
+    labelList colours(columnFaces.size(), -1);
+    labelList waiting(team.ownOf(identity(colours.size())));
+
+    while (team.any(waiting.size()))
+    {
+        labelList found(waiting.size());
+
+        #pragma omp parallel for schedule(static, 256)
+        forAll(waiting, i)
+        {
+            found[i] = colourOf
+            (
+                waiting[i], faces, columnFaces, team, colours
+            );
+        }
+
+        UIndirectList<label>(colours, waiting) = found;
+        team.columns.update(colours);
+        waiting = subsetList
+        (
+            waiting, [&](const label c) { return colours[c] < 0; }
+        );
+    }
+
+    return colours;
+}
+
+} // End namespace Foam
+
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * *  Layer Editor * * * * * * * * * * * * * * * //
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -284,5 +376,245 @@ void layerEditor::setCause(const label c, const squeezeCause cause)
 }
 
 } // End namespace Foam
+
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * *  Layer Editor Record  * * * * * * * * * * * * * //
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void layerEditor::restore(const label c, const columnState& before)
+{
+    const label n = spacing_.nLayers;
+
+    SubList<point>(layers_.points, n, layers_.index(c, 1)) = before.points;
+    causes_[c] = before.cause;
+
+    if (thickness_[c] != before.thickness)
+    {
+        thickness_[c] = before.thickness;
+        setHeights(c, heightsFor(c, before.thickness));
+    }
+}
+
+
+void layerEditor::accept(const label c, const columnState& before)
+{
+    if (recording_)
+    {
+        before_.insert(c, before);
+    }
+    touch(c);
+}
+
+
+void layerEditor::remember(const label c)
+{
+    if (recording_ && !before_.found(c))
+    {
+        before_.insert(c, state(c));
+    }
+}
+
+
+void layerEditor::touch(const label c)
+{
+    journal_.append(front_.addressing.pointFaces[c]);
+}
+
+
+void layerEditor::publish(const labelUList& changed)
+{
+    if (team_.isAlone())
+    {
+        return;
+    }
+
+    const labelHashSet all(changed);
+    List<message> toOthers(team_.size());
+    forAll(toOthers, p)
+    {
+        const labelUList& sent = team_.columns.sent()[p];
+        columnStates states;
+        forAll(sent, i)
+        {
+            if (all.found(sent[i]))
+            {
+                states.append(i, state(sent[i]));
+            }
+        }
+        states.addTo(toOthers[p]);
+    }
+
+    const List<message> fromOthers(team_.exchange(toOthers));
+    forAll(fromOthers, p)
+    {
+        const columnStates states(fromOthers[p]);
+        for (label i = 0; i < states.size(); ++i)
+        {
+            const label c = team_.columns.received()[p][states.place(i)];
+            restore(c, states[i]);
+            touch(c);
+        }
+    }
+}
+
+
+labelList layerEditor::inColours
+(
+    const labelUList& columns,
+    const std::function<void()>& prepare,
+    const columnChange& change
+)
+{
+    List<DynamicList<label>> groups(nColours_);
+    for (const label c : columns)
+    {
+        if (mayMove(c))
+        {
+            groups[colours_[c]].append(c);
+        }
+    }
+
+    DynamicList<label> all;
+
+    for (const labelUList& group : groups)
+    {
+        List<columnState> before(group.size());
+        boolList changed(group.size(), false);
+        prepare();
+
+        #pragma omp parallel for schedule(dynamic, 4) if (group.size() > 8)
+        forAll(group, i)
+        {
+            before[i] = state(group[i]);
+            changed[i] = change(group[i], before[i]);
+        }
+
+        const label nBefore = all.size();
+        forAll(group, i)
+        {
+            if (changed[i])
+            {
+                accept(group[i], before[i]);
+                all.append(group[i]);
+            }
+        }
+        publish(SubList<label>(all, all.size() - nBefore, nBefore));
+    }
+
+    sort(all);
+
+    return labelList(std::move(all));
+}
+
+
+labelList layerEditor::allTouchedSince(const label then) const
+{
+    const SubList<label> since(journal_, journal_.size() - then, then);
+
+    // In proportion to what has changed, unless that is much
+    if (since.size() > layers_.faces.size()/16)
+    {
+        return bitSet(layers_.faces.size(), since).toc();
+    }
+
+    labelList faces(since);
+    inplaceUniqueSort(faces);
+
+    return faces;
+}
+
+
+labelList layerEditor::touchedSince(const label then) const
+{
+    return team_.withOwn(allTouchedSince(then), layers_.faces);
+}
+
+
+const stackBoxes& layerEditor::stackGroups()
+{
+    if (groups_)
+    {
+        groups_->update(touchedSince(grouped_));
+    }
+    else
+    {
+        groups_.reset(new stackBoxes(layers_));
+    }
+    grouped_ = now();
+
+    return groups_();
+}
+
+
+void layerEditor::record()
+{
+    recording_ = true;
+    before_.clear();
+}
+
+
+void layerEditor::keep()
+{
+    before_.clear();
+}
+
+
+void layerEditor::rollBack(const label c)
+{
+    restore(c, before_[c]);
+    before_.erase(c);
+    touch(c);
+}
+
+} // End namespace Foam
+
+
+// * * * * * * * * * * * * * * *  Column States  * * * * * * * * * * * * * * //
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+Foam::columnStates::columnStates(const message& states)
+{
+    messageReader reader(states);
+    places_ = reader.list<label>();
+    points_ = reader.list<point>();
+    thickness_ = reader.list<scalar>();
+    causes_ = reader.list<squeezeCause>();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Foam::columnState Foam::columnStates::operator[](const label i) const
+{
+    const label n = points_.size()/places_.size();
+
+    return columnState
+    {
+        pointField(SubList<point>(points_, n, i*n)), thickness_[i], causes_[i]
+    };
+}
+
+
+void Foam::columnStates::append(const label place, const columnState& state)
+{
+    places_.append(place);
+    points_.append(state.points);
+    thickness_.append(state.thickness);
+    causes_.append(state.cause);
+}
+
+
+void Foam::columnStates::addTo(message& toOther) const
+{
+    toOther.addList(places_);
+    toOther.addList(points_);
+    toOther.addList(thickness_);
+    toOther.addList(causes_);
+}
 
 // ************************************************************************* //

@@ -5,13 +5,15 @@
 
 #include "retreatColumns.H"
 #include "HashSet.H"
+#include "layerEditor.H"
 #include "limitGradient.H"
+#include "ranges.H"
 #include "scaledJacobian.H"
+
+#include <algorithm>
 
 namespace Foam
 {
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Adds the columns that follow through the bound on the gradient, on all
 //  shares: the lowest thickness is the same in any order of steps
@@ -43,8 +45,6 @@ static void addFollowing(const layerEditor& editor, Map<scalar>& thickness)
     }
 }
 
-
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 void retreatColumns
 (
@@ -112,6 +112,226 @@ scalar jacobianOfRetreat(layerEditor& editor, const label facei, const label c)
     editor.restore(c, before);
 
     return worst;
+}
+
+
+// * * * * * * * * * * * * * * *  Grow Columns * * * * * * * * * * * * * * * //
+
+//- Thickness that columns on one point may have, by what was proposed and by
+//  the bound on its gradient
+static scalar largestThickness
+(
+    const layerEditor& editor,
+    const labelUList& columnsOnPoint
+)
+{
+    const pointField& points = editor.front().surface.points;
+    scalar largest = GREAT;
+
+    for (const label c : columnsOnPoint)
+    {
+        largest = min(largest, editor.proposed().maxThickness[c]);
+
+        for (const label q : editor.front().addressing.pointPoints[c])
+        {
+            if (!columnsOnPoint.found(q))
+            {
+                const scalar distance = mag(points[q] - points[c]);
+                largest = min
+                (
+                    largest,
+                    editor.thickness()[q] + layerColumns::maxSlope*distance
+                );
+            }
+        }
+    }
+
+    return largest;
+}
+
+
+static bool anyAtFault
+(
+    const layerEditor& editor,
+    const labelUList& columns,
+    const std::function<bool(label facei)>& isAtFault
+)
+{
+    return anyOf(columns, [&](const label c)
+    {
+        return anyOf(editor.front().addressing.pointFaces[c], isAtFault);
+    });
+}
+
+
+//- Grow columns on one point. False if they stay.
+static bool grow
+(
+    layerEditor& editor,
+    const labelUList& columnsOnPoint,
+    const std::function<bool(label facei)>& isAtFault
+)
+{
+    const scalar current =
+        max(scalarField(editor.thickness(), columnsOnPoint));
+    const scalar largest = largestThickness(editor, columnsOnPoint);
+    const scalar grown =
+        min(largest, current/editor.controls().retreatFactor);
+
+    if (grown <= current)
+    {
+        return false;
+    }
+
+    List<columnState> before(columnsOnPoint.size());
+    forAll(columnsOnPoint, i)
+    {
+        before[i] = editor.state(columnsOnPoint[i]);
+        editor.setThickness(columnsOnPoint[i], grown);
+    }
+
+    const bool stay = anyAtFault(editor, columnsOnPoint, isAtFault);
+
+    forAll(columnsOnPoint, i)
+    {
+        const label c = columnsOnPoint[i];
+
+        if (stay)
+        {
+            editor.restore(c, before[i]);
+        }
+        else if (grown == editor.proposed().maxThickness[c])
+        {
+            editor.setCause(c, editor.proposed().causes[c]);
+        }
+    }
+
+    return !stay;
+}
+
+
+//- Returns a colour of each point of the wall, at its first column, such that
+//  columns on points of one colour are on no common face
+static labelList pointColours(const layerEditor& editor)
+{
+    const layerFront& front = editor.front();
+    faceList faces(front.surface.faces);
+    for (face& f : faces)
+    {
+        inplaceRenumber(front.wallPoints, f);
+    }
+
+    labelListList pointFaces(front.wallPoints.size());
+    forAll(front.wallPoints, c)
+    {
+        pointFaces[front.wallPoints[c]].append(front.addressing.pointFaces[c]);
+    }
+
+    return columnColours(faces, pointFaces, editor.team());
+}
+
+
+//- Grow groups of columns, each on one point. Returns the columns that have
+//  grown.
+static labelList growTogether
+(
+    layerEditor& editor,
+    const UList<labelList>& groups,
+    const std::function<bool(label facei)>& isAtFault
+)
+{
+    const columnTeam& team = editor.team();
+    DynamicList<label> grown;
+
+    if (!team.any(groups.size()))
+    {
+        return labelList();
+    }
+
+    const labelList colours(pointColours(editor));
+    const label nColours = 1 + max(team.gather(labelList(1, max(colours))));
+
+    for (label colour = 0; colour < nColours; ++colour)
+    {
+        const label nBefore = grown.size();
+
+        for (const labelList& group : groups)
+        {
+            if (colours[editor.front().wallPoints[group[0]]] != colour)
+            {
+                continue;
+            }
+
+            List<columnState> before(group.size());
+            forAll(group, i)
+            {
+                before[i] = editor.state(group[i]);
+            }
+            if (grow(editor, group, isAtFault))
+            {
+                forAll(group, i)
+                {
+                    editor.accept(group[i], before[i]);
+                }
+                grown.append(group);
+            }
+        }
+        editor.publish
+        (
+            SubList<label>(grown, grown.size() - nBefore, nBefore)
+        );
+    }
+
+    return labelList(std::move(grown));
+}
+
+
+bool isLowered(const layerEditor& editor, const label c)
+{
+    return editor.thickness()[c] < editor.proposed().maxThickness[c];
+}
+
+
+labelList growColumns
+(
+    layerEditor& editor,
+    const labelUList& columns,
+    const std::function<bool(label facei)>& isAtFault
+)
+{
+    DynamicList<label> alone;
+    DynamicList<labelList> together;
+    labelHashSet found;
+    for (const label c : editor.team().ownOf(columns))
+    {
+        const labelList all(editor.columnsBeside(c));
+
+        if (all.size() == 1)
+        {
+            alone.append(c);
+        }
+        else if (found.insert(min(all)))
+        {
+            together.append(all);
+        }
+    }
+
+    labelHashSet grown
+    (
+        editor.inColours
+        (
+            alone,
+            []() {},
+            [&](const label c, const columnState&)
+            {
+                return grow(editor, labelList(1, c), isAtFault);
+            }
+        )
+    );
+
+    grown.insert(growTogether(editor, together, isAtFault));
+
+    return grown.sortedToc();
 }
 
 } // End namespace Foam

@@ -4,12 +4,12 @@
 \*---------------------------------------------------------------------------*/
 
 #include "farFieldReport.H"
-#include "cellGeometry.H"
 #include "DynamicField.H"
-#include "faceQualityReport.H"
 #include "HashSet.H"
 #include "labelRange.H"
+#include "layerGeometry.H"
 #include "makeFarFieldMesh.H"
+#include "patchReport.H"
 #include "polyhedralMesh.H"
 #include "UIndirectList.H"
 

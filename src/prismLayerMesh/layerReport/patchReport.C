@@ -5,12 +5,313 @@
 
 #include "patchReport.H"
 #include "bitSet.H"
+#include "FixedList.H"
+#include "layerGeometry.H"
 #include "ListOps.H"
+
+#include <algorithm>
+#include <cstring>
+#include <iomanip>
+#include <sstream>
+
+#if defined(__GLIBCXX__) && defined(_OPENMP)
+#include <parallel/algorithm>
+#endif
 
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+//- The shares of the values that are looked for [%]
+static const label nShares = 7;
+static const scalar shares[nShares] = {0, 1, 5, 50, 95, 99, 100};
+
+typedef FixedList<std::int64_t, nShares> ranks;
+
+
+//- Index of the value of the nearest rank, in ascending order
+static std::int64_t rankOf(const scalar percent, const std::int64_t n)
+{
+    return std::int64_t(0.01*percent*(n - 1) + 0.5);
+}
+
+
+//- An integer for each value, in the same order
+static std::int64_t orderOf(const scalar value)
+{
+    std::int64_t bits = 0;
+    std::memcpy(&bits, &value, sizeof(bits));
+
+    return bits < 0 ? std::int64_t(std::uint64_t(1) << 63) - bits : bits;
+}
+
+
+static scalar valueOf(const std::int64_t order)
+{
+    const std::int64_t bits =
+        order < 0 ? std::int64_t(std::uint64_t(1) << 63) - order : order;
+    scalar value = 0;
+    std::memcpy(&value, &bits, sizeof(value));
+
+    return value;
+}
+
+
+//- As std::nth_element, on several threads if the library can do that
+template<class Iterator>
+static void setNthElement(Iterator first, Iterator nth, Iterator last)
+{
+    #if defined(__GLIBCXX__) && defined(_OPENMP)
+    __gnu_parallel::nth_element(first, nth, last);
+    #else
+    std::nth_element(first, nth, last);
+    #endif
+}
+
+
+//- The percentiles of the values of one process
+static percentiles ofOneProcess(scalarField& values)
+{
+    percentiles result;
+
+    // What is below a rank that was found need not be looked at again
+    auto start = values.begin();
+
+    const auto percentile = [&](const scalar percent)
+    {
+        const label rank = label(rankOf(percent, values.size()));
+
+        setNthElement(start, values.begin() + rank, values.end());
+        start = values.begin() + rank;
+
+        return *start;
+    };
+
+    result.mean = average(values);
+    result.min = percentile(0);
+    result.p1 = percentile(1);
+    result.p5 = percentile(5);
+    result.p50 = percentile(50);
+    result.p95 = percentile(95);
+    result.p99 = percentile(99);
+    result.max = percentile(100);
+
+    return result;
+}
+
+
+//- Number of values of all processes that are not above bounds
+static ranks countUpTo
+(
+    const scalarField& ascending,
+    const ranks& bounds,
+    const columnTeam& team
+)
+{
+    ranks own;
+    forAll(own, i)
+    {
+        own[i] = std::upper_bound
+        (
+            ascending.begin(), ascending.end(), valueOf(bounds[i])
+        ) - ascending.begin();
+    }
+
+    return team.reduce(own, [](ranks a, const ranks& b)
+    {
+        forAll(a, i)
+        {
+            a[i] += b[i];
+        }
+
+        return a;
+    });
+}
+
+
+//- The percentiles of the values of all processes: bounds on each percentile
+//  are halved until they meet
+static percentiles ofTeam
+(
+    scalarField& values,
+    const std::int64_t n,
+    const columnTeam& team
+)
+{
+    std::sort(values.begin(), values.end());
+    const scalar least = values.size() ? values.first() : GREAT;
+    const scalar most = values.size() ? values.last() : -GREAT;
+    ranks low(orderOf(team.reduce(least, minOp<scalar>())));
+    ranks high(orderOf(team.reduce(most, maxOp<scalar>())));
+
+    while (low != high)
+    {
+        ranks middle;
+        forAll(middle, i)
+        {
+            // Differences may be beyond the largest signed integer
+            const std::uint64_t width =
+                std::uint64_t(high[i]) - std::uint64_t(low[i]);
+            middle[i] = std::int64_t(std::uint64_t(low[i]) + width/2);
+        }
+        const ranks nUpTo(countUpTo(values, middle, team));
+        forAll(middle, i)
+        {
+            const bool isEnough = nUpTo[i] > rankOf(shares[i], n);
+            low[i] = isEnough || low[i] == high[i] ? low[i] : middle[i] + 1;
+            high[i] = isEnough ? middle[i] : high[i];
+        }
+    }
+
+    return percentiles
+    {
+        team.sum(values.size() ? Foam::sum(values) : scalar(0))/n,
+        valueOf(low[0]), valueOf(low[1]), valueOf(low[2]), valueOf(low[3]),
+        valueOf(low[4]), valueOf(low[5]), valueOf(low[6])
+    };
+}
+
+
+percentiles makePercentiles(scalarField values, const columnTeam& team)
+{
+    const std::int64_t n = team.sum(std::int64_t(values.size()));
+
+    return
+        n == 0 ? percentiles()
+      : team.isAlone() ? ofOneProcess(values)
+      : ofTeam(values, n, team);
+}
+
+
+// * * * * * * * * * * * * * * *  Face Heights * * * * * * * * * * * * * * * //
+
+faceHeights makeFaceHeights
+(
+    const wallSurface& wall,
+    const layerSpacing& request,
+    const prismLayers& layers
+)
+{
+    const label nFaces = wall.faces.size();
+    const label n = layers.nLayers;
+
+    faceHeights result;
+    result.areas.setSize(nFaces);
+    result.first.setSize(nFaces);
+    result.firstOverRequest.setSize(nFaces);
+    result.totalOverRequest.setSize(nFaces);
+    result.growthOverRequest.setSize(nFaces*(n - 1));
+
+    #pragma omp parallel for schedule(static, 256)
+    forAll(wall.faces, facei)
+    {
+        const face& f = wall.faces[facei];
+        stackHeights stack(layers);
+        stack.compute(facei);
+        const scalarField& heights = stack.heights();
+        const scalar ratio = average(scalarField(request.ratio, f));
+
+        result.areas[facei] = stack.wallArea();
+        result.first[facei] = heights[0];
+        result.firstOverRequest[facei] =
+            heights[0]/average(scalarField(request.firstThickness, f));
+        result.totalOverRequest[facei] =
+            sum(heights)/average(scalarField(request.thickness, f));
+
+        for (label i = 1; i < n; ++i)
+        {
+            result.growthOverRequest[facei*(n - 1) + i - 1] =
+                heights[i]/(ratio*max(heights[i - 1], VSMALL));
+        }
+    }
+
+    return result;
+}
+
+
+scalarField changesOverEdges
+(
+    const UList<labelPair>& edgeFaces,
+    const scalarField& ofFaces
+)
+{
+    scalarField changes(edgeFaces.size());
+
+    forAll(changes, edgei)
+    {
+        const labelPair& faces = edgeFaces[edgei];
+        const scalar a = ofFaces[faces.first()];
+        const scalar b = faces.second() < 0 ? a : ofFaces[faces.second()];
+
+        changes[edgei] = max(a, b)/max(min(a, b), VSMALL);
+    }
+
+    return changes;
+}
+
+
+// * * * * * * * * * * * * *  Face Quality Report  * * * * * * * * * * * * * //
+
+dictionary toDictionary(const faceQualityCounts& faces)
+{
+    dictionary beyond;
+    for (label k = 0; k < faceQualityCounts::nBounds; ++k)
+    {
+        beyond.add(faceQualityCounts::names[k], faces.nBeyond[k]);
+    }
+
+    dictionary dict;
+    dict.add("faces", faces.nFaces);
+    dict.add("meanNonOrthogonality", faces.meanNonOrtho());
+    dict.add("maxNonOrthogonality", faces.maxNonOrtho);
+    dict.add("maxSkewness", faces.maxSkewness);
+    dict.add("minFaceWeight", faces.minWeight);
+    dict.add("minVolumeRatio", faces.minVolRatio);
+    dict.add("poorFaces", faces.nBeyondAny);
+    dict.add("nonOrthogonalByWall", faces.nOfWall);
+    dict.add("beyond", beyond);
+
+    return dict;
+}
+
+
+void write(Ostream& os, const char* where, const faceQualityCounts& faces)
+{
+    std::ostringstream text;
+    text<< std::fixed << std::setprecision(1)
+        << "Faces " << where << ": non-orthogonality mean "
+        << faces.meanNonOrtho() << ", max " << faces.maxNonOrtho
+        << std::setprecision(2) << "; skewness max " << faces.maxSkewness
+        << std::defaultfloat << std::setprecision(2)
+        << "; weight min " << faces.minWeight
+        << "; volume ratio min " << faces.minVolRatio << '\n';
+
+    if (faces.nBeyondAny)
+    {
+        const char* separator = "    beyond bounds: ";
+        for (label k = 0; k < faceQualityCounts::nBounds; ++k)
+        {
+            if (faces.nBeyond[k])
+            {
+                text<< separator << faces.nBeyond[k] << ' '
+                    << faceQualityCounts::names[k];
+                separator = ", ";
+            }
+            if (k == 0 && faces.nOfWall)
+            {
+                text<< " (" << faces.nOfWall << " because of the wall's faces)";
+            }
+        }
+
+        const point& x = faces.firstPlace;
+        text<< std::setprecision(6) << "; first at (" << x.x() << ' ' << x.y()
+            << ' ' << x.z() << ")\n";
+    }
+
+    os  << text.str().c_str();
+}
+
+
+// * * * * * * * * * * * * * * *  Patch Report * * * * * * * * * * * * * * * //
 
 template<class Type>
 static MinMax<Type> ofAll(const MinMax<Type>& range, const columnTeam& team)

@@ -4,16 +4,192 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layerSpacing.H"
-#include "limitGradient.H"
+#include "FlatOutput.H"
 #include "HashSet.H"
+#include "limitGradient.H"
 #include "OStringStream.H"
+#include "ranges.H"
 
 #include <algorithm>
 
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+//- The entry for each patch, or null
+static List<const heightEntries*> patchEntries
+(
+    const wordList& patchNames,
+    const layerControls& controls
+)
+{
+    List<const heightEntries*> result(patchNames.size(), nullptr);
+
+    for (const patchLayers& entry : controls.patches)
+    {
+        bool used = false;
+
+        forAll(patchNames, patchi)
+        {
+            if (!entry.isSide && entry.patches.match(patchNames[patchi]))
+            {
+                result[patchi] = &entry.heights;
+                used = true;
+            }
+        }
+
+        if (!used && !entry.isSide)
+        {
+            FatalErrorInFunction
+                << "The entry " << entry.patches << " of layers.patches"
+                << " matches no patch of the surface" << nl
+                << "Its patches: " << flatOutput(patchNames)
+                << exit(FatalError);
+        }
+    }
+
+    return result;
+}
+
+
+static void checkRegions
+(
+    const layerControls& controls,
+    const localHeights& local
+)
+{
+    forAll(controls.regions, i)
+    {
+        if (!local.inRegion[i].found(true))
+        {
+            FatalErrorInFunction
+                << "There is no point of the wall in the region "
+                << controls.regions[i].name << " of layers.regions"
+                << exit(FatalError);
+        }
+    }
+}
+
+
+//- Whether a is lower than b, first by its first layer
+static bool thinner(const heightSeries& a, const heightSeries& b)
+{
+    const scalar h1 = a.firstLayerThickness;
+
+    return h1 == b.firstLayerThickness
+      ? totalThickness(a.n, h1, a.expansionRatio)
+      < totalThickness(b.n, h1, b.expansionRatio)
+      : h1 < b.firstLayerThickness;
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+scalar pointHeights::unit(const label p) const
+{
+    return units_.size() ? units_[p] : 1;
+}
+
+
+heightEntries pointHeights::generalEntries(const label p) const
+{
+    const bool hasFirst = local_.firstThickness.size();
+    const bool hasTotal = local_.thickness.size();
+    heightEntries given;
+
+    given.firstLayerThickness = hasFirst ? local_.firstThickness[p] : 0;
+    given.thickness = hasTotal ? local_.thickness[p] : 0;
+
+    return given;
+}
+
+
+heightSeries pointHeights::patchHeights(const label p) const
+{
+    const heightSeries general
+    (
+        changedHeights
+        (
+            changedHeights(heightSeries(), controls_.heights, unit(p)),
+            generalEntries(p),
+            1
+        )
+    );
+    heightSeries thinnest(general);
+    thinnest.firstLayerThickness = VGREAT;
+
+    for (const label facei : addressing_.pointFaces[p])
+    {
+        const heightEntries* given = ofPatch_[wall_.patchIDs[facei]];
+        const heightSeries ofFace
+        (
+            given ? changedHeights(general, *given, unit(p)) : general
+        );
+
+        if (thinner(ofFace, thinnest))
+        {
+            thinnest = ofFace;
+        }
+    }
+
+    return thinnest;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+pointHeights::pointHeights
+(
+    const wallSurface& wall,
+    const wallAddressing& addressing,
+    const layerControls& controls,
+    const localHeights& local,
+    const scalarField& units
+)
+:
+    wall_(wall),
+    addressing_(addressing),
+    controls_(controls),
+    local_(local),
+    ofPatch_(patchEntries(wall.patchNames, controls)),
+    units_(units)
+{
+    checkRegions(controls, local);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+heightSeries pointHeights::of(const label p) const
+{
+    heightSeries heights;
+
+    try
+    {
+        heights = patchHeights(p);
+
+        forAll(controls_.regions, i)
+        {
+            if (local_.inRegion[i][p])
+            {
+                heights = changedHeights
+                (
+                    heights, controls_.regions[i].heights, unit(p)
+                );
+            }
+        }
+    }
+    catch (const heightEntriesError& error)
+    {
+        FatalErrorInFunction
+            << "Heights of the layers at the point " << wall_.points[p]
+            << " of the wall: " << error.what() << exit(FatalError);
+    }
+
+    return heights;
+}
+
+
+// * * * * * * * * * * * * * * *  Layer Spacing  * * * * * * * * * * * * * * //
 
 //- "1e-05", or "1e-05 to 3e-05"
 template<class Type>
@@ -129,8 +305,6 @@ void layerSpacing::setHeights
 }
 
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
 layerSpacing gradedSpacing
 (
     const layerSpacing& asked,
@@ -215,6 +389,192 @@ string describe
     }
 
     return text;
+}
+
+
+// * * * * * * * * * * * * *  Make Layer Spacing * * * * * * * * * * * * * * //
+
+//- Share of the area of the wall on which an automatic number of layers is
+//  enough for the last of them to be as high as asked for
+static const scalar automaticShare = 0.95;
+
+
+static bool hasRelativeSizes(const layerControls& controls)
+{
+    const auto isRelative = [](const auto& entry)
+    {
+        return entry.heights.relativeSizes;
+    };
+
+    return
+        isRelative(controls)
+     || anyOf(controls.patches, isRelative)
+     || anyOf(controls.regions, isRelative);
+}
+
+
+//- Number of layers until the last one is as high as asked for, at points that
+//  have a share of the area of the wall
+static label automaticNumber
+(
+    const wallSurface& wall,
+    const List<heightSeries>& heights,
+    const scalarField& finalHeights
+)
+{
+    scalarField areas(heights.size(), 0);
+
+    for (const face& f : wall.faces)
+    {
+        const scalar share = f.mag(wall.points)/f.size();
+
+        for (const label p : f)
+        {
+            areas[p] += share;
+        }
+    }
+
+    List<std::pair<scalar, label>> numbers(heights.size());
+
+    forAll(heights, p)
+    {
+        const heightSeries& series = heights[p];
+
+        if (series.expansionRatio <= 1)
+        {
+            FatalErrorInFunction
+                << "With nSurfaceLayers auto the expansionRatio must be more"
+                << " than 1; it is " << series.expansionRatio
+                << " at the point " << wall.points[p] << exit(FatalError);
+        }
+
+        const scalar growth =
+            max(finalHeights[p]/series.firstLayerThickness, 1.0);
+
+        numbers[p].first = 1 + ::log(growth)/::log(series.expansionRatio);
+        numbers[p].second = p;
+    }
+
+    std::sort(numbers.begin(), numbers.end());
+
+    scalar left = automaticShare*sum(areas);
+    label i = 0;
+    while (i + 1 < numbers.size() && (left -= areas[numbers[i].second]) > 0)
+    {
+        ++i;
+    }
+
+    // Rounded up, so that ratios are lowered rather than raised
+    const label n = ::ceil(numbers[i].first - 1e-6);
+
+    return min(n, heightSeries::maxLayers);
+}
+
+
+//- Lower the ratio where the last of n layers would be higher than asked for
+static void limitFinalHeight
+(
+    const label n,
+    const scalar finalHeight,
+    heightSeries& heights
+)
+{
+    heights.n = n;
+
+    if (n > 1)
+    {
+        const scalar growth =
+            max(finalHeight/heights.firstLayerThickness, 1.0);
+
+        heights.expansionRatio =
+            min(heights.expansionRatio, ::pow(growth, 1.0/(n - 1)));
+    }
+}
+
+
+//- The ratio with which n layers have first height and thickness of fewer, or
+//  are uniform
+static scalar ratioOfMore(const label n, const heightSeries& fewer)
+{
+    const scalar h1 = fewer.firstLayerThickness;
+    const scalar thickness = totalThickness(fewer.n, h1, fewer.expansionRatio);
+
+    return thickness > n*h1
+      ? fittedRatio(n, h1, thickness)
+      : min(fewer.expansionRatio, scalar(1));
+}
+
+
+scalarField localEdgeLengths
+(
+    const wallSurface& wall,
+    const wallAddressing& addressing,
+    const scalar growth
+)
+{
+    scalarField lengths(meanEdges(wall, addressing));
+    limitRatio(addressing, growth, lengths);
+
+    return lengths;
+}
+
+
+layerSpacing makeLayerSpacing
+(
+    const wallSurface& wall,
+    const wallAddressing& addressing,
+    const layerControls& controls,
+    const localHeights& local
+)
+{
+    scalarField edges;
+    if (controls.automatic() || hasRelativeSizes(controls))
+    {
+        edges = localEdgeLengths(wall, addressing, controls.transitionRatio);
+    }
+
+    const pointHeights asked(wall, addressing, controls, local, edges);
+    List<heightSeries> heights(wall.points.size());
+    label n = 1;
+
+    forAll(heights, p)
+    {
+        heights[p] = asked.of(p);
+        n = max(n, heights[p].n);
+    }
+
+    if (controls.automatic())
+    {
+        const scalarField finalHeights(controls.finalAspect*edges);
+        n = automaticNumber(wall, heights, finalHeights);
+
+        forAll(heights, p)
+        {
+            limitFinalHeight(n, finalHeights[p], heights[p]);
+        }
+    }
+
+    layerSpacing spacing;
+    spacing.nLayers = n;
+    spacing.firstThickness.setSize(heights.size());
+    spacing.ratio.setSize(heights.size());
+    spacing.thickness.setSize(heights.size());
+    spacing.layersAsked.setSize(heights.size());
+
+    forAll(heights, p)
+    {
+        const heightSeries& series = heights[p];
+        const scalar h1 = series.firstLayerThickness;
+        const scalar ratio =
+            series.n < n ? ratioOfMore(n, series) : series.expansionRatio;
+
+        spacing.firstThickness[p] = h1;
+        spacing.ratio[p] = ratio;
+        spacing.thickness[p] = totalThickness(n, h1, ratio);
+        spacing.layersAsked[p] = series.n;
+    }
+
+    return spacing;
 }
 
 } // End namespace Foam

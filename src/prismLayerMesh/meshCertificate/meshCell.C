@@ -4,10 +4,122 @@
 \*---------------------------------------------------------------------------*/
 
 #include "meshCell.H"
+#include "cell.H"
 #include "cellPredicates.H"
+#include "ranges.H"
+
+#include <algorithm>
 
 namespace Foam
 {
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool cellCorners::closes(const faceCorner* c, const label n)
+{
+    for (label i = 0; i < n; ++i)
+    {
+        label nBeside = 0;
+
+        for (label j = 0; j < n; ++j)
+        {
+            nBeside += c[j].prev == c[i].next;
+        }
+
+        if (nBeside != 1)
+        {
+            return false;
+        }
+    }
+
+    return n > 1;
+}
+
+
+bool cellCorners::isPositiveAt
+(
+    const tetSigns& positive,
+    const faceCorner* c
+) const
+{
+    const label third = c[1].prev == c->next ? c[1].next : c[2].next;
+
+    return positive(x_[c->at], x_[c->prev], x_[c->next], x_[third]);
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void cellCorners::set(const labelUList& labels, const labelUList& starts)
+{
+    corners_.clear();
+    points_.clear();
+
+    for (label i = 0; i + 1 < starts.size(); ++i)
+    {
+        const label end = starts[i + 1];
+
+        for (label k = starts[i]; k < end; ++k)
+        {
+            const label next = k + 1 < end ? k + 1 : starts[i];
+            const label prev = k > starts[i] ? k - 1 : end - 1;
+            corners_.append(faceCorner{labels[k], labels[next], labels[prev]});
+        }
+    }
+
+    std::sort
+    (
+        corners_.begin(), corners_.end(),
+        [](const faceCorner& a, const faceCorner& b) { return a.at < b.at; }
+    );
+
+    for (const faceCorner& c : corners_)
+    {
+        points_.append(&x_[c.at]);
+    }
+}
+
+
+cellCorners::factsOfAll cellCorners::facts() const
+{
+    factsOfAll all;
+    if (corners_.empty())
+    {
+        all.closed = false;
+        return all;
+    }
+    const tetSigns positive(points_.begin(), points_.size());
+
+    for (label i = 0, n = 0; i < corners_.size(); i += n, ++all.nPoints)
+    {
+        const faceCorner* c = &corners_[i];
+        for (n = 1; i + n < corners_.size() && c[n].at == c->at; ++n)
+        {}
+
+        all.closed = all.closed && closes(c, n);
+        all.simple = all.simple && n == 3;
+        all.within = all.within || n == 2;
+        all.positive = all.positive && all.closed && n > 2
+         && (n > 3 || isPositiveAt(positive, c));
+    }
+
+    return all;
+}
+
+
+boundBox cellCorners::bounds() const
+{
+    boundBox bounds(boundBox::invertedBox);
+    for (const point* p : points_)
+    {
+        bounds.add(*p);
+    }
+
+    return bounds;
+}
+
+
+// * * * * * * * * * * * * * * * *  Mesh Cell  * * * * * * * * * * * * * * * //
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -89,6 +201,281 @@ meshCellVerdict meshCell::operator()(const label celli)
     return lies(p)
       ? meshCellVerdict{meshCellShape::lyingPrism, isPositiveLyingPrism(points)}
       : meshCellVerdict{meshCellShape::prism, isPositivePrism(points)};
+}
+
+
+// * * * * * * * * * * * * * *  Mesh Cell Corners  * * * * * * * * * * * * * //
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+label meshCell::sideOf(const label i, const boundBox& bounds) const
+{
+    for (label side = 0; side < 6; ++side)
+    {
+        const scalar at = (side % 2 ? bounds.max() : bounds.min())[side/2];
+        label n = 0;
+        for (label k = 0; k < nPoints(i); ++k)
+        {
+            n += mesh_.points()[corner(i, k)][side/2] == at;
+        }
+
+        if (n == nPoints(i))
+        {
+            return side;
+        }
+    }
+
+    return -1;
+}
+
+
+bool meshCell::asBox(const label celli, bool& positive) const
+{
+    const boundBox bounds(corners_.bounds());
+    const vector span(bounds.span());
+    scalar area = 0;
+    positive = cmptMin(span) > 0;
+
+    for (label i = 0; i < nFaces(); ++i)
+    {
+        const label side = sideOf(i, bounds);
+        if (side < 0)
+        {
+            return false;
+        }
+        const label facei = mesh_.cellFaces(celli)[i];
+        const scalar outwards =
+            (side % 2 ? 1 : -1)*mesh_.outwardArea(facei, celli)[side/2];
+        positive = positive && outwards > 0;
+        area += outwards;
+    }
+
+    // A closed surface covers the box a whole number of times
+    const scalar once = 2
+       *(span.x()*span.y() + span.y()*span.z() + span.z()*span.x());
+    positive = positive && area < 1.5*once;
+
+    return true;
+}
+
+
+bool meshCell::hasPositivePyramids(const label celli) const
+{
+    const cell faces(mesh_.cellFaces(celli));
+    const point centre(faces.centre(mesh_.points(), mesh_.faces()));
+
+    return allOf(faces, [&](const label facei)
+    {
+        return mesh_.pyramidVolume(facei, celli, centre) > 0;
+    });
+}
+
+
+bool meshCell::isPositivePolyhedron(const label celli)
+{
+    set(celli);
+    corners_.set(labels_, starts_);
+
+    return corners_.facts().closed && hasPositivePyramids(celli);
+}
+
+
+meshCellVerdict meshCell::cornersVerdict(const label celli)
+{
+    corners_.set(labels_, starts_);
+    const cellCorners::factsOfAll corners(corners_.facts());
+    if (!corners.closed)
+    {
+        return {meshCellShape::other, false};
+    }
+
+    // Only a cell with more points, or points within its edges, may be refined
+    bool positiveBox = false;
+    if (!corners.positive && (corners.within || corners.nPoints > 8))
+    {
+        return asBox(celli, positiveBox)
+          ? meshCellVerdict{meshCellShape::box, positiveBox}
+          : meshCellVerdict
+            {
+                meshCellShape::polyhedron, hasPositivePyramids(celli)
+            };
+    }
+
+    const auto is = [&](const label nFacesOfShape, const label nPointsOfShape)
+    {
+        return corners.simple && nFaces() == nFacesOfShape
+         && corners.nPoints == nPointsOfShape;
+    };
+
+    return
+    {
+        is(4, 4) && nTriangles_ == 4 ? meshCellShape::tetrahedron
+      : is(6, 8) && nQuads_ == 6 ? meshCellShape::hexahedron
+      : meshCellShape::other,
+        corners.positive
+    };
+}
+
+
+// * * * * * * * * * * * * * *  Mesh Cell Shapes * * * * * * * * * * * * * * //
+
+// * * * * * * * * * * * * * * * * Static Data * * * * * * * * * * * * * * * //
+
+const Enum<meshCellShape> meshCellShapeName
+({
+    {meshCellShape::prism, "prism"},
+    {meshCellShape::lyingPrism, "lyingPrism"},
+    {meshCellShape::hexahedron, "hexahedron"},
+    {meshCellShape::wedge, "wedge"},
+    {meshCellShape::tetrahedron, "tetrahedron"},
+    {meshCellShape::box, "box"},
+    {meshCellShape::other, "other"},
+    {meshCellShape::polyhedron, "polyhedron"}
+});
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+label meshCell::faceOf(const label n, label i) const
+{
+    while (nPoints(i) != n)
+    {
+        ++i;
+    }
+
+    return i;
+}
+
+
+bool meshCell::isTriangle
+(
+    const label i,
+    const label a,
+    const label b,
+    const label c
+) const
+{
+    for (label k = 0; k < 3; ++k)
+    {
+        if (corner(i, k) == a)
+        {
+            return corner(i, k + 1) == b && corner(i, k + 2) == c;
+        }
+    }
+
+    return false;
+}
+
+
+bool meshCell::readSide(const label i, label* p, label* above) const
+{
+    for (label k = 0; k < 3; ++k)
+    {
+        for (label j = 0; j < 4; ++j)
+        {
+            if
+            (
+                corner(i, j) == p[k]
+             && corner(i, j + 1) == p[(k + 1)%3]
+             && p[k + 3] < 0
+            )
+            {
+                above[(k + 1)%3] = corner(i, j + 2);
+                p[k + 3] = corner(i, j + 3);
+
+                return true;
+            }
+        }
+    }
+
+    return false;
+}
+
+
+bool meshCell::asPrism(label* p) const
+{
+    if (nFaces() != 5 || nTriangles_ != 2 || nQuads_ != 3)
+    {
+        return false;
+    }
+
+    const label lower = faceOf(3);
+    const label upper = faceOf(3, lower + 1);
+
+    // From inside, the order is the reverse
+    for (label k = 0; k < 3; ++k)
+    {
+        p[k] = corner(lower, 2 - k);
+        p[k + 3] = -1;
+    }
+
+    label above[3];
+
+    for (label i = 0; i < 5; ++i)
+    {
+        if (nPoints(i) == 4 && !readSide(i, p, above))
+        {
+            return false;
+        }
+    }
+
+    for (label k = 0; k < 3; ++k)
+    {
+        for (label j = 0; j < 3; ++j)
+        {
+            if (above[k] != p[k + 3] || p[k + 3] == p[j])
+            {
+                return false;
+            }
+        }
+    }
+
+    return isTriangle(upper, p[3], p[4], p[5]);
+}
+
+
+bool meshCell::asWedge(label* p) const
+{
+    if (nFaces() != 4 || nTriangles_ != 2 || nQuads_ != 2)
+    {
+        return false;
+    }
+
+    const label a = faceOf(4);
+    const label b = faceOf(4, a + 1);
+
+    // The point between the two common edges
+    for (label i = 0; i < 4; ++i)
+    {
+        for (label j = 0; j < 4; ++j)
+        {
+            if
+            (
+                corner(a, i) == corner(b, j)
+             && corner(a, i + 1) == corner(b, j + 3)
+             && corner(a, i + 3) == corner(b, j + 1)
+            )
+            {
+                // A prism of which two lower points are one
+                p[0] = p[1] = corner(a, i + 1);
+                p[2] = corner(a, i);
+                p[3] = corner(a, i + 2);
+                p[4] = corner(b, j + 2);
+                p[5] = corner(a, i + 3);
+
+                const label s = faceOf(3);
+                const label t = faceOf(3, s + 1);
+
+                return
+                    (isTriangle(s, p[3], p[4], p[5])
+                  && isTriangle(t, p[0], p[4], p[3]))
+                 || (isTriangle(t, p[3], p[4], p[5])
+                  && isTriangle(s, p[0], p[4], p[3]));
+            }
+        }
+    }
+
+    return false;
 }
 
 } // End namespace Foam

@@ -5,14 +5,12 @@
 
 #include "prepareWall.H"
 #include "boundBox.H"
-#include "boxSidePlanes.H"
-#include "cutBlindFaces.H"
-#include "cutReflexFaces.H"
 #include "cutSurface.H"
-#include "flipCaps.H"
 #include "OStringStream.H"
-#include "renumberWall.H"
+#include "planesOfBorder.H"
 #include "splitAtSidePatches.H"
+#include "wallChanges.H"
+#include "wallVisibility.H"
 
 namespace Foam
 {

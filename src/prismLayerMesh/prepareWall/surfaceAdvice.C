@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "prepareWall.H"
-#include "boxSidePlanes.H"
 #include "OStringStream.H"
 #include "planesOfBorder.H"
 #include "throwingErrors.H"

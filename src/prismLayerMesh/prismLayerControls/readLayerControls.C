@@ -3,15 +3,276 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "readLayerControls.H"
 #include "controlEntries.H"
-#include "readLayerHeights.H"
-#include "readLayerParts.H"
+#include "readControls.H"
+#include "Switch.H"
 
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * * Static Data * * * * * * * * * * * * * * * //
+
+const wordList layerHeightKeys
+({
+    "nSurfaceLayers",
+    "firstLayerThickness",
+    "finalLayerThickness",
+    "thickness",
+    "expansionRatio",
+    "yPlus",
+    "relativeSizes"
+});
+
+
+static void readYPlus(const dictionary& dict, heightEntries& given)
+{
+    checkKeys(dict, {"target", "U", "nu", "L"});
+
+    const scalar yPlus = readMandatory(dict, "target", 1e-3, 1e4);
+    const scalar U = readMandatory(dict, "U", 1e-9, 1e6);
+    const scalar nu = readMandatory(dict, "nu", 1e-12, 1e3);
+    const scalar L = readMandatory(dict, "L", 1e-9, 1e6);
+
+    given.firstLayerThickness = flatPlateThickness(yPlus, U, nu, L);
+    given.yPlus = yPlus;
+    given.Re = U*L/nu;
+}
+
+
+heightEntries readLayerHeights(const dictionary& dict, const bool relativeSizes)
+{
+    heightEntries given;
+
+    const auto read = [&](const word& key, scalar& value)
+    {
+        return readBounded
+        (
+            dict, key,
+            heightSeries::minThickness, heightSeries::maxThickness, value
+        );
+    };
+
+    const bool hasFirst =
+        read("firstLayerThickness", given.firstLayerThickness);
+    read("finalLayerThickness", given.finalLayerThickness);
+    read("thickness", given.thickness);
+    readBounded
+    (
+        dict, "expansionRatio",
+        heightSeries::minRatio, heightSeries::maxRatio, given.expansionRatio
+    );
+
+    Switch relative(relativeSizes);
+    dict.readIfPresent("relativeSizes", relative, keyType::LITERAL);
+    given.relativeSizes = relative;
+
+    if (dict.found("yPlus", keyType::LITERAL))
+    {
+        if (hasFirst)
+        {
+            entryError(dict, "yPlus")
+                << "Both yPlus and firstLayerThickness determine the first"
+                << " layer of " << dict.dictName() << exit(FatalIOError);
+        }
+        if (given.relativeSizes)
+        {
+            entryError(dict, "yPlus")
+                << "yPlus gives a height in metres, but the heights of "
+                << dict.dictName() << " are relativeSizes"
+                << exit(FatalIOError);
+        }
+
+        readYPlus(mandatoryDict(dict, "yPlus"), given);
+    }
+
+    return given;
+}
+
+
+void atEntriesOf(const dictionary& dict, const std::function<void()>& call)
+{
+    try
+    {
+        call();
+    }
+    catch (const heightEntriesError& error)
+    {
+        entryError(dict, error.key.empty() ? dict.dictName() : error.key)
+            << "Heights of the layers of " << dict.dictName() << ": "
+            << error.what() << exit(FatalIOError);
+    }
+}
+
+
+scalar flatPlateThickness
+(
+    const scalar yPlus,
+    const scalar U,
+    const scalar nu,
+    const scalar L
+)
+{
+    const scalar skinFriction = 0.026/::pow(U*L/nu, 1.0/7);
+    const scalar frictionVelocity = U*Foam::sqrt(0.5*skinFriction);
+
+    return 2*yPlus*nu/frictionVelocity;
+}
+
+
+// * * * * * * * * * * * * * *  Read Layer Parts * * * * * * * * * * * * * * //
+
+// * * * * * * * * * * * * * * * * Static Data * * * * * * * * * * * * * * * //
+
+const wordList sideTypes
+({
+    "patch", "wall", "symmetryPlane", "symmetry", "empty"
+});
+
+
+//- Number of layers of a patch or region; 0 if it is the general number
+static label readNumber(const dictionary& dict, const layerControls& general)
+{
+    label n = 0;
+    readBounded(dict, "nSurfaceLayers", 1, heightSeries::maxLayers, n);
+
+    if (n && general.automatic())
+    {
+        entryError(dict, "nSurfaceLayers")
+            << "Value of nSurfaceLayers for " << dict.dictName() << " is " << n
+            << ", but the number of layers is auto, for all of the wall"
+            << exit(FatalIOError);
+    }
+
+    return n;
+}
+
+
+//- Entries for a part of the wall, checked together with the general entries
+static heightEntries readPart
+(
+    const dictionary& dict,
+    const layerControls& general
+)
+{
+    heightEntries given(readLayerHeights(dict, general.heights.relativeSizes));
+    given.nSurfaceLayers = readNumber(dict, general);
+
+    if (general.automatic())
+    {
+        checkAutomatic(dict, given);
+    }
+
+    // In other units they are checked at each point later
+    if (given.relativeSizes == general.heights.relativeSizes)
+    {
+        atEntriesOf(dict, [&]()
+        {
+            const heightSeries before
+            (
+                changedHeights(heightSeries(), general.heights, 1)
+            );
+            changedHeights(before, given, 1);
+        });
+    }
+
+    return given;
+}
+
+
+//- What is said of patches: of those with 0 layers nothing but their type
+static patchLayers readPatches
+(
+    const keyType& key,
+    const dictionary& dict,
+    const layerControls& general
+)
+{
+    wordList keys(layerHeightKeys);
+    keys.append("type");
+    checkKeys(dict, keys);
+
+    patchLayers patches;
+    patches.patches = key;
+    readChoice(dict, "type", sideTypes, patches.type);
+
+    label n = -1;
+    patches.isSide =
+        dict.readIfPresent("nSurfaceLayers", n, keyType::LITERAL) && n == 0;
+
+    if (!patches.isSide)
+    {
+        patches.heights = readPart(dict, general);
+    }
+    else if (dict.size() > (patches.type.empty() ? 1 : 2))
+    {
+        entryError(dict, "nSurfaceLayers")
+            << "Patches " << key << " have no layers: they have no heights"
+            << exit(FatalIOError);
+    }
+
+    return patches;
+}
+
+
+static layerRegion readRegion
+(
+    const dictionary& dict,
+    const layerControls& general
+)
+{
+    wordList keys(geometryRegionKeys);
+    keys.append(layerHeightKeys);
+    checkKeys(dict, keys);
+
+    return layerRegion{readGeometryRegion(dict), readPart(dict, general)};
+}
+
+
+void checkAutomatic(const dictionary& dict, const heightEntries& given)
+{
+    if (given.finalLayerThickness > 0 || given.thickness > 0)
+    {
+        entryError(dict, dict.dictName())
+            << "With nSurfaceLayers auto, " << dict.dictName() << " may have"
+            << " firstLayerThickness, or yPlus, and expansionRatio; given: "
+            << givenKeys(given).c_str() << exit(FatalIOError);
+    }
+}
+
+
+List<patchLayers> readLayerPatches
+(
+    const dictionary& dict,
+    const layerControls& general
+)
+{
+    return readEntries<patchLayers>
+    (
+        dict, "patches", [&](const keyType& key, const dictionary& entries)
+        {
+            return readPatches(key, entries, general);
+        }
+    );
+}
+
+
+List<layerRegion> readLayerRegions
+(
+    const dictionary& dict,
+    const layerControls& general
+)
+{
+    return readEntries<layerRegion>
+    (
+        dict, "regions", [&](const keyType&, const dictionary& entries)
+        {
+            return readRegion(entries, general);
+        }
+    );
+}
+
+
+// * * * * * * * * * * * * *  Read Layer Controls  * * * * * * * * * * * * * //
 
 static heightField readHeightField(const dictionary& dict)
 {
@@ -124,8 +385,6 @@ static void readGeneralHeights(const dictionary& dict, layerControls& controls)
     });
 }
 
-
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 const patchLayers* layerControls::entryOf(const word& patchName) const
 {

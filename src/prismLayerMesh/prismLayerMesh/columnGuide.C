@@ -4,9 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "columnGuide.H"
-#include "blockLines.H"
+#include "columnLines.H"
+#include "layerColumns.H"
 #include "stageText.H"
-#include "straightShares.H"
 #include "wallBlocks.H"
 
 namespace Foam

@@ -4,15 +4,14 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layerStages.H"
-#include "adviceOnPoints.H"
 #include "distributeFront.H"
 #include "levelSets.H"
-#include "nameCauses.H"
+#include "makePrismLayers.H"
 #include "returnMemory.H"
 #include "stageText.H"
 #include "unitConversion.H"
 #include "wallClearance.H"
-#include "wallPartsInBoxes.H"
+#include "wallPointsError.H"
 
 namespace Foam
 {

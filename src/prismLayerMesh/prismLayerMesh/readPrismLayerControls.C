@@ -5,11 +5,8 @@
 
 #include "readPrismLayerControls.H"
 #include "controlEntries.H"
-#include "readFieldControls.H"
-#include "readFarFieldControls.H"
-#include "readLayerControls.H"
-#include "readRegions.H"
-#include "readRemeshControls.H"
+#include "diffusionTensor.H"
+#include "readControls.H"
 
 namespace Foam
 {

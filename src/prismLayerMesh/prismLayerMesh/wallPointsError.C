@@ -4,9 +4,90 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallPointsError.H"
+#include "HashTable.H"
+#include "unitConversion.H"
 
 namespace Foam
 {
+
+//- Product of the normals, into the fluid, of a face and of a side patch that
+//  continues it: cos(18 degrees)
+static constexpr scalar flushCosine = 0.95;
+
+//- The same of a side patch on which layers cannot end well: the wall meets it
+//  at 135 degrees in the fluid
+static constexpr scalar obtuseCosine = 0.7072;
+
+
+//- Returns the largest product of the normals, into the fluid, of each side
+//  patch and of the faces at some points on it
+static HashTable<scalar> sideCosines
+(
+    const wallSurface& wall,
+    const wallAddressing& addressing,
+    const labelUList& points
+)
+{
+    HashTable<scalar> cosines;
+
+    for (const label p : points)
+    {
+        for (const label s : addressing.sidesOf(p))
+        {
+            const sidePatch& side = wall.border.sides[s];
+            const vector inward(-side.planeAt(wall.points[p]).normal);
+
+            for (const label facei : addressing.pointFaces[p])
+            {
+                const vector normal(wall.faces[facei].unitNormal(wall.points));
+                scalar& largest = cosines(side.name, -1);
+                largest = max(largest, inward & normal);
+            }
+        }
+    }
+
+    return cosines;
+}
+
+
+string adviceOnPoints
+(
+    const wallSurface& wall,
+    const wallAddressing& addressing,
+    const labelUList& points
+)
+{
+    string advice;
+    const HashTable<scalar> cosines(sideCosines(wall, addressing, points));
+
+    for (const word& name : cosines.sortedToc())
+    {
+        const scalar cosine = cosines[name];
+
+        if (cosine > flushCosine)
+        {
+            advice +=
+                "The side patch " + name + " continues the wall in its plane:"
+                " give it layers, too, by layers.patches { " + name
+              + " { type patch; } }.\n";
+        }
+        else if (cosine > obtuseCosine)
+        {
+            const label angle = round(180 - radToDeg(::acos(cosine)));
+            advice +=
+                "The wall meets the side patch " + name + " at "
+              + Foam::name(angle) + " degrees in the fluid, and layers end well"
+                " at up to 135: turn the side patch, or the wall beside it.\n";
+        }
+    }
+
+    return
+        advice + "Round off " + (advice.empty() ? "these" : "other")
+      + " corners in the surface.";
+}
+
+
+// * * * * * * * * * * * * * *  Wall Points Error  * * * * * * * * * * * * * //
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 

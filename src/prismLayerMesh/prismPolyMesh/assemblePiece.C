@@ -3,18 +3,16 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "pieceMessages.H"
 #include "bitSet.H"
+#include "frontPart.H"
 #include "Map.H"
-#include "placeInList.H"
+#include "pieceMessages.H"
 
 #include <algorithm>
 #include <tuple>
 
 namespace Foam
 {
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- Sets the stacks of a piece and their edges. Returns the labels of the stacks
 static labelList receiveStacks(const List<message>& messages, meshPiece& piece)
@@ -171,6 +169,35 @@ static labelList setFarCells(const sentFarField& far, meshPiece& piece)
 }
 
 
+//- Sets starts of patches, and zones of the far field of a piece.
+//  place: returns the label in the piece of a stack
+static void setPatchesAndZones
+(
+    const sentFarField& far,
+    placeInList& place,
+    meshPiece& piece
+)
+{
+    polyMeshTopology& mesh = piece.far.topology;
+    label start = mesh.neighbour.size();
+    for (const label size : mesh.patchSizes)
+    {
+        mesh.patchStarts.append(start);
+        start += size;
+    }
+    forAll(far.zoneCells, i)
+    {
+        cellZoneParts& zone = piece.far.cellZones[i];
+        zone.cells = far.zoneCells[i];
+        zone.frontFaces = far.zoneStacks[i];
+        for (label& stack : zone.frontFaces)
+        {
+            stack = place(stack);
+        }
+    }
+}
+
+
 //- Sets the far field of a piece, and its faces to other processes there.
 //  stacks: labels of the stacks in the piece
 static void setFarField
@@ -224,27 +251,9 @@ static void setFarField
         }
     }
     piece.far.frontFaces = std::move(fronts);
-
-    label start = mesh.neighbour.size();
-    for (const label size : mesh.patchSizes)
-    {
-        mesh.patchStarts.append(start);
-        start += size;
-    }
-    forAll(far.zoneCells, i)
-    {
-        cellZoneParts& zone = piece.far.cellZones[i];
-        zone.cells = far.zoneCells[i];
-        zone.frontFaces = far.zoneStacks[i];
-        for (label& stack : zone.frontFaces)
-        {
-            stack = place(stack);
-        }
-    }
+    setPatchesAndZones(far, place, piece);
 }
 
-
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 void assemblePiece
 (

@@ -5,8 +5,8 @@
 
 #include "pieceMessages.H"
 #include "bitSet.H"
-#include "findFaceNeighbours.H"
 #include "meshOrder.H"
+#include "prismFaces.H"
 
 namespace Foam
 {
@@ -227,11 +227,6 @@ static meshParts partsOfMesh
     const pointField points(mesh.allPoints());
     pointField centres(mesh.nCells, Zero);
     labelList nFaces(mesh.nCells, 0);
-    const auto addCentre = [&](const label celli, const point& x)
-    {
-        centres[celli] += x;
-        ++nFaces[celli];
-    };
     for (label b = 0; b < mesh.nFaceBlocks; ++b)
     {
         const faceBlock block(mesh.faces(b));
@@ -239,11 +234,13 @@ static meshParts partsOfMesh
         {
             const label own = block.owner[i];
             const point x(face(block.face(i)).centre(points));
-            addCentre(own, x);
+            centres[own] += x;
+            ++nFaces[own];
             if (i < block.neighbour.size())
             {
                 const label nei = block.neighbour[i];
-                addCentre(nei, x);
+                centres[nei] += x;
+                ++nFaces[nei];
                 addBeside(partOf(own), partOf(nei));
                 addBeside(partOf(nei), partOf(own));
             }

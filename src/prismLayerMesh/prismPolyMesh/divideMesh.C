@@ -4,9 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "divideMesh.H"
-#include "findFaceNeighbours.H"
 #include "pieceMessages.H"
-#include "prismPatches.H"
+#include "prismFaces.H"
+#include "prismPolyMesh.H"
 #include "StringStream.H"
 #include "SubField.H"
 
@@ -19,7 +19,7 @@ namespace
 {
 
 //- The faces that the far field adds to the whole mesh
-struct farFieldFaces
+struct facesOfFarField
 {
     label nInternal = 0;
     labelList patchSizes;
@@ -84,7 +84,7 @@ struct countedStacks
 
 //- Sets the internal faces of the stacks. Returns the number of internal faces
 //  of all stacks. Collective
-static label setInternalFaces(const farFieldFaces& far, countedStacks& share)
+static label setInternalFaces(const facesOfFarField& far, countedStacks& share)
 {
     const label n = share.layers.nLayers;
     labelList strides(share.stacks.size());
@@ -187,7 +187,7 @@ static label setOpenSides
 //  Collective
 static void setLabels
 (
-    const farFieldFaces& far,
+    const facesOfFarField& far,
     countedStacks& share,
     meshPiece& piece
 )
@@ -217,9 +217,9 @@ static void setLabels
 }
 
 
-//- Sets patches, zones and numbers of the whole mesh in a piece. The master knows
-//  them. Returns the numbers of faces that the far field adds. Collective
-static farFieldFaces setWholeMesh
+//- Sets patches, zones and numbers of the whole mesh in a piece. The master
+//  knows them. Returns the numbers of faces that the far field adds. Collective
+static facesOfFarField setWholeMesh
 (
     const countedStacks& share,
     const prismLayers& whole,
@@ -244,7 +244,7 @@ static farFieldFaces setWholeMesh
         far.frontFaces
     );
 
-    farFieldFaces faces;
+    facesOfFarField faces;
     wordList names, types;
     const List<message> received
     (
@@ -474,7 +474,7 @@ meshPiece makeMeshPiece
     sentFarField ownFar;
     {
         countedStacks share(own, team);
-        const farFieldFaces faces(setWholeMesh(share, whole, far, piece));
+        const facesOfFarField faces(setWholeMesh(share, whole, far, piece));
         const bool hasFarField = faces.patchSizes.size();
         setLabels(faces, share, piece);
 

@@ -5,7 +5,7 @@
 
 #include "meshOrder.H"
 #include "bitSet.H"
-#include "findFaceNeighbours.H"
+#include "prismFaces.H"
 #include "UIndirectList.H"
 
 namespace Foam

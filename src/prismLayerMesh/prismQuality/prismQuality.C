@@ -4,12 +4,397 @@
 \*---------------------------------------------------------------------------*/
 
 #include "prismQuality.H"
+#include "cellPredicates.H"
+#include "HashSet.H"
+#include "layerGeometry.H"
 #include "layerOverlaps.H"
+#include "markedGrid.H"
+#include "prismLayers.H"
+#include "ranges.H"
 #include "scaledJacobian.H"
-#include "stackHeights.H"
 
 namespace Foam
 {
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+boundBox stackBoxes::boxOf(const label group) const
+{
+    boundBox box(boundBox::invertedBox);
+    for (const label facei : faces(group))
+    {
+        box.add(Foam::boxOf(layers_, facei, 0));
+        box.add(Foam::boxOf(layers_, facei, layers_.nLayers));
+    }
+
+    return box;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+stackBoxes::stackBoxes(const prismLayers& layers)
+:
+    layers_(layers),
+    boxes_((layers.faces.size() + groupSize - 1)/groupSize)
+{
+    #pragma omp parallel for schedule(static)
+    forAll(boxes_, group)
+    {
+        boxes_[group] = boxOf(group);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void stackBoxes::update(const labelUList& faces)
+{
+    labelHashSet groups;
+    for (const label facei : faces)
+    {
+        groups.insert(facei/groupSize);
+    }
+    for (const label group : groups)
+    {
+        boxes_[group] = boxOf(group);
+    }
+}
+
+
+labelRange stackBoxes::faces(const label group) const
+{
+    const label first = group*groupSize;
+
+    return labelRange(first, min(groupSize, layers_.faces.size() - first));
+}
+
+
+boundBox boxOf
+(
+    const prismLayers& layers,
+    const label facei,
+    const label level
+)
+{
+    boundBox box(boundBox::invertedBox);
+    for (const label c : layers.faces[facei])
+    {
+        box.add(layers(c, level));
+    }
+
+    return box;
+}
+
+
+// * * * * * * * * * * * * * * *  Is Positive  * * * * * * * * * * * * * * * //
+
+//- A prism; in layer 1 on a triangle without area one of which two or three
+//  lower points are one
+static bool isPositiveOnTriangle(const layerCell& cell, const bool hasArea)
+{
+    const point* p[6];
+
+    for (label k = 0; k < 3; ++k)
+    {
+        p[k] = hasArea ? &cell.lower(k) : &cell.root(k);
+        p[k + 3] = &cell.upper(k);
+    }
+
+    return hasArea ? isPositivePrism(p) : isPositiveCollapsedPrism(p);
+}
+
+
+//- Layer 1 on a quadrilateral without area: a prism that lies on an edge of the
+//  wall, between the triangles at the edge's ends
+static bool isPositiveOnEdge(const layerCell& cell)
+{
+    // From the first point to the second are two columns on one point
+    const label k = &cell.root(0) == &cell.root(1) ? 0 : 3;
+
+    const point* p[6] =
+    {
+        &cell.root(k), &cell.upper(k), &cell.upper((k + 1)%4),
+        &cell.root((k + 2)%4), &cell.upper((k + 3)%4), &cell.upper((k + 2)%4)
+    };
+
+    return isPositiveLyingPrism(p);
+}
+
+
+static bool hasPositiveCorners(const layerCell& cell)
+{
+    const label n = cell.size();
+
+    for (label k = 0; k < n; ++k)
+    {
+        const label next = (k + 1)%n;
+        const label prev = (k + n - 1)%n;
+
+        const point& a = cell.lower(k);
+        const point& b = cell.upper(k);
+
+        const point* p[6] =
+        {
+            &a, &cell.lower(next), &cell.lower(prev),
+            &b, &cell.upper(next), &cell.upper(prev)
+        };
+
+        const tetSigns positive(p, 6);
+
+        if
+        (
+            !positive(a, *p[1], *p[2], b)
+         || !positive(a, b, *p[4], *p[5])
+        )
+        {
+            return false;
+        }
+    }
+
+    return true;
+}
+
+
+bool isPositive(const prismLayers& layers, const label facei, const label i)
+{
+    const layerCell cell(layers, facei, i);
+    const bool hasArea = i > 1 || facei < layers.nWallFaces();
+
+    if (cell.size() == 3)
+    {
+        return isPositiveOnTriangle(cell, hasArea);
+    }
+
+    return hasArea ? hasPositiveCorners(cell) : isPositiveOnEdge(cell);
+}
+
+
+// * * * * * * * * * * * * * * *  Face Pyramids  * * * * * * * * * * * * * * //
+
+//- Whether the centre of a cell is on the inner side of all its faces. Those
+//  are given with area vectors outwards; which is as in
+//  primitiveMesh::checkFacePyramids.
+static bool hasPositivePyramids(const UList<faceGeometry>& faces)
+{
+    const cellGeometry cell(faces);
+
+    // Faces without area have no pyramid
+    return cell.volume3 > VSMALL && allOf(faces, [&](const faceGeometry& f)
+    {
+        return f.pyramid3(cell.centre) >= -SMALL*cell.volume3;
+    });
+}
+
+
+bool hasPositivePyramids(const prismLayers& layers, const label facei)
+{
+    return visitCells
+    (
+        layers, layers.faces[facei],
+        [](label, const UList<faceGeometry>& faces)
+        {
+            return hasPositivePyramids(faces);
+        }
+    );
+}
+
+
+// * * * * * * * * * * * * *  Prism Intersections  * * * * * * * * * * * * * //
+
+//- Adds the triangles of one level of a front face, but for those that are
+//  degenerate. Returns whether there are such.
+static bool addTriangles
+(
+    const prismLayers& layers,
+    const label facei,
+    const label level,
+    const columnTeam& team,
+    std::vector<labelledTriangle>& triangles
+)
+{
+    bool degenerate = false;
+
+    for
+    (
+        const labelledTriangle& t
+      : trianglesOf(layers, facei, level, team)
+    )
+    {
+        if (t.degenerate())
+        {
+            degenerate = true;
+        }
+        else
+        {
+            triangles.push_back(t);
+        }
+    }
+
+    return degenerate;
+}
+
+
+//- Returns the bounding boxes of the outer faces of some front faces
+static std::vector<boundBox> boxesOf
+(
+    const prismLayers& layers,
+    const labelUList& faces
+)
+{
+    std::vector<boundBox> boxes;
+    boxes.reserve(faces.size());
+    for (const label facei : faces)
+    {
+        boxes.push_back(boxOf(layers, facei, layers.nLayers));
+    }
+
+    return boxes;
+}
+
+
+//- Adds the triangles that a process counts, on both levels, in marked cells of
+//  a grid, but for the outer ones of candidates
+static void addNear
+(
+    const prismLayers& layers,
+    const stackBoxes& groups,
+    const boolList& candidates,
+    const markedGrid& grid,
+    const columnTeam& team,
+    std::vector<labelledTriangle>& triangles
+)
+{
+    List<FixedList<bool, 2>> near
+    (
+        layers.faces.size(), FixedList<bool, 2>(false)
+    );
+
+    #pragma omp parallel for schedule(dynamic, 8)
+    forAll(groups.all(), group)
+    {
+        if (!grid.mayTouch(groups.all()[group]))
+        {
+            continue;
+        }
+        for (const label facei : groups.faces(group))
+        {
+            const bool counts = team.counts(layers.faces[facei]);
+            near[facei][0] = counts && grid.mayTouch(boxOf(layers, facei, 0));
+            near[facei][1] = counts && !candidates[facei]
+             && grid.mayTouch(boxOf(layers, facei, layers.nLayers));
+        }
+    }
+
+    forAll(near, facei)
+    {
+        // Where the wall is degenerate it is nothing its neighbours are not
+        for (const label side : {1, 0})
+        {
+            if (near[facei][side])
+            {
+                addTriangles
+                (
+                    layers, facei, side*layers.nLayers, team, triangles
+                );
+            }
+        }
+    }
+}
+
+
+List<labelPair> findIntersections(const prismLayers& layers)
+{
+    return findIntersections(layers, identity(layers.faces.size()));
+}
+
+
+List<labelPair> findIntersections
+(
+    const prismLayers& layers,
+    const labelUList& outerFaces
+)
+{
+    return findIntersections
+    (
+        layers, outerFaces, stackBoxes(layers),
+        std::vector<labelledTriangle>(), columnTeam::alone()
+    );
+}
+
+
+std::vector<labelledTriangle> trianglesOf
+(
+    const prismLayers& layers,
+    const label facei,
+    const label level,
+    const columnTeam& team
+)
+{
+    std::vector<labelledTriangle> triangles;
+    const face& f = layers.faces[facei];
+
+    for (label k = 1; k + 1 < f.size(); ++k)
+    {
+        labelledTriangle t;
+        t.facei = facei + (level ? layers.faces.size() : 0);
+
+        const label columns[3] = {f[0], f[k], f[k + 1]};
+
+        for (int j = 0; j < 3; ++j)
+        {
+            const label c = level ? columns[j] : layers.root(columns[j]);
+            t.labels[j] = 2*team.wholeColumn(c) + (level > 0);
+            t.points[j] = layers(columns[j], level);
+        }
+        triangles.push_back(t);
+    }
+
+    return triangles;
+}
+
+
+List<labelPair> findIntersections
+(
+    const prismLayers& layers,
+    const labelUList& outerFaces,
+    const stackBoxes& groups,
+    const std::vector<labelledTriangle>& others,
+    const columnTeam& team
+)
+{
+    DynamicList<labelPair> pairs;
+    boolList candidates(layers.faces.size(), false);
+    UIndirectList<bool>(candidates, outerFaces) = true;
+
+    // Each pair has one of the first
+    std::vector<labelledTriangle> first(others), second;
+    forAll(candidates, facei)
+    {
+        if
+        (
+            candidates[facei]
+         && addTriangles(layers, facei, layers.nLayers, team, first)
+        )
+        {
+            const label outerFace = layers.faces.size() + facei;
+            pairs.append(labelPair(outerFace, outerFace));
+        }
+    }
+
+    std::vector<boundBox> boxes(boxesOf(layers, outerFaces));
+    for (const labelledTriangle& t : others)
+    {
+        boxes.push_back(t.box());
+    }
+    addNear(layers, groups, candidates, markedGrid(boxes), team, second);
+    addIntersections(first, second, pairs);
+
+    return List<labelPair>(std::move(pairs));
+}
+
+
+// * * * * * * * * * * * * * * *  Prism Quality  * * * * * * * * * * * * * * //
 
 bool isPositiveStack(const prismLayers& layers, const label facei)
 {

@@ -4,17 +4,190 @@
 \*---------------------------------------------------------------------------*/
 
 #include "readWallSurface.H"
+#include "bitSet.H"
+#include "boundBox.H"
 #include "cadSurface.H"
-#include "cutReflexFaces.H"
-#include "mergeNearPoints.H"
-#include "orientWallSurface.H"
-#include "surfacePart.H"
+#include "ListOps.H"
 #include "surfaceFile.H"
+#include "surfacePart.H"
+#include "wallChanges.H"
+#include "wallDefects.H"
+#include "wallPredicates.H"
+#include "wallSides.H"
 
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+//- For each point its representative: a point within the tolerance, or the
+//  point itself. The representative of points at one place is the first.
+static labelList findRepresentatives
+(
+    const pointField& points,
+    const scalar tolerance
+)
+{
+    // In the order of their places along a direction that no plane of a
+    // surface is likely to be normal to, near points are near
+    const vector direction(0.48712, 0.60539, 0.62962);
+    const scalarField place(points & direction);
+    const scalar reach = 1.01*mag(direction)*tolerance;
+
+    const labelList order(sortedOrder(place));
+    labelList representatives(points.size(), -1);
+
+    forAll(order, i)
+    {
+        const label p = order[i];
+
+        if (representatives[p] >= 0)
+        {
+            continue;
+        }
+
+        representatives[p] = p;
+
+        for
+        (
+            label j = i + 1;
+            j < order.size() && place[order[j]] - place[p] <= reach;
+            ++j
+        )
+        {
+            const label q = order[j];
+
+            if
+            (
+                representatives[q] < 0
+             && magSqr(points[q] - points[p]) <= sqr(tolerance)
+            )
+            {
+                representatives[q] = p;
+            }
+        }
+    }
+
+    return representatives;
+}
+
+
+//- Remove faces with neighbouring corners that have become one point. Returns
+//  the number of faces removed.
+static label removeCollapsedFaces(wallSurface& wall)
+{
+    bitSet kept(wall.faces.size());
+
+    forAll(wall.faces, i)
+    {
+        kept.set(i, !hasRepeatedPoint(wall.faces[i]));
+    }
+
+    inplaceSubset(kept, wall.faces);
+    inplaceSubset(kept, wall.patchIDs);
+
+    return kept.size() - wall.faces.size();
+}
+
+
+//- Number of points that have another one as representative
+static label nRepresented(const labelUList& representatives)
+{
+    label n = 0;
+    forAll(representatives, p)
+    {
+        n += representatives[p] != p;
+    }
+
+    return n;
+}
+
+
+void mergeNearPoints
+(
+    wallSurface& wall,
+    const scalar tolerance,
+    wallReading& reading
+)
+{
+    const scalar diagonal = boundBox(wall.points, false).mag();
+    const auto within = [&](const scalar share)
+    {
+        return findRepresentatives(wall.points, share*diagonal);
+    };
+    const labelList representatives(within(tolerance));
+    const label nNear = nRepresented(within(wallReading::nearTolerance));
+
+    reading.mergedPoints = nRepresented(representatives);
+    reading.nearPoints = max(nNear - reading.mergedPoints, label(0));
+
+    for (face& f : wall.faces)
+    {
+        inplaceRenumber(representatives, f);
+    }
+
+    reading.collapsedFaces = removeCollapsedFaces(wall);
+}
+
+
+// * * * * * * * * * * * * *  Orient Wall Surface  * * * * * * * * * * * * * //
+
+//- A closed oriented manifold, by its labels alone
+static bool isOrientable(const wallSurface& wall, const wallSides& sides)
+{
+    for (const face& f : wall.faces)
+    {
+        if (f.size() < 3 || hasRepeatedPoint(f))
+        {
+            return false;
+        }
+    }
+
+    defectList defects(wall);
+    const bool oriented = findBadEdges(sides, defects);
+    findNonManifoldPoints(wall, sides, defects);
+
+    return oriented && defects.empty();
+}
+
+
+void orientAlike(wallSurface& wall)
+{
+    const wallSides sides(makeWallSides(wall));
+
+    for (const label facei : findTurnedFaces(sides, wall.faces.size()))
+    {
+        wall.faces[facei].flip();
+    }
+}
+
+
+label orientWallSurface(wallSurface& wall, const bool fluidOutside)
+{
+    const wallSides sides(makeWallSides(wall));
+
+    if (wall.faces.empty() || !isOrientable(wall, sides))
+    {
+        return 0;
+    }
+
+    labelList componentOfFace;
+    const label n = findComponents(sides, wall.faces.size(), componentOfFace);
+    const bitSet inward(findInwardComponents(wall, componentOfFace, n));
+    label nFlipped = 0;
+
+    forAll(wall.faces, facei)
+    {
+        if (inward.test(componentOfFace[facei]) == fluidOutside)
+        {
+            wall.faces[facei].flip();
+            ++nFlipped;
+        }
+    }
+
+    return nFlipped;
+}
+
+
+// * * * * * * * * * * * * * *  Read Wall Surface  * * * * * * * * * * * * * //
 
 static void checkFinite(const fileName& file, const pointField& points)
 {
@@ -89,8 +262,6 @@ static wallSurface readPart
     return part;
 }
 
-
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 wallSurface readWallSurface
 (

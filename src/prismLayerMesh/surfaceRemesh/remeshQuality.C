@@ -3,12 +3,12 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "remeshQuality.H"
-#include "Pair.H"
-#include "UIndirectList.H"
+#include "remeshSurface.H"
 #include "bitSet.H"
 #include "edgeHashes.H"
+#include "Pair.H"
 #include "surfaceMeasures.H"
+#include "UIndirectList.H"
 #include "unitConversion.H"
 #include "wallSides.H"
 

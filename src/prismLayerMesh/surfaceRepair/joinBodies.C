@@ -10,9 +10,9 @@
 
 #include <cmath>
 
-#include "joinBodies.H"
-#include "soundBody.H"
+#include "unions.H"
 #include "cgalMeshes.H"
+#include "soundBody.H"
 #include "unitConversion.H"
 
 namespace Foam

@@ -5,16 +5,13 @@
 
 #include "repairSurface.H"
 #include "boundBox.H"
-#include "cutReflexFaces.H"
 #include "cutSurface.H"
 #include "orientOpenWall.H"
-#include "orientWallSurface.H"
+#include "readWallSurface.H"
 #include "sigFpe.H"
-#include "snapToSurface.H"
-#include "soundSurface.H"
 #include "splitAtSidePatches.H"
 #include "stitchSurface.H"
-#include "wrapLeaks.H"
+#include "wallChanges.H"
 #include "wrapSurface.H"
 
 namespace Foam

@@ -3,15 +3,235 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "snapToSurface.H"
+#include "bitSet.H"
+#include "boundBox.H"
 #include "cutSurface.H"
+#include "disjointSets.H"
+#include "Map.H"
 #include "stageProgress.H"
-#include "wrapShape.H"
+#include "unitConversion.H"
+#include "wallVisibility.H"
+#include "wrapSurface.H"
 
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+//- A point is on a side of a face if the sine of its elevation is larger: not
+//  beside an edge of the face
+static constexpr scalar leastElevation = 0.5;
+
+static constexpr label nPlaces = 10;
+
+
+static void addFaces
+(
+    const wallSurface& surface,
+    const bitSet& faces,
+    repairSteps& steps
+)
+{
+    DynamicList<point> places;
+    scalar area = 0;
+    scalar all = 0;
+
+    forAll(surface.faces, facei)
+    {
+        const face& f = surface.faces[facei];
+        all += f.mag(surface.points);
+
+        if (faces.test(facei))
+        {
+            area += f.mag(surface.points);
+
+            if (places.size() < nPlaces)
+            {
+                places.append(f.centre(surface.points));
+            }
+        }
+    }
+
+    OStringStream what;
+    what.precision(3);
+    what << "faces with the wrap on both sides, " << 100*area/all
+        << " % of the area:";
+    addStep(steps, what.str(), faces.count(), places);
+}
+
+
+static void addOpenings
+(
+    const wallSurface& surface,
+    const scalar size,
+    repairSteps& steps
+)
+{
+    const edgeList open(outline(surface.faces));
+    disjointSets loops(connectedPoints(surface.points.size(), open));
+
+    Map<boundBox> boxes;
+    for (const edge& e : open)
+    {
+        boundBox& box = boxes(loops.find(e.start()), boundBox());
+        box.add(surface.points[e.start()]);
+        box.add(surface.points[e.end()]);
+    }
+
+    DynamicList<point> places;
+    label count = 0;
+    for (const label root : boxes.sortedToc())
+    {
+        if (boxes[root].mag() > size)
+        {
+            ++count;
+            if (places.size() < nPlaces)
+            {
+                places.append(boxes[root].centre());
+            }
+        }
+    }
+    addStep(steps, "openings wider than the size", count, places);
+}
+
+
+bitSet facesInside
+(
+    const wallSurface& surface,
+    const nearestSurface& nearest,
+    const wallSurface& wrap
+)
+{
+    const vectorField normals(surface.faceNormals());
+    pointField feet;
+    labelList faces;
+    nearest.find(wrap.points, feet, faces);
+    bitSet front(surface.faces.size());
+    bitSet back(surface.faces.size());
+
+    forAll(feet, p)
+    {
+        const vector out(wrap.points[p] - feet[p]);
+        const scalar height = out & normals[faces[p]];
+
+        if (mag(height) > leastElevation*mag(out))
+        {
+            (height > 0 ? front : back).set(faces[p]);
+        }
+    }
+
+    return front &= back;
+}
+
+
+void addLeaks
+(
+    const wallSurface& surface,
+    const bitSet& inside,
+    const scalar size,
+    repairSteps& steps
+)
+{
+    addFaces(surface, inside, steps);
+
+    if (inside.any())
+    {
+        addOpenings(surface, size, steps);
+    }
+}
+
+
+// * * * * * * * * * * * * * * *  Wrap Shape * * * * * * * * * * * * * * * * //
+
+//- Least angle [deg] between the axis of a point's visibility cone and a face:
+//  layers can begin there
+static constexpr scalar smallestAngle = 10;
+
+//- Least height of a triangle over its longest edge
+static constexpr scalar leastHeight = 0.1;
+
+//- The share of angles and heights in the wrap that is enough, where it has
+//  smaller ones
+static constexpr scalar keptShare = 0.5;
+
+
+//- Returns the height of each triangle over its longest edge
+static scalarField heightsOf(const wallSurface& wrap)
+{
+    scalarField heights(wrap.faces.size());
+
+    forAll(heights, facei)
+    {
+        const face& f = wrap.faces[facei];
+        const scalar longest =
+            f.faceEdge(f.longestEdge(wrap.points)).mag(wrap.points);
+        heights[facei] = 2*f.mag(wrap.points)/max(sqr(longest), VSMALL);
+    }
+
+    return heights;
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+scalarField wrapShape::sines(const wallSurface& wrap) const
+{
+    const wallVisibility visibility(makeWallVisibility(wrap, addressing_));
+    scalarField sines(visibility.cones.size());
+
+    forAll(sines, p)
+    {
+        sines[p] = visibility.cones[p].cosine;
+    }
+
+    return sines;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+wrapShape::wrapShape(const wallSurface& wrap, const wallAddressing& addressing)
+:
+    addressing_(addressing),
+    leastHeights_(min(keptShare*heightsOf(wrap), leastHeight)),
+    leastSines_(sines(wrap))
+{
+    // Faces around points with very narrow cones stay as they are
+    const scalar least = Foam::sin(degToRad(smallestAngle));
+    for (scalar& sine : leastSines_)
+    {
+        sine = min(max(keptShare*sine, sqr(keptShare)*least), least);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+labelList wrapShape::facesAtFault(const wallSurface& wrap) const
+{
+    bitSet fault(wrap.faces.size());
+
+    const scalarField now(heightsOf(wrap));
+    forAll(now, facei)
+    {
+        if (now[facei] < leastHeights_[facei])
+        {
+            fault.set(facei);
+        }
+    }
+
+    const scalarField sinesNow(sines(wrap));
+    forAll(sinesNow, p)
+    {
+        if (sinesNow[p] < leastSines_[p])
+        {
+            fault.set(addressing_.pointFaces[p]);
+        }
+    }
+
+    return fault.sortedToc();
+}
+
+
+// * * * * * * * * * * * * * *  Snap To Surface  * * * * * * * * * * * * * * //
 
 //- Passes over faces at fault, more than it ever takes: each point is held back
 //  three times at most
@@ -262,8 +482,6 @@ snapCounts wrapSnapper::snap()
 
 } // End anonymous namespace
 
-
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 snapCounts snapToSurface
 (

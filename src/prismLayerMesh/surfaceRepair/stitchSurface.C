@@ -4,14 +4,71 @@
 \*---------------------------------------------------------------------------*/
 
 #include "stitchSurface.H"
-#include "exactUnion.H"
-#include "orientWallSurface.H"
-#include "soundSurface.H"
+#include "ranges.H"
+#include "readWallSurface.H"
+#include "unions.H"
+#include "wallDefects.H"
 
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+static bool isOnAny
+(
+    const UList<sidePatch>& planes,
+    const scalar tolerance,
+    const pointField& x,
+    const edge& e
+)
+{
+    return anyOf(planes, [&](const sidePatch& plane)
+    {
+        return plane.hasEdge(x[e.start()], x[e.end()], tolerance);
+    });
+}
+
+
+bool isBeyond
+(
+    const sidePatch& plane,
+    const scalar tolerance,
+    const wallSurface& surface
+)
+{
+    return anyOf(surface.points, [&](const point& x)
+    {
+        return plane.distance(x) > tolerance;
+    });
+}
+
+
+bool isSoundUpTo
+(
+    const UList<sidePatch>& planes,
+    const scalar tolerance,
+    const wallSurface& surface
+)
+{
+    for (const sidePatch& plane : planes)
+    {
+        if (isBeyond(plane, tolerance, surface))
+        {
+            return false;
+        }
+    }
+
+    for (const edge& e : outline(surface.faces))
+    {
+        if (!isOnAny(planes, tolerance, surface.points, e))
+        {
+            return false;
+        }
+    }
+
+    return findWallDefects(surface, planes.size()).empty();
+}
+
+
+// * * * * * * * * * * * * * *  Stitch Surface * * * * * * * * * * * * * * * //
 
 static void refuseBodies(const string& why)
 {
@@ -51,8 +108,6 @@ static bool takeExactUnion
     return true;
 }
 
-
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 void stitchSurface
 (

@@ -3,15 +3,414 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "unionBoundary.H"
 #include "bitSet.H"
+#include "cgalMeshes.H"
+#include "divideTriangles.H"
+#include "HashTable.H"
+#include "triFace.H"
+#include "unions.H"
+#include "wallPredicates.H"
 #include "wallSides.H"
-#include "windingNumber.H"
+
+#include <algorithm>
+#include <map>
+#include <random>
+#include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+namespace
+{
+
+typedef exactKernel::Point_3 point3;
+typedef exactKernel::Triangle_3 triangle3;
+
+//- A triangulation of a triangle's plane; its points know their labels
+typedef CGAL::Triangulation_data_structure_2
+<
+    CGAL::Triangulation_vertex_base_with_info_2<label, exactKernel>,
+    CGAL::Constrained_triangulation_face_base_2<exactKernel>
+>
+planeStructure;
+
+typedef CGAL::Constrained_Delaunay_triangulation_2
+<
+    exactKernel, planeStructure, CGAL::Exact_intersections_tag
+>
+planeTriangulation;
+
+
+//- The object of a type in what CGAL returns of an intersection, or null
+template<class Type, class Variant>
+const Type* alternative(const Variant& common)
+{
+    #if CGAL_VERSION_NR >= 1060000000
+    return std::get_if<Type>(&common);
+    #else
+    return boost::get<Type>(&common);
+    #endif
+}
+
+
+class triangleDivider
+{
+    const faceList& triangles_;
+    dividedTriangles result_;
+
+    //- Labels of the points on triangles that are divided
+    std::map<point3, label> labels_;
+
+    //- For each triangle: the triangles that intersect it
+    std::vector<std::vector<label>> partners_;
+
+    triangle3 triangle(const label i) const
+    {
+        return result_.triangleOn(triangles_[i]);
+    }
+
+    label labelOf(const point3& x);
+
+    //- Adds the intersection with another triangle to a triangulation
+    void insert
+    (
+        const triangle3& a,
+        const triangle3& b,
+        const planeProjection& project,
+        planeTriangulation& plane
+    ) const;
+
+    void divide(label i);
+
+public:
+
+    explicit triangleDivider(const wallSurface& surface)
+    :
+        triangles_(surface.faces),
+        partners_(surface.faces.size())
+    {
+        result_.points = cgalPoints<point3>(surface.points);
+        result_.inPlane.resize(triangles_.size());
+    }
+
+    //- Finds the triangles that intersect
+    void findPartners(const wallSurface& surface);
+
+    dividedTriangles divide();
+};
+
+
+//- Returns pairs of triangles on the same three points
+std::vector<labelPair> onSamePoints(const faceList& triangles)
+{
+    HashTable<DynamicList<label>, triFace, triFace::Hash<>> groups
+    (
+        2*triangles.size()
+    );
+    std::vector<labelPair> pairs;
+
+    forAll(triangles, i)
+    {
+        DynamicList<label>& same = groups(triFace(triangles[i]));
+        for (const label j : same)
+        {
+            pairs.emplace_back(j, i);
+        }
+        same.append(i);
+    }
+
+    return pairs;
+}
+
+
+void triangleDivider::findPartners(const wallSurface& surface)
+{
+    std::vector<labelPair> pairs = onSamePoints(triangles_);
+    const List<labelPair> found
+    (
+        findIntersectingFaces(surface, bitSet(triangles_.size()))
+    );
+    pairs.insert(pairs.end(), found.begin(), found.end());
+
+    for (const labelPair& pair : pairs)
+    {
+        const label i = pair.first();
+        const label j = pair.second();
+        partners_[i].push_back(j);
+        partners_[j].push_back(i);
+
+        const exactKernel::Plane_3 plane = triangle(i).supporting_plane();
+        const triangle3 other = triangle(j);
+        if
+        (
+            plane.has_on(other[0]) && plane.has_on(other[1])
+         && plane.has_on(other[2])
+        )
+        {
+            result_.inPlane[i].push_back(j);
+            result_.inPlane[j].push_back(i);
+        }
+    }
+
+    for (std::vector<label>& others : result_.inPlane)
+    {
+        std::sort(others.begin(), others.end());
+    }
+}
+
+
+label triangleDivider::labelOf(const point3& x)
+{
+    const auto inserted = labels_.emplace(x, result_.points.size());
+    if (inserted.second)
+    {
+        result_.points.push_back(x);
+    }
+
+    return inserted.first->second;
+}
+
+
+void triangleDivider::insert
+(
+    const triangle3& a,
+    const triangle3& b,
+    const planeProjection& project,
+    planeTriangulation& plane
+) const
+{
+    const auto common = CGAL::intersection(a, b);
+    if (!common)
+    {
+        return;
+    }
+
+    // The corners of the intersection, in their order around it
+    std::vector<point3> corners;
+    if (const auto* x = alternative<point3>(*common))
+    {
+        corners = {*x};
+    }
+    else if (const auto* s = alternative<exactKernel::Segment_3>(*common))
+    {
+        corners = {s->source(), s->target()};
+    }
+    else if (const auto* t = alternative<triangle3>(*common))
+    {
+        corners = {(*t)[0], (*t)[1], (*t)[2]};
+    }
+    else
+    {
+        corners = *alternative<std::vector<point3>>(*common);
+    }
+
+    auto last = plane.insert(project(corners.back()));
+    for (const point3& x : corners)
+    {
+        const auto next = plane.insert(project(x));
+        if (next != last)
+        {
+            plane.insert_constraint(last, next);
+        }
+        last = next;
+    }
+}
+
+
+void triangleDivider::divide(const label i)
+{
+    const triangle3 t = triangle(i);
+    const planeProjection project(t.supporting_plane());
+
+    planeTriangulation plane;
+    for (int k = 0; k < 3; ++k)
+    {
+        plane.insert_constraint(project(t[k]), project(t[(k + 1) % 3]));
+    }
+    for (const label j : partners_[i])
+    {
+        insert(t, triangle(j), project, plane);
+    }
+
+    for (const auto v : plane.finite_vertex_handles())
+    {
+        v->info() = labelOf(project.inverse(v->point()));
+    }
+
+    for (const auto f : plane.finite_face_handles())
+    {
+        face part{f->vertex(0)->info(), f->vertex(1)->info(),
+            f->vertex(2)->info()};
+        if (project.turns())
+        {
+            part.flip();
+        }
+        result_.parts.push_back(part);
+        result_.triangleOf.push_back(i);
+    }
+}
+
+
+dividedTriangles triangleDivider::divide()
+{
+    forAll(triangles_, i)
+    {
+        if (!partners_[i].empty())
+        {
+            for (const label p : triangles_[i])
+            {
+                labels_.emplace(result_.points[p], p);
+            }
+        }
+    }
+
+    forAll(triangles_, i)
+    {
+        if (partners_[i].empty())
+        {
+            result_.parts.push_back(triangles_[i]);
+            result_.triangleOf.push_back(i);
+        }
+        else
+        {
+            divide(i);
+        }
+    }
+
+    return result_;
+}
+
+} // End anonymous namespace
+
+
+dividedTriangles divideTriangles(const wallSurface& surface)
+{
+    triangleDivider divider(surface);
+    divider.findPartners(surface);
+
+    return divider.divide();
+}
+
+
+// * * * * * * * * * * * * * *  Winding Number * * * * * * * * * * * * * * * //
+
+typedef exactKernel::Point_3 point3;
+typedef exactKernel::Triangle_3 triangle3;
+typedef exactKernel::Vector_3 vector3;
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+bool windingNumber::along
+(
+    const vector3& direction,
+    const face& part,
+    const label triangle,
+    label& number
+) const
+{
+    const triangle3 p = divided_.triangleOn(part);
+    const point3 begin = CGAL::centroid(p[0], p[1], p[2]);
+    const point3 end = begin + direction;
+    const std::vector<label>& inPlane = divided_.inPlane[triangle];
+    const point from = rounded(begin);
+    const point to = from + 2*size_*normalised(rounded(end) - from);
+    point hit;
+    number = 0;
+
+    forAll(triangles_, i)
+    {
+        if
+        (
+            i == triangle || !boxes_[i].intersects(from, to, hit)
+         || std::binary_search(inPlane.begin(), inPlane.end(), i)
+        )
+        {
+            continue;
+        }
+
+        const triangle3 t = divided_.triangleOn(triangles_[i]);
+        label nSides[3] = {0, 0, 0};
+        for (int k = 0; k < 3; ++k)
+        {
+            ++nSides[1 + CGAL::orientation(begin, end, t[k], t[k + 1])];
+        }
+        if (nSides[0] && nSides[2])
+        {
+            continue;
+        }
+
+        const vector3 n = CGAL::normal(t[0], t[1], t[2]);
+        const int along = CGAL::sign(n*direction);
+        const int side = CGAL::orientation(t[0], t[1], t[2], begin);
+        if (side == 0 || along == side)
+        {
+            continue;
+        }
+        if (nSides[1] || along == 0)
+        {
+            // Through an edge of the triangle, or within its plane
+            return false;
+        }
+        number += along;
+    }
+
+    return true;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+windingNumber::windingNumber
+(
+    const wallSurface& surface,
+    const dividedTriangles& divided
+)
+:
+    triangles_(surface.faces),
+    divided_(divided),
+    size_(boundBox(surface.points, false).mag())
+{
+    boxes_.reserve(triangles_.size());
+    for (const face& f : triangles_)
+    {
+        treeBoundBox box(surface.points, f);
+        box.min() -= vector::uniform(1e-9*size_);
+        box.max() += vector::uniform(1e-9*size_);
+        boxes_.push_back(box);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+label windingNumber::inFront(const face& part, const label triangle) const
+{
+    const triangle3 p = divided_.triangleOn(part);
+    const vector3 n = CGAL::normal(p[0], p[1], p[2]);
+    const vector normal =
+        normalised(rounded(CGAL::ORIGIN + n) - point::zero);
+
+    std::mt19937 random(triangle);
+    std::uniform_real_distribution<scalar> share(-0.3, 0.3);
+    label number = 0;
+
+    for (;;)
+    {
+        const vector3 direction
+        (
+            normal.x() + share(random), normal.y() + share(random),
+            normal.z() + share(random)
+        );
+        if (n*direction > 0 && along(direction, part, triangle, number))
+        {
+            return number;
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * *  Union Boundary * * * * * * * * * * * * * * * //
 
 namespace
 {
@@ -193,8 +592,6 @@ label unionFacets::nDivided() const
 
 } // End anonymous namespace
 
-
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 unionBoundary findUnionBoundary(const wallSurface& surface)
 {

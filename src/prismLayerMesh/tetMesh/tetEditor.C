@@ -4,13 +4,327 @@
 \*---------------------------------------------------------------------------*/
 
 #include "tetEditor.H"
+#include "boolList.H"
 #include "error.H"
-#include "tetAddressing.H"
+
+#include <algorithm>
+#include <array>
 
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+namespace
+{
+
+//- Sorts items by a first point, which makes buckets of a few items each, and
+//  by the rest of their points
+template<class Rest>
+class pointBuckets
+{
+    typedef std::pair<Rest, label> keyed;
+
+    labelList starts_;
+    List<keyed> keys_;
+
+public:
+
+    //- Sorts n items into buckets by their first points.
+    //  keyOf(i): returns the first point of item i, and the rest of its points
+    template<class KeyOf>
+    pointBuckets(const label nPoints, const label n, const KeyOf& keyOf)
+    :
+        starts_(nPoints + 1, 0),
+        keys_(n)
+    {
+        for (label i = 0; i < n; ++i)
+        {
+            ++starts_[keyOf(i).first + 1];
+        }
+        for (label p = 0; p < nPoints; ++p)
+        {
+            starts_[p + 1] += starts_[p];
+        }
+
+        labelList ends(starts_);
+        for (label i = 0; i < n; ++i)
+        {
+            const std::pair<label, Rest> key(keyOf(i));
+            keys_[ends[key.first]++] = keyed(key.second, i);
+        }
+        #pragma omp parallel for schedule(dynamic, 1024)
+        for (label p = 0; p < nPoints; ++p)
+        {
+            std::sort
+            (
+                keys_.begin() + starts_[p], keys_.begin() + starts_[p + 1]
+            );
+        }
+    }
+
+    //- Calls visit(rest, i, isNew) for the items of a point in their order;
+    //  isNew is false if the last one was equal
+    template<class Visit>
+    void visit(const label p, const Visit& visit) const
+    {
+        for (label k = starts_[p]; k < starts_[p + 1]; ++k)
+        {
+            const bool isNew =
+                k == starts_[p] || keys_[k].first != keys_[k - 1].first;
+            visit(keys_[k].first, keys_[k].second, isNew);
+        }
+    }
+};
+
+} // End anonymous namespace
+
+
+List<FixedList<label, 4>> tetNeighbours
+(
+    const tetCellList& tets,
+    const label nPoints
+)
+{
+    typedef std::array<label, 2> twoPoints;
+
+    const pointBuckets<twoPoints> buckets
+    (
+        nPoints, 4*tets.size(),
+        [&](const label k)
+        {
+            const tetCell& tet = tets[k/4];
+            label f[3] =
+                {tet[(k + 1) % 4], tet[(k + 2) % 4], tet[(k + 3) % 4]};
+            std::sort(f, f + 3);
+            return std::make_pair(f[0], twoPoints{f[1], f[2]});
+        }
+    );
+    List<FixedList<label, 4>> neighbours(tets.size(), FixedList<label, 4>(-1));
+
+    #pragma omp parallel for schedule(dynamic, 1024)
+    for (label p = 0; p < nPoints; ++p)
+    {
+        label last = -1;
+
+        buckets.visit
+        (
+            p,
+            [&](const twoPoints&, const label k, const bool isNew)
+            {
+                if (!isNew)
+                {
+                    neighbours[k/4][k % 4] = last/4;
+                    neighbours[last/4][last % 4] = k/4;
+                }
+                last = k;
+            }
+        );
+    }
+
+    return neighbours;
+}
+
+
+void setTetEdges
+(
+    const tetCellList& tets,
+    const label nPoints,
+    edgeList& edges,
+    List<FixedList<label, 6>>& tetEdges
+)
+{
+    static const label ends[6][2] =
+        {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+
+    const pointBuckets<label> buckets
+    (
+        nPoints, 6*tets.size(),
+        [&](const label k)
+        {
+            const label p = tets[k/6][ends[k % 6][0]];
+            const label q = tets[k/6][ends[k % 6][1]];
+            return std::make_pair(min(p, q), max(p, q));
+        }
+    );
+    DynamicList<edge> found(2*tets.size());
+    tetEdges.setSize(tets.size());
+
+    for (label p = 0; p < nPoints; ++p)
+    {
+        buckets.visit
+        (
+            p,
+            [&](const label q, const label k, const bool isNew)
+            {
+                if (isNew)
+                {
+                    found.append(edge(p, q));
+                }
+                tetEdges[k/6][k % 6] = found.size() - 1;
+            }
+        );
+    }
+
+    edges.transfer(found);
+}
+
+
+// * * * * * * * * * * * * * * *  Split Tets * * * * * * * * * * * * * * * * //
+
+//- Returns for each simplex its position in the order in which tetrahedra are
+//  split: the shortest edges first, then the faces
+static labelList splitOrder
+(
+    const simplexSet& simplices,
+    const pointField& points
+)
+{
+    scalarField lengths(simplices.simplices().size(), GREAT);
+    forAll(lengths, i)
+    {
+        const simplex& s = simplices.simplices()[i];
+
+        if (s[0] < 0)
+        {
+            lengths[i] = magSqr(points[s[2]] - points[s[1]]);
+        }
+    }
+
+    return invert(lengths.size(), sortedOrder(lengths));
+}
+
+
+//- Returns the edge or face of a tetrahedron at which it is split first, as its
+//  position in the set, or -1. inSet marks the points of the set.
+static label firstSimplex
+(
+    const simplexSet& simplices,
+    const labelUList& order,
+    const boolList& inSet,
+    const tetCell& tet
+)
+{
+    DynamicList<label, 4> p;
+    for (const label q : tet)
+    {
+        if (q < inSet.size() && inSet[q])
+        {
+            p.append(q);
+        }
+    }
+
+    label first = -1;
+    const auto look = [&](const simplex& s)
+    {
+        const label i = simplices.find(s);
+        first = i >= 0 && (first < 0 || order[i] < order[first]) ? i : first;
+    };
+
+    for (label i = 0; i < p.size(); ++i)
+    {
+        for (label j = 0; j < i; ++j)
+        {
+            look(sortedSimplex(-1, p[i], p[j]));
+
+            for (label k = 0; k < j; ++k)
+            {
+                look(sortedSimplex(p[i], p[j], p[k]));
+            }
+        }
+    }
+
+    return first;
+}
+
+
+//- Split a tetrahedron at its first simplex, and the parts at theirs. The order
+//  of the simplices is the same for all tetrahedra, so a face is split in the
+//  same way from both sides.
+static void split
+(
+    const simplexSet& simplices,
+    const labelUList& order,
+    const boolList& inSet,
+    const label firstNewPoint,
+    const tetCell& tet,
+    DynamicList<tetCell>& parts
+)
+{
+    const label first = firstSimplex(simplices, order, inSet, tet);
+
+    if (first < 0)
+    {
+        parts.append(tet);
+        return;
+    }
+
+    DynamicList<tetCell, 4> own;
+    appendParts(tet, simplices.simplices()[first], firstNewPoint + first, own);
+
+    for (const tetCell& part : own)
+    {
+        split(simplices, order, inSet, firstNewPoint, part, parts);
+    }
+}
+
+
+simplex sortedSimplex(const label a, const label b, const label c)
+{
+    simplex s({a, b, c});
+    std::sort(s.begin(), s.end());
+
+    return s;
+}
+
+
+point centreOf(const simplex& s, const pointField& points)
+{
+    point sum(Zero);
+    label n = 0;
+
+    for (const label p : s)
+    {
+        if (p >= 0)
+        {
+            sum += points[p];
+            ++n;
+        }
+    }
+
+    return sum/n;
+}
+
+
+void splitTets
+(
+    const simplexSet& simplices,
+    const pointField& points,
+    const label firstNewPoint,
+    tetCellList& tets
+)
+{
+    const labelList order(splitOrder(simplices, points));
+    boolList inSet(firstNewPoint, false);
+    for (const simplex& s : simplices.simplices())
+    {
+        for (const label p : s)
+        {
+            if (p >= 0)
+            {
+                inSet[p] = true;
+            }
+        }
+    }
+
+    DynamicList<tetCell> parts(tets.size());
+    for (const tetCell& tet : tets)
+    {
+        split(simplices, order, inSet, firstNewPoint, tet, parts);
+    }
+    tets.transfer(parts);
+}
+
+
+// * * * * * * * * * * * * * * *  Tet Editor * * * * * * * * * * * * * * * * //
 
 //- Whether the order of the points p q r s of a tetrahedron is an even
 //  permutation of its own

@@ -5,14 +5,209 @@
 
 #include "orientOpenWall.H"
 #include "boundBox.H"
-#include "openComponents.H"
+#include "HashSet.H"
+#include "ListOps.H"
+#include "Map.H"
+#include "mathematicalConstants.H"
 #include "ranges.H"
 #include "surfacePart.H"
+#include "wallSides.H"
 
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+//- Index of the plane that is nearest to the middle of an edge
+static label nearestPlane
+(
+    const wallSurface& surface,
+    const UList<sidePatch>& planes,
+    const wallSide& side
+)
+{
+    const point middle
+    (
+        0.5*(surface.points[side.low] + surface.points[side.high])
+    );
+    label nearest = 0;
+
+    forAll(planes, s)
+    {
+        if
+        (
+            mag(planes[s].distance(middle))
+          < mag(planes[nearest].distance(middle))
+        )
+        {
+            nearest = s;
+        }
+    }
+
+    return nearest;
+}
+
+
+//- The point nearest to x that is on all of some planes; true if there is one
+static bool moveToAll
+(
+    const UList<sidePatch>& planes,
+    const labelUList& some,
+    const scalar tolerance,
+    point& x
+)
+{
+    // Alternating projections
+    scalar largest = GREAT;
+    for (label pass = 0; pass < 1000 && largest > tolerance; ++pass)
+    {
+        largest = 0;
+        for (const label s : some)
+        {
+            const scalar distance = planes[s].distance(x);
+            x -= distance*planes[s].normal;
+            largest = max(largest, mag(distance));
+        }
+    }
+
+    return largest <= tolerance;
+}
+
+
+bool openComponent::turnsCorner() const
+{
+    Map<label> planeOfStart;
+    forAll(borders, i)
+    {
+        planeOfStart.insert(borders[i].start(), planes[i]);
+    }
+
+    forAll(borders, i)
+    {
+        if (planeOfStart.lookup(borders[i].end(), -1) != planes[i])
+        {
+            return true;
+        }
+    }
+
+    return false;
+}
+
+
+List<openComponent> openComponents
+(
+    const wallSurface& surface,
+    const UList<sidePatch>& planes
+)
+{
+    const wallSides edges(makeWallSides(surface));
+    labelList componentOfFace;
+    const label n =
+        findComponents(edges, surface.faces.size(), componentOfFace);
+    List<openComponent> components(n);
+    const labelListList faces(invertOneToMany(n, componentOfFace));
+
+    for (label e = 0; planes.size() && e < edges.nEdges(); ++e)
+    {
+        const wallSide& side = edges.on(e)[0];
+
+        if (edges.on(e).size() == 1)
+        {
+            openComponent& component = components[componentOfFace[side.facei]];
+            component.borders.append(side.along());
+            component.planes.append(nearestPlane(surface, planes, side));
+        }
+    }
+
+    forAll(components, i)
+    {
+        components[i].faces = faces[i];
+    }
+
+    return components;
+}
+
+
+List<triPoints> cappedTriangles
+(
+    const wallSurface& surface,
+    const UList<sidePatch>& planes,
+    const openComponent& component
+)
+{
+    const pointField& points = surface.points;
+    const scalar size = boundBox(points, false).mag();
+    const labelList some(labelHashSet(component.planes).sortedToc());
+    const bool turns = component.turnsCorner();
+    point apex(points[surface.faces[component.faces[0]][0]]);
+
+    // Caps are triangles from an apex in their plane: from one in all planes
+    // where borders go from one to another
+    if (turns && !moveToAll(planes, some, 1e-6*size, apex))
+    {
+        return List<triPoints>();
+    }
+
+    DynamicList<triPoints> triangles;
+    for (const label facei : component.faces)
+    {
+        const face& f = surface.faces[facei];
+        for (label k = 1; k + 1 < f.size(); ++k)
+        {
+            triangles.append
+            (
+                triPoints(points[f[0]], points[f[k]], points[f[k + 1]])
+            );
+        }
+    }
+
+    forAll(component.borders, i)
+    {
+        const edge& e = component.borders[i];
+        const point& top = turns ? apex : planes[component.planes[i]].origin;
+        triangles.append(triPoints(points[e.end()], points[e.start()], top));
+    }
+
+    return List<triPoints>(std::move(triangles));
+}
+
+
+scalar volumeOf(const UList<triPoints>& triangles)
+{
+    scalar volume = 0;
+
+    for (const triPoints& t : triangles)
+    {
+        const point& origin = triangles[0][0];
+        volume +=
+            ((t[0] - origin) ^ (t[1] - origin)) & (t[2] - origin);
+    }
+
+    return volume/6;
+}
+
+
+bool isWithin(const UList<triPoints>& triangles, const point& x)
+{
+    scalar halves = 0;
+
+    for (const triPoints& t : triangles)
+    {
+        const vector a(t[0] - x);
+        const vector b(t[1] - x);
+        const vector c(t[2] - x);
+
+        halves += ::atan2
+        (
+            (a ^ b) & c,
+            mag(a)*mag(b)*mag(c)
+          + (a & b)*mag(c) + (b & c)*mag(a) + (c & a)*mag(b)
+        );
+    }
+
+    return mag(halves) > constant::mathematical::pi;
+}
+
+
+// * * * * * * * * * * * * * *  Orient Open Wall * * * * * * * * * * * * * * //
 
 //- The centre of the largest of some faces
 static point centreOfLargest
@@ -58,8 +253,6 @@ static void flip(const labelUList& faces, wallSurface& surface)
     }
 }
 
-
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 label orientOpenWall
 (

@@ -5,18 +5,261 @@
 
 #include "splitAtSidePatches.H"
 #include "boundBox.H"
-#include "checkInFront.H"
 #include "orientOpenWall.H"
 #include "ranges.H"
-#include "surfacePart.H"
-#include "sideBorders.H"
 #include "sideParts.H"
 #include "sideShape.H"
+#include "StringStream.H"
+#include "surfacePart.H"
+#include "wallSides.H"
 
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+void refuseAt(const UList<point>& places, const string& what)
+{
+    if (places.empty())
+    {
+        return;
+    }
+
+    FatalErrorInFunction
+        << what.c_str() << " at " << places.size() << " places:";
+
+    for (label i = 0; i < min(places.size(), label(10)); ++i)
+    {
+        FatalError << nl << "    " << places[i];
+    }
+
+    FatalError << exit(FatalError);
+}
+
+
+void checkInFront
+(
+    const wallSurface& surface,
+    const sidePatch& plane,
+    const bitSet& onPlane,
+    const scalar tolerance
+)
+{
+    DynamicList<point> beyond, touching;
+
+    forAll(surface.points, p)
+    {
+        const scalar distance = plane.distance(surface.points[p]);
+
+        if (distance > tolerance)
+        {
+            beyond.append(surface.points[p]);
+        }
+        else if (distance > -touchShare*tolerance && !onPlane.test(p))
+        {
+            touching.append(surface.points[p]);
+        }
+    }
+
+    for (const face& f : surface.faces)
+    {
+        const bool isOn =
+            allOf(f, [&](const label p) { return onPlane.test(p); });
+
+        if (isOn)
+        {
+            touching.append(f.centre(surface.points));
+        }
+    }
+
+    refuseAt
+    (
+        beyond,
+        "The surface is beyond the side plane " + plane.name
+      + ", whose normal must point out of the fluid,"
+    );
+    refuseAt(touching, "The wall touches the side plane " + plane.name);
+}
+
+
+// * * * * * * * * * * * * * * *  Side Borders * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+struct borderFinder
+{
+    const wallSurface& surface;
+    const sideParts& parts;
+    const UList<sidePatch>& planes;
+    const scalar tolerance;
+
+    sideBorders borders{};
+
+
+    //- The side patch of the plane that is nearest to both ends of an edge, -1
+    //  if none is near
+    label planeOf(const wallSide& edge) const;
+
+    void addPointSide(const label p, const label s)
+    {
+        if (!borders.pointSides[p].found(s))
+        {
+            borders.pointSides[p].append(s);
+        }
+    }
+
+    //- An edge of a face is on a side patch: a border if the face is the wall's
+    void addBorder(const wallSide& edge, const label side);
+
+    //- Adds the border on an edge, if there is one. Returns false if the edge
+    //  has one face and is near no plane.
+    bool addBorders(const UList<wallSide>& onEdge);
+
+    //- Refuses borders at some places: no plane is near to them
+    void refuseFar(const UList<point>& places) const;
+
+    //- The points of faces on side patches are on these patches
+    void addPointsOfSides();
+
+    sideBorders find();
+};
+
+
+label borderFinder::planeOf(const wallSide& edge) const
+{
+    label nearest = -1;
+    scalar least = tolerance;
+
+    forAll(planes, i)
+    {
+        const scalar distance = max
+        (
+            mag(planes[i].distance(surface.points[edge.low])),
+            mag(planes[i].distance(surface.points[edge.high]))
+        );
+
+        if (distance <= least)
+        {
+            least = distance;
+            nearest = parts.sides.size() + i;
+        }
+    }
+
+    return nearest;
+}
+
+
+void borderFinder::addBorder(const wallSide& edge, const label side)
+{
+    addPointSide(edge.low, side);
+    addPointSide(edge.high, side);
+
+    if (parts.sideOfFace[edge.facei] < 0)
+    {
+        borders.edges.append(edge.along());
+        borders.edgeSides.append(side);
+    }
+}
+
+
+bool borderFinder::addBorders(const UList<wallSide>& onEdge)
+{
+    const wallSide& first = onEdge[0];
+
+    if (onEdge.size() == 1)
+    {
+        const label plane = planeOf(first);
+        if (plane >= 0)
+        {
+            addBorder(first, plane);
+        }
+        return plane >= 0;
+    }
+
+    const wallSide& second = onEdge[1];
+    const label side = parts.sideOfFace[first.facei];
+    const label other = parts.sideOfFace[second.facei];
+
+    if (side < 0 && other >= 0)
+    {
+        addBorder(first, other);
+    }
+    else if (side >= 0 && other < 0)
+    {
+        addBorder(second, side);
+    }
+
+    return true;
+}
+
+
+void borderFinder::refuseFar(const UList<point>& places) const
+{
+    OStringStream bound;
+    bound << tolerance;
+    refuseAt
+    (
+        places,
+        "The surface is open and its border is further than " + bound.str()
+      + " m from all side planes"
+    );
+}
+
+
+void borderFinder::addPointsOfSides()
+{
+    forAll(parts.sideOfFace, facei)
+    {
+        const face& f = surface.faces[facei];
+        const label side = parts.sideOfFace[facei];
+
+        for (label k = 0; side >= 0 && k < f.size(); ++k)
+        {
+            addPointSide(f[k], side);
+        }
+    }
+}
+
+
+sideBorders borderFinder::find()
+{
+    borders.pointSides.setSize(surface.points.size());
+    const wallSides edges(makeWallSides(surface));
+    DynamicList<point> lost;
+
+    for (label e = 0; e < edges.nEdges(); ++e)
+    {
+        if (!addBorders(edges.on(e)))
+        {
+            const wallSide& side = edges.on(e)[0];
+            lost.append
+            (
+                0.5*(surface.points[side.low] + surface.points[side.high])
+            );
+        }
+    }
+
+    refuseFar(lost);
+    addPointsOfSides();
+
+    return borders;
+}
+
+} // End anonymous namespace
+
+
+sideBorders findSideBorders
+(
+    const wallSurface& surface,
+    const sideParts& parts,
+    const UList<sidePatch>& planes,
+    const scalar tolerance
+)
+{
+    return borderFinder{surface, parts, planes, tolerance}.find();
+}
+
+
+// * * * * * * * * * * * * *  Split At Side Patches  * * * * * * * * * * * * //
 
 //- A curved side patch has the shape of its faces
 static void setShape(sidePatch& side)
@@ -214,8 +457,6 @@ static void refuse(const patchLayers& entry, const wordList& names)
         << "Its patches: " << flatOutput(names) << exit(FatalError);
 }
 
-
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 wallSurface splitAtSidePatches
 (

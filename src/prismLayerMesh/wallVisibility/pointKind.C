@@ -8,8 +8,6 @@
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 static pointKind kindOfPoint
 (
     const wallSurface& wall,
@@ -54,8 +52,6 @@ static pointKind kindOfPoint
 }
 
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
 List<pointKind> kindsOfPoints
 (
     const wallSurface& wall,
@@ -84,6 +80,76 @@ FixedList<label, nPointKinds> countKinds(const List<pointKind>& kinds)
     }
 
     return counts;
+}
+
+
+// * * * * * * * * * * * * * *  Inward Curvature * * * * * * * * * * * * * * //
+
+//- Normals of points, smoothed between points that are on no sharp edge: a
+//  crease between coarse triangles that were divided is no curve
+static vectorField smoothedNormals
+(
+    const wallAddressing& addressing,
+    const wallVisibility& visibility,
+    const List<pointKind>& kinds
+)
+{
+    vectorField normals(visibility.meanNormals);
+
+    for (label pass = 0; pass < curvatureControls::nPasses; ++pass)
+    {
+        const vectorField old(normals);
+
+        #pragma omp parallel for schedule(static, 256)
+        forAll(normals, p)
+        {
+            vector sum(Zero);
+            label nFlat = 0;
+            for (const label q : addressing.pointPoints[p])
+            {
+                const bool isFlat = kinds[q] == pointKind::flat;
+                sum += isFlat ? old[q] : vector(Zero);
+                nFlat += isFlat;
+            }
+            normals[p] = nFlat ? 0.5*(old[p] + sum/nFlat) : old[p];
+        }
+    }
+
+    return normals;
+}
+
+
+scalarField inwardCurvature
+(
+    const wallSurface& wall,
+    const wallAddressing& addressing,
+    const wallVisibility& visibility,
+    const List<pointKind>& kinds
+)
+{
+    const vectorField normals(smoothedNormals(addressing, visibility, kinds));
+    scalarField curvature(wall.points.size(), 0);
+
+    #pragma omp parallel for schedule(static, 256)
+    forAll(curvature, p)
+    {
+        if (kinds[p] != pointKind::flat)
+        {
+            continue;
+        }
+        for (const label q : addressing.pointPoints[p])
+        {
+            const vector d(wall.points[q] - wall.points[p]);
+            const scalar turn = (normals[q] - normals[p]) & d;
+
+            if (kinds[q] == pointKind::flat)
+            {
+                curvature[p] = max(curvature[p], -turn/magSqr(d));
+            }
+        }
+    }
+
+    return curvature;
 }
 
 } // End namespace Foam

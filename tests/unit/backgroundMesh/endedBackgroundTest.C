@@ -5,8 +5,8 @@
 
 #include "levelSetTopology.H"
 #include "openSurfaces.H"
-#include "sideFacets.H"
 #include "testStages.H"
+#include "wallDomain.H"
 
 #include <gtest/gtest.h>
 

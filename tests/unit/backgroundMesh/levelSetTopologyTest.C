@@ -4,11 +4,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "levelSetTopology.H"
+#include "Random.H"
 #include "testStages.H"
 #include "testSurfaces.H"
-#include "slitEdges.H"
 #include "wallBridges.H"
-#include "Random.H"
 
 #include <map>
 

@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "cadSurface.H"
-#include "runProgram.H"
+#include "isolatedProcess.H"
 #include "surfaceFiles.H"
 #include "thrownMessage.H"
 #include "wallDefects.H"

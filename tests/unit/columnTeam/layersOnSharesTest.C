@@ -5,14 +5,14 @@
 
 #include "divideMesh.H"
 #include "makePrismLayers.H"
-#include "percentiles.H"
+#include "openSurfaces.H"
+#include "patchReport.H"
 #include "pieceInLists.H"
 #include "prismQuality.H"
+#include "Random.H"
 #include "testLayers.H"
 #include "testStages.H"
-#include "openSurfaces.H"
 #include "threadTeam.H"
-#include "Random.H"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "splitPolygon.H"
+#include "planeOutlines.H"
 
 #include <gtest/gtest.h>
 

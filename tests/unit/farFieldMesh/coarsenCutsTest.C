@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "coarsenCuts.H"
+#include "sidePatchRemainders.H"
 #include "sideShape.H"
 
 #include <gtest/gtest.h>

@@ -4,9 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "memoryMesh.H"
+#include "layerGeometry.H"
 #include "openSurfaces.H"
 #include "sideShape.H"
-#include "stackHeights.H"
 #include "surfaceMeasures.H"
 #include "testFarField.H"
 #include "testStages.H"

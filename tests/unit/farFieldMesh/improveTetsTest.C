@@ -5,8 +5,8 @@
 
 #include "backgroundMesh.H"
 #include "improveTets.H"
-#include "splitTets.H"
 #include "testSurfaces.H"
+#include "tetEditor.H"
 #include "tetrahedralize.H"
 #include "unitConversion.H"
 

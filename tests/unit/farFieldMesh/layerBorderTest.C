@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "layerBorder.H"
+#include "sideRegions.H"
 #include "openSurfaces.H"
 #include "testLayers.H"
 

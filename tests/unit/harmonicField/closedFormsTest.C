@@ -15,7 +15,11 @@ using namespace Foam;
 using testSurfaces::shellMesh;
 using testSurfaces::tubeMesh;
 
-static scalarField solvedField(const backgroundMesh& mesh, const scalarField& weights)
+static scalarField solvedField
+(
+    const backgroundMesh& mesh,
+    const scalarField& weights
+)
 {
     fieldControls controls;
     controls.tolerance = 1e-12;

@@ -3,9 +3,9 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "monotoneField.H"
-#include "testStages.H"
+#include "harmonicField.H"
 #include "Random.H"
+#include "testStages.H"
 
 #include <limits>
 

@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "runProgram.H"
+#include "isolatedProcess.H"
 #include "temporaryFiles.H"
 
 #include <chrono>

@@ -3,8 +3,8 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "blockLines.H"
-#include "monotoneField.H"
+#include "columnLines.H"
+#include "harmonicField.H"
 #include "testLayers.H"
 #include "testStages.H"
 #include "testSurfaces.H"

@@ -5,9 +5,9 @@
 
 #include "levelSetReport.H"
 #include "levelSets.H"
+#include "patchReport.H"
 #include "testStages.H"
 #include "testSurfaces.H"
-#include "faceHeights.H"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "blockLines.H"
+#include "columnLines.H"
 #include "testLayers.H"
 #include "testStages.H"
 #include "testSurfaces.H"

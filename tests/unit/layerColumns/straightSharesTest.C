@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "straightShares.H"
+#include "layerColumns.H"
 #include "diffusionTensor.H"
 #include "testStages.H"
 #include "testSurfaces.H"

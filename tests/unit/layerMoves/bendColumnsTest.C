@@ -5,8 +5,8 @@
 
 #include "bendColumns.H"
 #include "editedColumns.H"
+#include "layerGeometry.H"
 #include "scaledJacobian.H"
-#include "stackHeights.H"
 #include "unitConversion.H"
 
 #include <gtest/gtest.h>

@@ -3,10 +3,10 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "columnColours.H"
-#include "testSurfaces.H"
+#include "layerEditor.H"
 #include "HashSet.H"
 #include "ListOps.H"
+#include "testSurfaces.H"
 
 #include <algorithm>
 

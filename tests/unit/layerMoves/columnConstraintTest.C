@@ -6,11 +6,9 @@
 #include "bendColumns.H"
 #include "editedColumns.H"
 #include "fitHeights.H"
-#include "growColumns.H"
 #include "leanColumns.H"
 #include "limitHeightJumps.H"
 #include "retreatColumns.H"
-#include "turnColumns.H"
 
 #include <gtest/gtest.h>
 

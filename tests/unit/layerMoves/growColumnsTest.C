@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "editedColumns.H"
-#include "growColumns.H"
 #include "retreatColumns.H"
 
 #include <gtest/gtest.h>

@@ -3,9 +3,9 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "heightLimits.H"
-#include "testSurfaces.H"
+#include "limitHeightJumps.H"
 #include "Random.H"
+#include "testSurfaces.H"
 
 #include <algorithm>
 

@@ -4,9 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "editedColumns.H"
+#include "leanColumns.H"
 #include "limitHeightJumps.H"
 #include "retreatColumns.H"
-#include "turnColumns.H"
 
 #include <gtest/gtest.h>
 

@@ -7,7 +7,6 @@
 #include "leanColumns.H"
 #include "retreatColumns.H"
 #include "scaledJacobian.H"
-#include "turnColumns.H"
 
 #include <gtest/gtest.h>
 #include <omp.h>

@@ -4,9 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "editedColumns.H"
+#include "layerGeometry.H"
 #include "limitHeightJumps.H"
 #include "retreatColumns.H"
-#include "stackHeights.H"
 
 #include <gtest/gtest.h>
 

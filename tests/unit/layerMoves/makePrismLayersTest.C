@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "makePrismLayers.H"
-#include "stackHeights.H"
+#include "layerGeometry.H"
 #include "testStages.H"
 #include "testSurfaces.H"
 

@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "nameCauses.H"
+#include "makePrismLayers.H"
 #include "editedColumns.H"
 
 #include <gtest/gtest.h>

@@ -7,11 +7,10 @@
 #include "certifyLayers.H"
 #include "editedColumns.H"
 #include "fitHeights.H"
-#include "growColumns.H"
+#include "leanColumns.H"
 #include "limitHeightJumps.H"
 #include "prismQuality.H"
 #include "retreatColumns.H"
-#include "turnColumns.H"
 #include "unitConversion.H"
 
 #include <gtest/gtest.h>

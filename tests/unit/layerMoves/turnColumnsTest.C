@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "editedColumns.H"
-#include "turnColumns.H"
+#include "leanColumns.H"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "faceHeights.H"
+#include "patchReport.H"
 #include "testLayers.H"
 #include "testSurfaces.H"
 

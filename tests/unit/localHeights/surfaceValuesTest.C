@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "surfaceValues.H"
+#include "readLocalHeights.H"
 #include "testSurfaces.H"
 #include "thrownMessage.H"
 

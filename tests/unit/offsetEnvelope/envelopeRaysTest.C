@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "envelopeRays.H"
+#include "offsetEnvelope.H"
 #include "testSurfaces.H"
 
 #include <gtest/gtest.h>

@@ -4,11 +4,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "prepareWall.H"
-#include "cutBlindFaces.H"
-#include "flipCaps.H"
 #include "meshFuzzCase.H"
 #include "openSurfaces.H"
-#include "renumberWall.H"
+#include "wallChanges.H"
+#include "wallVisibility.H"
 
 #include <gtest/gtest.h>
 

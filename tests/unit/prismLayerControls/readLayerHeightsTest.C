@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layerSpacing.H"
-#include "readLayerHeights.H"
+#include "readControls.H"
 #include "thrownMessage.H"
 
 using namespace Foam;

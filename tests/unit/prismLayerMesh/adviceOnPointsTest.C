@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "adviceOnPoints.H"
+#include "wallPointsError.H"
 #include "openSurfaces.H"
 #include "unitConversion.H"
 

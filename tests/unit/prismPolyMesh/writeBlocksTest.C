@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "writeBlocks.H"
+#include "meshFiles.H"
 #include "temporaryFiles.H"
 #include "thrownMessage.H"
 #include "Time.H"

@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "prismQuality.H"
-#include "orientation.H"
+#include "cellPredicates.H"
 #include "Random.H"
 
 #include <gtest/gtest.h>

@@ -3,14 +3,14 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "faceQualityReport.H"
+#include "patchReport.H"
 #include "memoryMesh.H"
 #include "openSurfaces.H"
-#include "testLayers.H"
-#include "testSurfaces.H"
 #include "polyMeshTetDecomposition.H"
 #include "polyMeshTools.H"
 #include "StringStream.H"
+#include "testLayers.H"
+#include "testSurfaces.H"
 #include "tetPointRef.H"
 #include "unitConversion.H"
 

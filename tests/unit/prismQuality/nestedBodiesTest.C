@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "nestedBodies.H"
+#include "layerOverlaps.H"
 #include "prismQuality.H"
 #include "testLayers.H"
 #include "testStages.H"

@@ -4,12 +4,12 @@
 \*---------------------------------------------------------------------------*/
 
 
-#include "orientation.H"
+#include "cellPredicates.H"
+#include "HashSet.H"
 #include "prismQuality.H"
 #include "scaledJacobian.H"
 #include "testLayers.H"
 #include "testSurfaces.H"
-#include "HashSet.H"
 #include "unitConversion.H"
 
 #include <cmath>

@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "stackBoxes.H"
+#include "layerOverlaps.H"
 #include "testLayers.H"
 #include "testSurfaces.H"
 

@@ -4,11 +4,11 @@
 \*---------------------------------------------------------------------------*/
 
 
-#include "stackHeights.H"
+#include "layerGeometry.H"
 #include "memoryMesh.H"
+#include "Random.H"
 #include "testLayers.H"
 #include "testSurfaces.H"
-#include "Random.H"
 
 #include <gtest/gtest.h>
 

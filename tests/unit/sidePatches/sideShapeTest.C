@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "openSurfaces.H"
-#include "sideCurve.H"
+#include "sidePatch.H"
 #include "sideShape.H"
 
 #include <gtest/gtest.h>

@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "mergeNearPoints.H"
+#include "readWallSurface.H"
 #include "testSurfaces.H"
 
 #include <gtest/gtest.h>

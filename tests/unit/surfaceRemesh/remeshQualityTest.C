@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "remeshQuality.H"
+#include "remeshSurface.H"
 #include "edgeHashes.H"
 #include "testSurfaces.H"
 

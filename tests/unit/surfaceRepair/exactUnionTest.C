@@ -3,8 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "exactUnion.H"
-#include "fillContacts.H"
+#include "unions.H"
 #include "mathematicalConstants.H"
 #include "stitchSurface.H"
 #include "testSurfaces.H"

@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "removeSlivers.H"
+#include "unions.H"
 #include "surfaceMeasures.H"
 #include "testSurfaces.H"
 #include "wallDefects.H"

@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "snapBorders.H"
+#include "stitchSurface.H"
 
 #include <gtest/gtest.h>
 

@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "openSurfaces.H"
-#include "soundSurface.H"
+#include "stitchSurface.H"
 
 #include <gtest/gtest.h>
 

@@ -3,9 +3,9 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "orientWallSurface.H"
-#include "stitchSurface.H"
+#include "readWallSurface.H"
 #include "openSurfaces.H"
+#include "stitchSurface.H"
 #include "wallDefects.H"
 
 #include <gtest/gtest.h>

@@ -5,10 +5,8 @@
 
 #include "wrapSurface.H"
 #include "openSurfaces.H"
-#include "snapToSurface.H"
 #include "thrownMessage.H"
 #include "wallDefects.H"
-#include "wrapLeaks.H"
 
 using namespace Foam;
 using namespace Foam::testSurfaces;

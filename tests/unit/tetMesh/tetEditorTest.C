@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "tetEditor.H"
-#include "tetAddressing.H"
 
 #include <gtest/gtest.h>
 

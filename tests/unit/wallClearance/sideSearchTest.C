@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "openSurfaces.H"
-#include "sideSearch.H"
+#include "wallSearch.H"
 
 #include <gtest/gtest.h>
 

@@ -4,9 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "testSurfaces.H"
-#include "triangleTree.H"
-#include "wallSurface.H"
 #include "Random.H"
+#include "wallSearch.H"
+#include "wallSurface.H"
 
 #include <gtest/gtest.h>
 

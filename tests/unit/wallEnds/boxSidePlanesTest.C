@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "boxSidePlanes.H"
+#include "planesOfBorder.H"
 #include "openSurfaces.H"
 
 #include <gtest/gtest.h>

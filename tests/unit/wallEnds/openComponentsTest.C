@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "openComponents.H"
+#include "orientOpenWall.H"
 #include "boundBox.H"
 #include "openSurfaces.H"
 

@@ -5,7 +5,7 @@
 
 #include "ListOps.H"
 #include "openSurfaces.H"
-#include "sideBorders.H"
+#include "sideParts.H"
 #include "thrownMessage.H"
 
 using namespace Foam;

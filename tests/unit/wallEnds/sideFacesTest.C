@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "openSurfaces.H"
-#include "sideFaces.H"
+#include "sideParts.H"
 
 #include <gtest/gtest.h>
 

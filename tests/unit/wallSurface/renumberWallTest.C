@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "renumberWall.H"
+#include "wallChanges.H"
 #include "openSurfaces.H"
 
 #include <gtest/gtest.h>

@@ -3,9 +3,8 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "cutBlindFaces.H"
-#include "testSurfaces.H"
 #include "wallVisibility.H"
+#include "testSurfaces.H"
 
 #include <gtest/gtest.h>
 

@@ -5,10 +5,7 @@
 
 #include "backgroundMesh/fieldBlock.C"
 #include "backgroundMesh/wallDomain.C"
-#include "backgroundMesh/frontTets.C"
 #include "backgroundMesh/wallBridges.C"
-#include "backgroundMesh/slitEdges.C"
-#include "backgroundMesh/sideFacets.C"
 #include "backgroundMesh/backgroundMesh.C"
 #include "backgroundMesh/levelSetTopology.C"
 

@@ -4,13 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "columnTeam/processTeam.C"
-#include "columnTeam/wallMessages.C"
-#include "columnTeam/pointOwners.C"
-#include "columnTeam/frontShare.C"
 #include "columnTeam/frontPart.C"
+#include "columnTeam/frontShare.C"
 #include "columnTeam/distributeFront.C"
-#include "columnTeam/wallPartsInBoxes.C"
-#include "columnTeam/shareCopies.C"
 #include "columnTeam/columnTeam.C"
 
 // ************************************************************************* //

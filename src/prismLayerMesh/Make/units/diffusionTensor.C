@@ -7,7 +7,6 @@
 #include "diffusionTensor/isotropicDiffusionTensor.C"
 #include "diffusionTensor/anisotropicDiffusionTensor.C"
 #include "diffusionTensor/gradientPowerDiffusionTensor.C"
-#include "diffusionTensor/readFieldControls.C"
 #include "diffusionTensor/localConductivity.C"
 
 // ************************************************************************* //

@@ -5,6 +5,5 @@
 
 #include "exactGeometry/cellPredicates.C"
 #include "exactGeometry/labelledTriangle.C"
-#include "exactGeometry/triangleIntersections.C"
 
 // ************************************************************************* //

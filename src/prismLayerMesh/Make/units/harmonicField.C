@@ -3,9 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "harmonicField/fieldGradients.C"
 #include "harmonicField/harmonicField.C"
-#include "harmonicField/monotoneField.C"
 #include "harmonicField/criticalPoints.C"
 
 // ************************************************************************* //

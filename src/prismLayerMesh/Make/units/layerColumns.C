@@ -5,13 +5,9 @@
 
 #include "layerColumns/gradientLines.C"
 #include "layerColumns/columnLines.C"
-#include "layerColumns/blockLines.C"
 #include "layerColumns/wallBlocks.C"
-#include "layerColumns/sharedBlocks.C"
-#include "layerColumns/straightShares.C"
-#include "layerColumns/wallSmoother.C"
 #include "layerColumns/layerColumns.C"
-#include "layerColumns/makeLayerColumns.C"
+#include "layerColumns/wallSmoother.C"
 #include "layerColumns/levelSets.C"
 
 // ************************************************************************* //

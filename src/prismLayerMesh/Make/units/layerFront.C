@@ -4,14 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layerFront/columnConstraint.C"
-#include "layerFront/directionTriangles.C"
-#include "layerFront/normalSectors.C"
-#include "layerFront/sectorCandidates.C"
 #include "layerFront/sectorSearch.C"
-#include "layerFront/wallSectors.C"
-#include "layerFront/directionsNearEdges.C"
+#include "layerFront/normalSectors.C"
 #include "layerFront/faceSectors.C"
 #include "layerFront/layerFront.C"
-#include "layerFront/makeLayerFront.C"
 
 // ************************************************************************* //

@@ -5,7 +5,5 @@
 
 #include "layerSpacing/limitGradient.C"
 #include "layerSpacing/layerSpacing.C"
-#include "layerSpacing/pointHeights.C"
-#include "layerSpacing/makeLayerSpacing.C"
 
 // ************************************************************************* //

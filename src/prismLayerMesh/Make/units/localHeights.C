@@ -4,8 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "localHeights/regionSearch.C"
-#include "localHeights/surfaceValues.C"
-#include "localHeights/readSurfaceValues.C"
 #include "localHeights/readLocalHeights.C"
 
 // ************************************************************************* //

@@ -4,11 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "meshCertificate/polyhedralMesh.C"
-#include "meshCertificate/meshCellShapes.C"
-#include "meshCertificate/cellCorners.C"
 #include "meshCertificate/meshCell.C"
-#include "meshCertificate/meshCellCorners.C"
-#include "meshCertificate/meshIntersections.C"
 #include "meshCertificate/meshCertificate.C"
 
 // ************************************************************************* //

@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "offsetEnvelope/sparsePoints.C"
-#include "offsetEnvelope/envelopeRays.C"
 #include "offsetEnvelope/offsetEnvelope.C"
 
 // ************************************************************************* //

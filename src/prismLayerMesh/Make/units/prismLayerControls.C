@@ -4,14 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "prismLayerControls/controlEntries.C"
-#include "prismLayerControls/geometricHeights.C"
 #include "prismLayerControls/heightSeries.C"
-#include "prismLayerControls/readLayerHeights.C"
-#include "prismLayerControls/readRegions.C"
-#include "prismLayerControls/readLayerParts.C"
-#include "prismLayerControls/readRemeshControls.C"
 #include "prismLayerControls/readLayerControls.C"
-#include "prismLayerControls/readFarFieldControls.C"
+#include "prismLayerControls/readControls.C"
 #include "prismLayerControls/pluginVersion.C"
 
 // ************************************************************************* //

@@ -5,7 +5,6 @@
 
 #include "prismLayerMesh/readPrismLayerControls.C"
 #include "prismLayerMesh/stageText.C"
-#include "prismLayerMesh/adviceOnPoints.C"
 #include "prismLayerMesh/wallPointsError.C"
 #include "prismLayerMesh/fieldStages.C"
 #include "prismLayerMesh/columnGuide.C"

@@ -3,14 +3,11 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "prismPolyMesh/findFaceNeighbours.C"
 #include "prismPolyMesh/prismFaces.C"
 #include "prismPolyMesh/meshBlocks.C"
 #include "prismPolyMesh/meshPiece.C"
 #include "prismPolyMesh/meshOrder.C"
-#include "prismPolyMesh/writeBlocks.C"
 #include "prismPolyMesh/meshFiles.C"
-#include "prismPolyMesh/prismPatches.C"
 #include "prismPolyMesh/prismPolyMesh.C"
 #include "prismPolyMesh/divideFarField.C"
 #include "prismPolyMesh/assemblePiece.C"

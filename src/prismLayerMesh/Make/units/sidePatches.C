@@ -3,8 +3,6 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "sidePatches/sideCurve.C"
 #include "sidePatches/sidePatch.C"
-#include "sidePatches/sideShape.C"
 
 // ************************************************************************* //

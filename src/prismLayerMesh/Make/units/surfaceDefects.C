@@ -3,7 +3,6 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "surfaceDefects/wallTopologyDefects.C"
 #include "surfaceDefects/wallDefects.C"
 
 // ************************************************************************* //

@@ -3,10 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "tetMesh/tetgenRun.C"
 #include "tetMesh/tetrahedralize.C"
-#include "tetMesh/splitTets.C"
-#include "tetMesh/tetAddressing.C"
 #include "tetMesh/tetEditor.C"
 #include "tetMesh/planeTriangulation.C"
 

@@ -3,8 +3,6 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "wallClearance/sideSearch.C"
-#include "wallClearance/triangleTree.C"
 #include "wallClearance/wallSearch.C"
 #include "wallClearance/wallClearance.C"
 

@@ -3,13 +3,10 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "wallSurface/wallSides.C"
-#include "wallSurface/wallAddressing.C"
-#include "wallSurface/packedFaces.C"
 #include "wallSurface/wallSurface.C"
+#include "wallSurface/wallPart.C"
 #include "wallSurface/surfaceMeasures.C"
-#include "wallSurface/cutReflexFaces.C"
-#include "wallSurface/flipCaps.C"
+#include "wallSurface/wallChanges.C"
 #include "wallSurface/surfacePart.C"
 #include "wallSurface/renumberWall.C"
 #include "wallSurface/wallPredicates.C"

@@ -3,18 +3,12 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "replacedFiles.C"
-#include "readWall.C"
-#include "readDomain.C"
-#include "layerSurfaces.C"
 #include "prismCase.C"
-#include "caseWriter.C"
-#include "writeCase.C"
-#include "hostThreads.C"
-#include "pstreamTeam.C"
-#include "caseLayers.C"
-#include "parallelRun.C"
+#include "readWall.C"
 #include "meshWall.C"
+#include "caseWriter.C"
+#include "parallelRun.C"
+#include "caseLayers.C"
 #include "harmonicPrismMesh.C"
 
 // ************************************************************************* //

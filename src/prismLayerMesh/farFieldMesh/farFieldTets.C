@@ -1,0 +1,193 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "farFieldTets.H"
+#include "farFieldMeshControls.H"
+#include "ListOps.H"
+#include "SubList.H"
+#include "tetrahedralize.H"
+#include "triangleIndex.H"
+#include "wallSearch.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+Map<DynamicList<label>> boundaryTets::cutTriangles() const
+{
+    Map<DynamicList<label>> ofTets(2*onCut.size());
+    forAll(onCut, i)
+    {
+        ofTets(onCut[i]).append(i);
+    }
+
+    return ofTets;
+}
+
+
+boundaryTets findBoundaryTets(const farFieldTets& tets)
+{
+    faceList triangles(tets.outerTriangles);
+    triangles.append(tets.boundaryTriangles);
+    triangles.append(tets.cutTriangles);
+    const triangleIndex index(makeTriangleIndex(triangles));
+    labelList found(triangles.size(), -1);
+
+    forAll(tets.tets, t)
+    {
+        for (label i = 0; i < 4; ++i)
+        {
+            if (tets.neighbours[t][i] < 0)
+            {
+                found[index[tets.tets[t].face(i)]] = t;
+            }
+        }
+    }
+
+    const label n = tets.outerTriangles.size();
+    const label m = tets.boundaryTriangles.size();
+
+    return boundaryTets
+    {
+        SubList<label>(found, n),
+        SubList<label>(found, m, n),
+        SubList<label>(found, tets.cutTriangles.size(), n + m)
+    };
+}
+
+
+// * * * * * * * * * * * * * *  Fill With Tets * * * * * * * * * * * * * * * //
+
+//- Leaves out the points that TetGen added and that are in no tetrahedron
+static void compact(farFieldTets& mesh)
+{
+    boolList used(mesh.nBoundaryPoints, true);
+    used.setSize(mesh.points.size(), false);
+
+    for (const tetCell& tet : mesh.tets)
+    {
+        for (const label p : tet)
+        {
+            used[p] = true;
+        }
+    }
+
+    const labelList kept(findIndices(used, true));
+    const labelList newLabels(invert(used.size(), kept));
+    mesh.points = pointField(mesh.points, kept);
+
+    for (tetCell& tet : mesh.tets)
+    {
+        inplaceRenumber(newLabels, tet);
+    }
+}
+
+
+//- The number of cells that it needs is 0 if it is not known
+static void refuse(const label nCells, const label maxCells)
+{
+    FatalErrorInFunction
+        << "The far field needs "
+        << (nCells ? "about " + name(nCells) : word("many more")).c_str()
+        << " cells, more than farField.maxCells " << maxCells << nl
+        << "Raise maxCells, growthRate or the cell sizes, or make the wall"
+        << " coarser" << exit(FatalError);
+}
+
+
+cellSizes makeSizes
+(
+    const pointField& points,
+    const scalarField& sizes,
+    const boundBox& box,
+    const farFieldControls& controls,
+    const sizeBounds& bounds
+)
+{
+    const cellSizes made
+    (
+        points, sizes, controls.growthRate, box, bounds,
+        farFieldTuned.cubesPerTet*controls.maxCells
+    );
+
+    if (!made.complete())
+    {
+        refuse(0, controls.maxCells);
+    }
+
+    return made;
+}
+
+
+scalar nTetsBetween(const wallSurface& both, const cellSizes& sizes)
+{
+    const wallSearch search(both);
+
+    return farFieldTuned.tetsPerCube*sizes.nCubes
+    (
+        [&](const point& x) { return search.inFront(x); }
+    );
+}
+
+
+scalar nTetsIn
+(
+    const polyMeshParts& core,
+    const labelUList& room,
+    const cellSizes& sizes
+)
+{
+    pointField centres;
+    scalarField volumes;
+    setCentresAndVolumes(core, room, centres, volumes);
+    scalar nCubes = 0;
+    forAll(room, i)
+    {
+        nCubes += volumes[i]/pow3(sizes(centres[i]));
+    }
+
+    return farFieldTuned.tetsPerCube*nCubes;
+}
+
+
+void fillWithTets
+(
+    const wallSurface& both,
+    const pointField& holes,
+    const cellSizes& sizes,
+    const scalar nCells,
+    const label maxCells,
+    farFieldTets& mesh
+)
+{
+    if (nCells > maxCells)
+    {
+        refuse(nCells, maxCells);
+    }
+
+    // What TetGen may take, in cells and in time, is for a mesh of that size
+    const label mostCells = min
+    (
+        scalar(maxCells),
+        farFieldTuned.cellsPerEstimated*nCells
+      + farFieldTuned.cellsPerTriangle*both.faces.size()
+    );
+    const tetDomain domain{both.points, both.faces, holes};
+    tetMesh filled(tetrahedralize(domain, std::cref(sizes), mostCells));
+
+    if (filled.tets.size() > maxCells)
+    {
+        refuse(filled.tets.size(), maxCells);
+    }
+
+    mesh.points.transfer(filled.points);
+    mesh.tets.transfer(filled.tets);
+    compact(mesh);
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
