@@ -18,7 +18,7 @@ using namespace Foam::testSurfaces;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-static const label nLayers = 4;
+static const label nCurvedLayers = 4;
 static const scalar thickness = 0.1;
 
 
@@ -35,7 +35,7 @@ struct curvedCase
     :
         wall(w),
         volume(v),
-        run(layeredMesh(wall, nLayers, thickness))
+        run(layeredMesh(wall, nCurvedLayers, thickness))
     {
         farFieldControls controls;
         controls.type = farFieldType::tet;
@@ -117,7 +117,7 @@ TEST(curvedSides, facesOnThemHaveTheFirstHeightThatWasAsked)
     for (const auto& c : curvedCases())
     {
         const prismLayers& layers = c->run.made.layers;
-        scalarField asked(nLayers + 1);
+        scalarField asked(nCurvedLayers + 1);
         c->run.request.setHeights(0, thickness, asked);
         const Map<labelPair> border(c->wall.border.pointSides());
         stackHeights stack(layers);
@@ -145,7 +145,7 @@ TEST(curvedSides, columnsOnThemHaveTheFirstHeightThatWasAsked)
     for (const auto& c : curvedCases())
     {
         const prismLayers& layers = c->run.made.layers;
-        scalarField asked(nLayers + 1);
+        scalarField asked(nCurvedLayers + 1);
         c->run.request.setHeights(0, thickness, asked);
 
         // Heights are those of faces; a point of a face may be a little off

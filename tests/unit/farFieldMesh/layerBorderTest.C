@@ -15,7 +15,7 @@ using namespace Foam::testSurfaces;
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- One layer of 0.1
-static prismLayers oneLayer(const wallSurface& wall)
+static prismLayers borderLayer(const wallSurface& wall)
 {
     prismLayers layers(straightLayers(wall, {0, 0.1}));
     layers.border = wall.border;
@@ -28,7 +28,7 @@ static prismLayers oneLayer(const wallSurface& wall)
 //  outer points are (-0.1 0 0) and (1.1 0 0)
 static prismLayers quarter()
 {
-    return oneLayer(endedOn(quarterCube(4), quarterPlanes()));
+    return borderLayer(endedOn(quarterCube(4), quarterPlanes()));
 }
 
 
@@ -50,7 +50,7 @@ static label topAt(const layerBorder& border, const point& x)
 
 TEST(layerBorder, outerEdgesRunRoundTheRemainder)
 {
-    const prismLayers layers(oneLayer(endedOn(halfCube(4), halfPlanes())));
+    const prismLayers layers(borderLayer(endedOn(halfCube(4), halfPlanes())));
     const layerBorder border(layers, 1e-9);
     EXPECT_EQ(border.columns().size(), 16);
     ASSERT_EQ(border.outerEdges().size(), 16);

@@ -232,7 +232,7 @@ static void expectSameLines(const stages& s, const scalar angle)
             (
                 dividedWall
                 {
-                    own.team, own.share.front, own.wall, own.radii,
+                    own.team, own.share.front, own.under.wall, own.radii,
                     own.spacing, parts, controls
                 },
                 fieldControls(), failureHere

@@ -61,7 +61,7 @@ static layerFront unevenBall(const label n = 4, const scalar roughness = 0.15)
 
 
 //- The columns that fit moves
-static labelList changedColumns(const editedColumns& m)
+static labelList columnsChanged(const editedColumns& m)
 {
     DynamicList<label> changed;
     for (label c = 0; c < m.nColumns(); ++c)
@@ -86,7 +86,7 @@ static labelList fitted
     m.editor.record();
     fitFirstHeights(m.editor, boolList(m.nColumns(), wanted), reach);
 
-    return changedColumns(m);
+    return columnsChanged(m);
 }
 
 
@@ -118,7 +118,7 @@ TEST(fitHeights, facesThatAreTooThickLoseTheirExcess)
     fitThickness(m.editor);
 
     const scalarField after(heightsAt(m, n));
-    EXPECT_GT(changedColumns(m).size(), 0);
+    EXPECT_GT(columnsChanged(m).size(), 0);
     EXPECT_GT(max(before), 1.08);
     EXPECT_LT(max(after) - 1, 0.5*(max(before) - 1));
     EXPECT_GT(min(after), min(before) - 0.02);

@@ -217,7 +217,7 @@ TEST(prepareWall, theWallEndsOnSidesOfTheBox)
 {
     const label n = 4;
     prismLayerControls controls;
-    controls.farField.boundary.type = "box";
+    controls.farField.boundary.type = farBoundaryType::box;
     controls.farField.boundary.box = boundBox(point(-5, -5, 0), point(5, 5, 5));
     const preparedWall prepared(prepareWall(halfCube(n), controls));
 

@@ -55,9 +55,9 @@ static void expectPiecesOfTheMesh
 static farFieldMesh tetsAround(const prismLayerMesh& run, const scalar low = -4)
 {
     farFieldControls controls;
-    controls.type = "tet";
+    controls.type = farFieldType::tet;
     controls.maxCells = 1000000;
-    controls.boundary.type = "box";
+    controls.boundary.type = farBoundaryType::box;
     controls.boundary.box = boundBox(point(-4, -4, low), point::uniform(4));
     farFieldMesh far(farFieldOf(run, controls));
     far.cellZones.append(cellZoneParts("some", labelList({1, 5, 8, 9, 40})));

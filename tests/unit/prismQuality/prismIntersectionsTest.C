@@ -17,7 +17,7 @@ using namespace Foam;
 
 //- A layer whose outer surface is given, far above its wall. The points are
 //  moved so that their coordinates round.
-static prismLayers outerSurface(const pointField& points, const faceList& faces)
+static prismLayers outerLayer(const pointField& points, const faceList& faces)
 {
     const vector x(normalised(vector(1, 0.3, -0.7)));
     const vector y(normalised(x ^ vector(0.2, 1, 0.9)));
@@ -42,7 +42,7 @@ static prismLayers outerSurface(const pointField& points, const faceList& faces)
 
 static label nIntersections(const pointField& points, const faceList& faces)
 {
-    return findIntersections(outerSurface(points, faces)).size();
+    return findIntersections(outerLayer(points, faces)).size();
 }
 
 
@@ -211,7 +211,7 @@ TEST(findIntersections, foldedTriangles)
     // Not moved, because rounding would unfold them
     prismLayers layers
     (
-        outerSurface(pointField(4), {face({0, 1, 2}), face({1, 0, 3})})
+        outerLayer(pointField(4), {face({0, 1, 2}), face({1, 0, 3})})
     );
 
     const pointField outer
@@ -276,7 +276,7 @@ TEST(findIntersections, foldedPolygons)
 {
     // Seen from above the second half of the square covers the first
     const faceList faces({face({0, 1, 2, 3})});
-    prismLayers layers(outerSurface(pointField(4), faces));
+    prismLayers layers(outerLayer(pointField(4), faces));
 
     const pointField outer
     ({
@@ -302,7 +302,7 @@ TEST(findIntersections, degenerateOuterFaces)
 
     const List<labelPair> pairs
     (
-        findIntersections(outerSurface(points, {face({0, 1, 2})}))
+        findIntersections(outerLayer(points, {face({0, 1, 2})}))
     );
 
     ASSERT_EQ(pairs.size(), 1);

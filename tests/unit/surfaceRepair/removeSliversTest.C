@@ -23,7 +23,7 @@ static wallSurface splitScrew(const scalar distance)
     wallSurface wall(screw(Zero));
     const auto labelOf = [&](const point& x)
     {
-        label nearest;
+        label nearest = 0;
         forAll(wall.points, p)
         {
             nearest = !p || mag(wall.points[p] - x)
