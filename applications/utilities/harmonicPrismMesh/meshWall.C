@@ -76,7 +76,11 @@ farFieldDomain readFarField
         [&](const fileName& file) { return files.surfaceFile(file); }
     );
 
-    string names(farBoundaryTypes[int(controls.boundary.type)]);
+    string names;
+    if (controls.boundary.type != farBoundaryType::none)
+    {
+        names = farBoundaryTypes[int(controls.boundary.type)];
+    }
     for (const word& patch : domain.boundary.surface.patchNames)
     {
         names += ' ' + patch;

@@ -374,7 +374,8 @@ TEST(makePrismLayers, columnsIntoTheBodyHaveNoHeight)
 {
     const wallSurface wall(testSurfaces::cube(2));
     prismLayerMesh m(layeredMesh(wall, 2, 0.01));
-    for (visibilityCone& cone : m.visibility.cones)
+    layerFront front(testSurfaces::frontOf(wall, 0));
+    for (visibilityCone& cone : front.visibility.cones)
     {
         cone.axis = -cone.axis;
     }
@@ -383,7 +384,10 @@ TEST(makePrismLayers, columnsIntoTheBodyHaveNoHeight)
         offset = -offset;
     }
 
-    const certification certified(remade(wall, m, m.columns).certified);
+    const certification certified
+    (
+        makePrismLayers(front, m.guide.spacing, m.columns).certified
+    );
 
     ASSERT_FALSE(certified.pointsWithoutHeight.empty());
     EXPECT_LT(max(certified.pointsWithoutHeight), wall.points.size());
