@@ -6,7 +6,7 @@
 #include "frontPart.H"
 #include "ListOps.H"
 #include "sideShape.H"
-#include "wallPart.H"
+#include "packedFaces.H"
 
 namespace Foam
 {

@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "wallPart.H"
+#include "packedFaces.H"
 
 #include <gtest/gtest.h>
 
