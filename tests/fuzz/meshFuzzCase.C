@@ -111,6 +111,22 @@ static bool isOnBorder(const wallSurface& wall, const labelUList& points)
 }
 
 
+//- Drops the layers of patches of which the wall has no face: planes, ends and
+//  remeshing may take all of a patch
+static void dropEmptyPatches(const wallSurface& wall, layerControls& layers)
+{
+    DynamicList<patchLayers> kept;
+    for (const patchLayers& p : layers.patches)
+    {
+        if (p.isSide || wall.patchNames.found(p.patches))
+        {
+            kept.append(p);
+        }
+    }
+    layers.patches = kept;
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 fuzzWall makeFuzzWall(const fuzzCase& one, const listener& tell)
@@ -144,6 +160,7 @@ fuzzWall makeFuzzWall(const fuzzCase& one, const listener& tell)
     made.wall = prepareFuzzWall(one, surface, made.controls, tell);
     if (made.wall.faces.size())
     {
+        dropEmptyPatches(made.wall, made.controls.layers);
         one.vary(made.wall, made.controls.layers, made.local);
     }
 
