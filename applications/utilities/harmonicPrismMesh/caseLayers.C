@@ -91,13 +91,13 @@ void Foam::caseLayers::takeLayers
     {
         surfaces_.sides.reset(new wallSurface(sideSurface(wholeLayers())));
     }
+    surfaces_.outer = hasFarField || hasSides
+      ? outerSurface{wholeLayers().outerPoints(), wholeLayers().faces}
+      : outerOnMaster(layers_, mesh.share, wall, team);
     if (!hasFarField)
     {
         whole_ = prismLayers();
     }
-    surfaces_.outer = hasFarField
-      ? outerSurface{wholeLayers().outerPoints(), wholeLayers().faces}
-      : outerOnMaster(layers_, mesh.share, wall, team);
     labels_ = std::move(mesh.share);
 }
 
