@@ -30,7 +30,12 @@ static void requireNotOf(const wallSurface& wall, const word& farPatch)
 }
 
 
-farFieldDomain readFarField
+//- Reads the far boundary, or the mesh into which the layers go, and bounds of
+//  the sizes; the domain is empty if no far field is wanted.
+//  Errors: FatalError if the fluid is inside of a closed wall and there is a
+//  far boundary, if the wall has a patch of the far boundary, and the errors of
+//  makeFarBoundary, readCore and makeSizeBounds
+static farFieldDomain readFarField
 (
     const prismCase& files,
     const wallSurface& wall,
@@ -130,7 +135,10 @@ static string writeMesh
 }
 
 
-void writeCase
+//- On the master: writes mesh, outer surface and report. Consumes the layers
+//  and the far field.
+//  bounds: of the quality of faces
+static void writeCase
 (
     const prismCase& files,
     const parallelRun& parallel,
