@@ -5,6 +5,7 @@
 
 #include "certificateLog.C"
 #include "patchOptions.C"
+#include "plainScheme.C"
 #include "checkPrismLayers.C"
 
 // ************************************************************************* //
