@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "explicitGains.H"
-#include "labelList.H"
+#include "DynamicList.H"
 
 namespace Foam
 {
@@ -23,127 +23,27 @@ static scalar inverseAlong(const vector& normal, const vector& d)
 }
 
 
-namespace
-{
-
-//- Finite volumes as cellGain asks for them
-class gainMesh
-{
-    const finiteVolumes& mesh_;
-
-    //- First face of each cell in the list of faces, and the number of all
-    labelList starts_;
-    labelList faces_;
-
-    List<schemeFace> schemes_;
-
-    template<class Visit>
-    void visitFaces(const Visit& visit) const
-    {
-        forAll(mesh_.owner, f)
-        {
-            visit(mesh_.owner[f], f);
-            if (f < mesh_.neighbour.size())
-            {
-                visit(mesh_.neighbour[f], f);
-            }
-        }
-    }
-
-    schemeFace makeScheme(const label f) const
-    {
-        const vector& area = mesh_.faceAreas[f];
-        const point& centre = mesh_.faceCentres[f];
-        const point& own = mesh_.cellCentres[owner(f)];
-
-        return neighbour(f) < 0
-          ? schemeFace(area, centre, own)
-          : schemeFace(area, centre, own, mesh_.cellCentres[neighbour(f)]);
-    }
-
-public:
-
-    explicit gainMesh(const finiteVolumes& mesh)
-    :
-        mesh_(mesh),
-        starts_(mesh.cellVolumes.size() + 1, Zero),
-        faces_(mesh.owner.size() + mesh.neighbour.size()),
-        schemes_(mesh.owner.size())
-    {
-        visitFaces([&](const label c, label) { ++starts_[c + 1]; });
-        for (label c = 1; c < starts_.size(); ++c)
-        {
-            starts_[c] += starts_[c - 1];
-        }
-        labelList next(starts_);
-        visitFaces([&](const label c, const label f)
-        {
-            faces_[next[c]++] = f;
-        });
-
-        #pragma omp parallel for schedule(static)
-        forAll(schemes_, f)
-        {
-            schemes_[f] = makeScheme(f);
-        }
-    }
-
-    SubList<label> facesOf(const label c) const
-    {
-        return SubList<label>(faces_, starts_[c + 1] - starts_[c], starts_[c]);
-    }
-
-    label owner(const label f) const { return mesh_.owner[f]; }
-
-    label neighbour(const label f) const
-    {
-        return f < mesh_.neighbour.size() ? mesh_.neighbour[f] : -1;
-    }
-
-    const vector& area(const label f) const { return mesh_.faceAreas[f]; }
-
-    scalar volume(const label c) const { return mesh_.cellVolumes[c]; }
-
-    const schemeFace& scheme(const label f) const { return schemes_[f]; }
-
-    bool seesFaces(const label c) const
-    {
-        for (const label f : facesOf(c))
-        {
-            const scalar height = mesh_.faceAreas[f]
-              & (mesh_.faceCentres[f] - mesh_.cellCentres[c]);
-
-            if ((owner(f) == c ? height : -height) <= 0)
-            {
-                return false;
-            }
-        }
-
-        return mesh_.cellVolumes[c] > 0;
-    }
-};
-
-} // End anonymous namespace
-
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 schemeFace::schemeFace
 (
-    const vector& area,
+    const vector& outwardArea,
     const point& centre,
-    const point& ownerCentre,
+    const point& cellCentre,
     const point& neighbourCentre
 )
+:
+    schemeFace(outwardArea, centre, cellCentre)
 {
-    const vector d(neighbourCentre - ownerCentre);
+    const vector d(neighbourCentre - cellCentre);
     const scalar magArea = mag(area);
     const vector normal(area/max(magArea, VSMALL));
     const scalar inverse = inverseAlong(normal, d);
-    const scalar toOwner = mag(area & (centre - ownerCentre));
+    const scalar toCell = mag(area & (centre - cellCentre));
     const scalar toNeighbour = mag(area & (neighbourCentre - centre));
 
-    ownerShare = toNeighbour/max(toOwner + toNeighbour, VSMALL);
+    ownShare = toNeighbour/max(toCell + toNeighbour, VSMALL);
+    otherShare = 1 - ownShare;
     implicit = magArea*inverse;
     explicitArea = magArea*(normal - d*inverse);
 }
@@ -151,33 +51,117 @@ schemeFace::schemeFace
 
 schemeFace::schemeFace
 (
-    const vector& area,
+    const vector& outwardArea,
     const point& centre,
-    const point& ownerCentre
+    const point& cellCentre
 )
+:
+    area(outwardArea),
+    isSeen((outwardArea & (centre - cellCentre)) > 0)
 {
     const scalar magArea = mag(area);
 
     implicit = magArea
-       *inverseAlong(area/max(magArea, VSMALL), centre - ownerCentre);
+       *inverseAlong(area/max(magArea, VSMALL), centre - cellCentre);
 }
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
+scalar cellGain(const UList<schemeFace>& faces, const scalar volume)
+{
+    scalar diagonal = 0;
+    bool isValid = volume > 0;
+    vector ownGradient(Zero);
+    for (const schemeFace& f : faces)
+    {
+        diagonal += f.implicit;
+        isValid = isValid && f.isSeen;
+        ownGradient += f.ownShare*f.explicitArea;
+    }
+    if (!isValid)
+    {
+        return invalidGain;
+    }
+
+    scalar own = 0;
+    scalar others = 0;
+    for (const schemeFace& f : faces)
+    {
+        const scalar along = f.area & ownGradient;
+        own += f.ownShare*along;
+        others += f.otherShare*mag(along);
+    }
+
+    // The gradient in a neighbour has half of the values at each face
+    for (const schemeFace& f : faces)
+    {
+        for (const schemeFace& g : faces)
+        {
+            others += f.otherShare*0.5*mag(g.area & f.explicitArea);
+        }
+    }
+
+    return (mag(own) + others)/(volume*diagonal);
+}
+
+
 scalarField explicitGains(const finiteVolumes& mesh)
 {
-    const gainMesh cells(mesh);
+    const label nInternal = mesh.neighbour.size();
+
+    // First face of each cell in the list of faces, and the number of all
+    labelList starts(mesh.cellVolumes.size() + 1, Zero);
+    labelList faces(mesh.owner.size() + nInternal);
+    const auto visitFaces = [&](const auto& visit)
+    {
+        forAll(mesh.owner, f)
+        {
+            visit(mesh.owner[f], f);
+            if (f < nInternal)
+            {
+                visit(mesh.neighbour[f], f);
+            }
+        }
+    };
+    visitFaces([&](const label c, label) { ++starts[c + 1]; });
+    for (label c = 1; c < starts.size(); ++c)
+    {
+        starts[c] += starts[c - 1];
+    }
+    labelList next(starts);
+    visitFaces([&](const label c, const label f) { faces[next[c]++] = f; });
+
     scalarField gains(mesh.cellVolumes.size());
 
     #pragma omp parallel
     {
-        cellGain<gainMesh> gainOf(cells);
+        DynamicList<schemeFace> seen;
 
-        #pragma omp for schedule(dynamic, 1024)
+        #pragma omp for schedule(static)
         forAll(gains, c)
         {
-            gains[c] = gainOf(c);
+            seen.clear();
+            for (label k = starts[c]; k < starts[c + 1]; ++k)
+            {
+                const label f = faces[k];
+                const bool owns = mesh.owner[f] == c;
+                const vector area((owns ? 1 : -1)*mesh.faceAreas[f]);
+                const point& centre = mesh.faceCentres[f];
+                const point& own = mesh.cellCentres[c];
+                const label other =
+                    f >= nInternal ? -1
+                  : owns ? mesh.neighbour[f] : mesh.owner[f];
+                seen.append
+                (
+                    seenFace
+                    (
+                        area, centre, own,
+                        other < 0 ? nullptr : &mesh.cellCentres[other]
+                    )
+                );
+            }
+            gains[c] = cellGain(seen, mesh.cellVolumes[c]);
         }
     }
 
