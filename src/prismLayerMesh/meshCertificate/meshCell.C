@@ -266,7 +266,15 @@ bool meshCell::hasPositivePyramids(const label celli) const
 
     return allOf(faces, [&](const label facei)
     {
-        return mesh_.pyramidVolume(facei, celli, centre) > 0;
+        const face& f = mesh_.faces()[facei];
+        const pointField& x = mesh_.points();
+        if (f.size() > 3)
+        {
+            return mesh_.pyramidVolume(facei, celli, centre) > 0;
+        }
+        const int sign = orientation(x[f[0]], x[f[1]], x[f[2]], centre);
+
+        return (mesh_.owner(facei) == celli ? -sign : sign) > 0;
     });
 }
 
@@ -287,6 +295,12 @@ meshCellVerdict meshCell::cornersVerdict(const label celli)
     if (!corners.closed)
     {
         return {meshCellShape::other, false};
+    }
+
+    // As merged tetrahedra, of which corners say too little
+    if (!corners.simple && nTriangles_ == nFaces())
+    {
+        return {meshCellShape::polyhedron, hasPositivePyramids(celli)};
     }
 
     // Only a cell with more points, or points within its edges, may be refined
