@@ -11,6 +11,7 @@
 #include "farFieldTets.H"
 #include "improveTets.H"
 #include "ListOps.H"
+#include "mergeCells.H"
 #include "ranges.H"
 #include "tetBoundary.H"
 #include "tetrahedralize.H"
@@ -564,6 +565,14 @@ farFieldMesh makeFarFieldMesh
     {
         dropEmptySides(layers.border.sides, made);
         addHexCoreZone(mesh.tets.size(), cut.cells.size(), made);
+    }
+    if (controls.polyhedra)
+    {
+        mergeCells
+        (
+            layers, frontAddressing(layers), mesh.tets.size(), mergeControls(),
+            made
+        );
     }
 
     return made;

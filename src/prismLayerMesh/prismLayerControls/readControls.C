@@ -330,7 +330,7 @@ farFieldControls readFarFieldControls
         dict,
         {
             "type", "boundary", "growthRate", "maxCellSize", "maxCells",
-            "regions", "gap", "region"
+            "regions", "gap", "polyhedra", "region"
         }
     );
 
@@ -343,6 +343,9 @@ farFieldControls readFarFieldControls
     controls.regions = readEntries<sizeRegion>(dict, "regions", readSizeRegion);
 
     readBounded(dict, "gap", 0.1, 10, controls.gap);
+    Switch polyhedra(controls.polyhedra);
+    dict.readIfPresent("polyhedra", polyhedra, keyType::LITERAL);
+    controls.polyhedra = polyhedra;
     dict.readIfPresent("region", controls.region);
 
     const bool hasBoundary = dict.found("boundary", keyType::LITERAL);

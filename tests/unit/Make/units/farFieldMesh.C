@@ -14,6 +14,7 @@
 #include "farFieldMesh/sidePatchRemaindersTest.C"
 #include "farFieldMesh/improveTetsTest.C"
 #include "farFieldMesh/makeFarFieldMeshTest.C"
+#include "farFieldMesh/mergeCellsTest.C"
 #include "farFieldMesh/curvedSidesTest.C"
 #include "farFieldMesh/endedFarFieldTest.C"
 
