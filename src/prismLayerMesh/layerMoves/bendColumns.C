@@ -31,6 +31,7 @@ bendTargets bendTargets::withMargins
     targets.faces.planarity = controls.targetPlanarity;
     targets.jacobians =
         min(controls.targetJacobian, controls.jacobianShare*attainable);
+    targets.gain = controls.targetGain;
     targets.firstHeightWeight = controls.firstHeightWeight;
     targets.thicknessWeight = controls.thicknessWeight;
 
@@ -93,7 +94,12 @@ labelList stacksMissingTargets
     {
         missesTargets[i] =
             targets.missesJacobian(layers, faces[i])
-         || geometry.violation(faces[i], targets.faces) > 0;
+         || geometry.violation(faces[i], targets.faces) > 0
+         ||
+            (
+                targets.gain < GREAT
+             && geometry.gainViolations(faces[i], targets.gain) > 0
+            );
     }
 
     return subset(missesTargets, labelList(faces));

@@ -217,9 +217,38 @@ scalar columnCells::jacobianResidual(const stack& s, const label i) const
 }
 
 
+scalar columnCells::gainResidual(const stack& s, const label i)
+{
+    const point& own = s.centres[i - 1];
+    const auto add = [&](const faceGeometry& f, scalar sign, const point* other)
+    {
+        seenFaces_.append(seenFace(sign*f.area, f.centre, own, other));
+    };
+    seenFaces_.clear();
+    add(s.levels[i - 1], -1, i > 1 ? &s.centres[i - 2] : nullptr);
+    add(s.levels[i], 1, i < layers_.nLayers ? &s.centres[i] : nullptr);
+    forAll(s.sides, k)
+    {
+        const side& t = sides_[s.sides[k]];
+        const UList<point>& other =
+            !s.outwards[k] ? stacks_[t.first].centres
+          : t.second < 0 ? t.fixedCentres : stacks_[t.second].centres;
+        add
+        (
+            t.faces[i - 1], s.outwards[k] ? 1 : -1,
+            other.size() ? &other[i - 1] : nullptr
+        );
+    }
+    const scalar gain = cellGain(seenFaces_, s.volumes3[i - 1]/3);
+
+    return controls_.gainWeight*gainViolation(gain, targets_.gain);
+}
+
+
 scalar columnCells::sumOfCells()
 {
     missedCells_.clear();
+    missedGains_.clear();
     scalar sum = 0;
 
     forAll(stacks_, stacki)
@@ -233,6 +262,16 @@ scalar columnCells::sumOfCells()
             if (residual > 0)
             {
                 missedCells_.append(labelPair(stacki, i));
+                sum += sqr(residual);
+            }
+        }
+
+        for (label i = 1; targets_.gain < GREAT && i <= layers_.nLayers; ++i)
+        {
+            const scalar residual = gainResidual(s, i);
+            if (residual > 0)
+            {
+                missedGains_.append(labelPair(stacki, i));
                 sum += sqr(residual);
             }
         }
@@ -408,6 +447,22 @@ void columnCells::linearise()
             movedCells_.append(labelPair(s.second, missed.second()));
         }
     }
+    for (const labelPair& missed : missedGains_)
+    {
+        const label i = missed.second();
+        for (label j = max(i - 1, 1); j <= min(i + 1, n); ++j)
+        {
+            movedCells_.append(labelPair(missed.first(), j));
+        }
+        for (const label sidei : stacks_[missed.first()].sides)
+        {
+            movedCells_.append(labelPair(sides_[sidei].first, i));
+            if (sides_[sidei].second >= 0)
+            {
+                movedCells_.append(labelPair(sides_[sidei].second, i));
+            }
+        }
+    }
     inplaceUniqueSort(movedCells_);
 
     movedLevels_.clear();
@@ -497,6 +552,10 @@ void columnCells::residuals(DynamicList<scalar>& all)
     for (const labelPair& cell : missedCells_)
     {
         all.append(jacobianResidual(stacks_[cell.first()], cell.second()));
+    }
+    for (const labelPair& cell : missedGains_)
+    {
+        all.append(gainResidual(stacks_[cell.first()], cell.second()));
     }
     for (const vector& d : displacements())
     {

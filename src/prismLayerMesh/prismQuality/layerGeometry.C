@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layerGeometry.H"
+#include "cellGain.H"
 #include "surfaceMeasures.H"
 #include "unitConversion.H"
 
@@ -276,6 +277,45 @@ bool layerGeometry::isOfWall
     const scalar cosine = wallCosines_[starts_[facei] + k];
 
     return cosine < 1 && nonOrthoViolation(side.area, between, cosine) <= 0;
+}
+
+
+scalar layerGeometry::gainViolations
+(
+    const label facei,
+    const scalar target
+) const
+{
+    const face& f = layers_.faces[facei];
+    const UList<point> own(centres(facei));
+    DynamicList<schemeFace> seen(f.size() + 2);
+    scalar sum = 0;
+
+    visitCells
+    (
+        layers_, f,
+        [&](const label i, const UList<faceGeometry>& faces)
+        {
+            const auto add = [&](const faceGeometry& g, const point* other)
+            {
+                seen.append(seenFace(g.area, g.centre, own[i - 1], other));
+            };
+            seen.clear();
+            add(faces[0], i > 1 ? &own[i - 2] : nullptr);
+            add(faces[1], i < layers_.nLayers ? &own[i] : nullptr);
+            forAll(f, k)
+            {
+                const label g = across(facei, k);
+                add(faces[2 + k], g < 0 ? nullptr : &centres(g)[i - 1]);
+            }
+            const scalar gain = cellGain(seen, volume3(facei, i)/3);
+            sum += sqr(gainViolation(gain, target));
+
+            return true;
+        }
+    );
+
+    return sum;
 }
 
 
