@@ -64,7 +64,9 @@ static void addPatch(const word& name, const word& type, meshPatches& patches)
 }
 
 
-bool staysOnSides(const UList<sidePatch>& sides, const bool isHexCore)
+//- Whether cells of a core can stay on all side patches: whether these are
+//  planes, and along the axes if the cells are hexahedra of an octree
+static bool staysOnSides(const UList<sidePatch>& sides, const bool isHexCore)
 {
     return allOf(sides, [&](const sidePatch& side)
     {
@@ -75,7 +77,9 @@ bool staysOnSides(const UList<sidePatch>& sides, const bool isHexCore)
 }
 
 
-boundBox coreBox(const prismLayers& layers, const farFieldDomain& domain)
+//- Returns the box of the far boundary and of the existing mesh; without these,
+//  a box around the layers
+static boundBox coreBox(const prismLayers& layers, const farFieldDomain& domain)
 {
     boundBox box(domain.boundary.surface.points, false);
     box.add(domain.core.points);
@@ -90,7 +94,9 @@ boundBox coreBox(const prismLayers& layers, const farFieldDomain& domain)
 }
 
 
-hexCoreBox makeHexCoreBox
+//- Returns the box of hexahedra, with patches on its sides. If hexahedra stay
+//  on all side patches, the box is in front of the side patches.
+static hexCoreBox makeHexCoreBox
 (
     const prismLayers& layers,
     const farFieldDomain& domain

@@ -316,7 +316,15 @@ public:
 } // End anonymous namespace
 
 
-pointField planePoints
+//- Returns the centres of squares in the plane of a side patch, over all that
+//  the boundary and limits of a region bound. On a curved side patch the
+//  centres are moved onto the side patch along the normal of its mean plane.
+//  The squares are divided until they are narrower than 0.85 times the size [m]
+//  at their centre, so that their diagonals are not longer than refineSurface
+//  allows, and further if a curved side patch bends in them. A centre is left
+//  out if it is nearer than 0.7 times the size to another centre or to a point
+//  of the region, or nearer than half of the size to an edge of the limits.
+static pointField planePoints
 (
     const pointField& points,
     const planeRegion& region,

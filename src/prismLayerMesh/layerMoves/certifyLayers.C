@@ -40,7 +40,10 @@ static label columnInTheWay(layerEditor& editor, const label facei)
 }
 
 
-labelList tallColumns
+//- Returns the own columns, ascending, of overlapping stacks that have at least
+//  tallShare of the thickness of the tallest column of both stacks. Collective:
+//  the stacks of all shares count.
+static labelList tallColumns
 (
     const layerEditor& editor,
     const UList<overlappingStack>& stacks
@@ -62,7 +65,11 @@ labelList tallColumns
 }
 
 
-labelList columnsInTheWay
+//- Returns the own columns, ascending, that are in the way of stacks with
+//  faulty cells: for each stack the column by whose retreat the worst cell
+//  gains most, or the tallColumns of the stack if no retreat helps. Collective.
+//  The layers change while retreats are tried, and are restored.
+static labelList columnsInTheWay
 (
     layerEditor& editor,
     const labelUList& stacks

@@ -13,6 +13,19 @@
 namespace Foam
 {
 
+//- Returns how many times further a displacement [m] goes than it may at a
+//  height [m]
+static scalar excessOf
+(
+    const layerMoveControls& controls,
+    const vector& displacement,
+    const scalar height
+)
+{
+    return mag(displacement)/(controls.maxDisplacement*height);
+}
+
+
 //- Displace own columns at a level by their shares
 static void displace
 (
@@ -86,18 +99,12 @@ static labelList levelsOf
 }
 
 
-scalar excessOf
-(
-    const layerMoveControls& controls,
-    const vector& displacement,
-    const scalar height
-)
-{
-    return mag(displacement)/(controls.maxDisplacement*height);
-}
-
-
-void displaceColumns
+//- Displaces the mobile own columns of a fit. The fit of a level asks for a
+//  displacement, of which a column makes its share at this level, at most as
+//  much as it may. Publishes the changes. Collective.
+//  heights: the fit, with its mobilities
+//  missing: returns the heights [m] that the faces are too low by up to a level
+static void displaceColumns
 (
     const fittedWall& fitted,
     const heightFit& heights,

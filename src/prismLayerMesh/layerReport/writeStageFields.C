@@ -137,7 +137,10 @@ if sys.argv[-1].endswith(".png"):
 )python";
 
 
-void writeParaviewScript(const fileName& file)
+//- Writes a script for ParaView that shows wall.vtk and layers.vtk, both in
+//  its folder: thickness over the request, poor faces, and layers in a cut.
+//  Errors: FatalError if the file cannot be written
+static void writeParaviewScript(const fileName& file)
 {
     std::ofstream os(file);
     os  << R"(# Shows what harmonicPrismMesh -writeFields has written:

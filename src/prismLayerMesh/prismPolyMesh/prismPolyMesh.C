@@ -118,7 +118,9 @@ wordList prismPatchNames(const wordList& wallPatchNames)
 }
 
 
-meshPatches patchesOfLayers(const prismLayers& layers, const label nOpen)
+//- Returns the patches of the mesh of layers without a far field.
+//  nOpen: number of lists of openEdges
+static meshPatches patchesOfLayers(const prismLayers& layers, const label nOpen)
 {
     meshPatches patches(patchesOfWall(layers));
 

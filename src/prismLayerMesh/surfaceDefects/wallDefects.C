@@ -49,7 +49,8 @@ static List<DynamicList<std::pair<label, bool>>> neighbours
 }
 
 
-void findDuplicateFaces
+//- Adds each face that has the same points as a face before it
+static void findDuplicateFaces
 (
     const wallSurface& wall,
     const wallSides& sides,
@@ -210,7 +211,8 @@ bitSet findTurnedFaces(const wallSides& sides, const label nFaces)
 }
 
 
-void findFlippedFaces
+//- Adds the faces that findTurnedFaces returns
+static void findFlippedFaces
 (
     const wallSurface& wall,
     const wallSides& sides,

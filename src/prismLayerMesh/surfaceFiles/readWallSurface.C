@@ -149,7 +149,9 @@ static bool isOrientable(const wallSurface& wall, const wallSides& sides)
 }
 
 
-void orientAlike(wallSurface& wall)
+//- Turns the faces that are not oriented as most of their component: the faces
+//  of one file need not be oriented as the faces of another file
+static void orientAlike(wallSurface& wall)
 {
     const wallSides sides(makeWallSides(wall));
 

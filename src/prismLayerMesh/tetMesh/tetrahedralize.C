@@ -110,7 +110,9 @@ static bool isLarge(REAL* a, REAL* b, REAL* c, REAL* d, REAL*, REAL)
 }
 
 
-void runTetgen
+//- Runs TetGen on a domain whose coordinates are rotated, and sends the mesh.
+//  TetGen may end the process.
+static void runTetgen
 (
     const tetDomain& domain,
     const tetgenOptions& options,
@@ -152,7 +154,9 @@ void runTetgen
 }
 
 
-tetMesh readTetgen
+//- Returns the mesh that runTetgen has sent, turned back: the points of the
+//  domain are as they were
+static tetMesh readTetgen
 (
     const tetDomain& domain,
     const tensor& rotation,
