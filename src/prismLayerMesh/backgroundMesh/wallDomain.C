@@ -65,11 +65,7 @@ pointField bodySeeds(const wallSurface& wall, const wallSearch& search)
 }
 
 
-boundBox boxAround
-(
-    const pointField& points,
-    const offsetEnvelope& envelope
-)
+boundBox boxAround(const pointField& points, const offsetEnvelope& envelope)
 {
     boundBox box(points);
     box.inflate(domainControls::boxShare);

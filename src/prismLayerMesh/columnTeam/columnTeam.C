@@ -51,11 +51,7 @@ void shareTable::unite(boolList& set) const
 }
 
 
-columnTeam::columnTeam
-(
-    const shareLabels& share,
-    const processTeam& processes
-)
+columnTeam::columnTeam(const shareLabels& share, const processTeam& processes)
 :
     share_(share),
     processes_(processes),

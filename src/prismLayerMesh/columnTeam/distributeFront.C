@@ -275,10 +275,7 @@ static wallAddressing addressingOf(const wallSurface& region)
     wallAddressing addressing(makeWallAddressing(region));
     if (region.border.sides.size())
     {
-        addressing.pointSides.setSize
-        (
-            region.points.size(), labelPair(-1, -1)
-        );
+        addressing.pointSides.setSize(region.points.size(), labelPair(-1, -1));
     }
     for (labelPair& sides : addressing.pointSides)
     {
@@ -425,10 +422,7 @@ frontShare shareOf
         return share;
     }
 
-    return distributeFront
-    (
-        front, ownersOf(kinds, processes.size()), processes
-    );
+    return distributeFront(front, ownersOf(kinds, processes.size()), processes);
 }
 
 

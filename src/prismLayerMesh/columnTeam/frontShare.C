@@ -147,11 +147,7 @@ labelList ownersByRange(const label nPoints, const label nProcesses)
 }
 
 
-pointOwners balancedOwners
-(
-    const UList<bool>& isHard,
-    const label nProcesses
-)
+pointOwners balancedOwners(const UList<bool>& isHard, const label nProcesses)
 {
     labelList processOfPoint(isHard.size(), 0);
     divide
@@ -171,12 +167,7 @@ static const label notInShare = labelMax;
 
 
 //- Set the ring of the points of faces that have a point of the ring below
-static void addRing
-(
-    const layerFront& front,
-    const label ring,
-    labelList& rings
-)
+static void addRing(const layerFront& front, const label ring, labelList& rings)
 {
     DynamicList<label> added;
 
@@ -288,10 +279,7 @@ struct shareBuilder
             const edge& e = from.border.edges[i];
             if (min(rings[e.start()], rings[e.end()]) < 2)
             {
-                edges.append
-                (
-                    edge(newColumns[e.start()], newColumns[e.end()])
-                );
+                edges.append(edge(newColumns[e.start()], newColumns[e.end()]));
                 sides.append(from.border.edgeSides[i]);
             }
         }
@@ -319,10 +307,7 @@ struct shareBuilder
             }
             if (two.first() >= 0)
             {
-                edges.append
-                (
-                    edge(newColumns[e.start()], newColumns[e.end()])
-                );
+                edges.append(edge(newColumns[e.start()], newColumns[e.end()]));
                 edgeFaces.append(two);
             }
         }

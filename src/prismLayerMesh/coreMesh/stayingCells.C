@@ -488,11 +488,7 @@ void refuseCoupled
 
     for (label facei = start; facei < start + t.patchSizes[patchi]; ++facei)
     {
-        if
-        (
-            stays[t.owner[facei]]
-         || (isGone && !stays.inFluid(facei))
-        )
+        if (stays[t.owner[facei]] || (isGone && !stays.inFluid(facei)))
         {
             continue;
         }

@@ -10,11 +10,7 @@
 namespace Foam
 {
 
-fieldControls readFieldControls
-(
-    const dictionary& dict,
-    const bool onLevelSets
-)
+fieldControls readFieldControls(const dictionary& dict, const bool onLevelSets)
 {
     const wordList models
     (

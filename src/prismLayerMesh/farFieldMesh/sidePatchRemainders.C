@@ -15,12 +15,7 @@
 namespace Foam
 {
 
-static bool isSmooth
-(
-    const sidePatch& a,
-    const sidePatch& b,
-    const point& x
-)
+static bool isSmooth(const sidePatch& a, const sidePatch& b, const point& x)
 {
     return (a.planeAt(x).normal & b.planeAt(x).normal) > curvedCosine;
 }
@@ -161,10 +156,7 @@ static void replace
     }
     for (label i = 1; i < by.size(); ++i)
     {
-        left.append
-        (
-            forwards ? edge(by[i - 1], by[i]) : edge(by[i], by[i - 1])
-        );
+        left.append(forwards ? edge(by[i - 1], by[i]) : edge(by[i], by[i - 1]));
     }
     region.boundary.transfer(left);
 }

@@ -96,21 +96,12 @@ layerBorder::layerBorder(const prismLayers& layers, const scalar tolerance)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool layerBorder::covers
-(
-    const point& a,
-    const point& b,
-    labelPair& ends
-) const
+bool layerBorder::covers(const point& a, const point& b, labelPair& ends) const
 {
     ends = labelPair(-1, -1);
     const edge columns(roots_.find(a), roots_.find(b));
 
-    if
-    (
-        columns.start() >= 0 && columns.end() >= 0
-     && wallEdges_.found(columns)
-    )
+    if (columns.start() >= 0 && columns.end() >= 0 && wallEdges_.found(columns))
     {
         return true;
     }
@@ -425,10 +416,7 @@ void sideRegions::triangulate()
         );
         region.normal = -sides[s].normal;
         region.isCurved = sides[s].isCurved();
-        const pointField inside
-        (
-            planePoints(points(), region, sides[s], size)
-        );
+        const pointField inside(planePoints(points(), region, sides[s], size));
         region.points = identity(inside.size(), points().size());
         points().append(inside);
 

@@ -258,10 +258,7 @@ void addCut
     wallSurface& surface = boundary.surface;
     const label first = boundary.nCutPoints
       ? boundary.columns.size() : surface.points.size();
-    appendSurface
-    (
-        cut.surface, identity(boundary.nCutPoints, first), surface
-    );
+    appendSurface(cut.surface, identity(boundary.nCutPoints, first), surface);
     surface.patchNames.append(patches.names);
     surface.patchTypes.append(patches.types());
     boundary.corePoints = labelList(surface.points.size(), -1);

@@ -399,10 +399,7 @@ bool tetImprover::move(const label p)
 
     for (const scalar length : farFieldTuned.moves)
     {
-        while
-        (
-            nMoves < farFieldTuned.maxMoves && step(p, length*size, least)
-        )
+        while (nMoves < farFieldTuned.maxMoves && step(p, length*size, least))
         {
             ++nMoves;
         }

@@ -247,11 +247,7 @@ scalar harmonicEnergy
 //- Solid angle of the triangle that three unit vectors span on the sphere
 static scalar solidAngle(const vector& a, const vector& b, const vector& c)
 {
-    return 2*::atan2
-    (
-        mag((a ^ b) & c),
-        1 + (a & b) + (b & c) + (c & a)
-    );
+    return 2*::atan2(mag((a ^ b) & c), 1 + (a & b) + (b & c) + (c & a));
 }
 
 

@@ -85,11 +85,7 @@ labelList layerFront::extraColumnPoints() const
 }
 
 
-void layerFront::complete
-(
-    wallAddressing ofWall,
-    wallVisibility seenFromWall
-)
+void layerFront::complete(wallAddressing ofWall, wallVisibility seenFromWall)
 {
     if (isBare())
     {

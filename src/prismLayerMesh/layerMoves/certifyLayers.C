@@ -69,11 +69,7 @@ static labelList tallColumns
 //  faulty cells: for each stack the column by whose retreat the worst cell
 //  gains most, or the tallColumns of the stack if no retreat helps. Collective.
 //  The layers change while retreats are tried, and are restored.
-static labelList columnsInTheWay
-(
-    layerEditor& editor,
-    const labelUList& stacks
-)
+static labelList columnsInTheWay(layerEditor& editor, const labelUList& stacks)
 {
     labelHashSet columns;
     DynamicList<overlappingStack> others;

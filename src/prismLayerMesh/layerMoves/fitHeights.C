@@ -263,10 +263,7 @@ static scalarField firstMobilities
     {
         for (const label c : findIndices(mobile, true))
         {
-            UIndirectList<bool>
-            (
-                mobile, front.addressing.pointPoints[c]
-            ) = true;
+            UIndirectList<bool>(mobile, front.addressing.pointPoints[c]) = true;
         }
         editor.team().columns.update(mobile);
     }

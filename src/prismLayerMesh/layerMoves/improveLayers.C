@@ -251,10 +251,7 @@ void improvement::lean(const labelUList& faces)
     (
         moves.notBarredOf
         (
-            judge.findBelowAttainable
-            (
-                faces, editor.controls().goodJacobian
-            )
+            judge.findBelowAttainable(faces, editor.controls().goodJacobian)
         )
     );
     labelList nTries(moves.barred.size(), 0);
@@ -387,17 +384,11 @@ void improvement::bend()
     const layerMoveControls& controls = editor.controls();
     const qualityControls& quality = controls.quality;
 
-    bendTargets targets
-    (
-        bendTargets::withMargins(controls, judge.attainable())
-    );
+    bendTargets targets(bendTargets::withMargins(controls, judge.attainable()));
     editedGeometry geometry(editor);
     const label then = editor.now();
     const faceList& faces = editor.layers().faces;
-    const labelList all
-    (
-        editor.team().withOwn(identity(faces.size()), faces)
-    );
+    const labelList all(editor.team().withOwn(identity(faces.size()), faces));
     labelList stacks
     (
         stacksMissingTargets(editor.layers(), geometry.now(), all, targets)

@@ -78,10 +78,7 @@ labelList columnColours
         #pragma omp parallel for schedule(static, 256)
         forAll(waiting, i)
         {
-            found[i] = colourOf
-            (
-                waiting[i], faces, columnFaces, team, colours
-            );
+            found[i] = colourOf(waiting[i], faces, columnFaces, team, colours);
         }
 
         UIndirectList<label>(colours, waiting) = found;
@@ -177,10 +174,7 @@ layerEditor::layerEditor
     smoother_(front.surface, front.addressing),
     colours_
     (
-        columnColours
-        (
-            front.surface.faces, front.addressing.pointFaces, team
-        )
+        columnColours(front.surface.faces, front.addressing.pointFaces, team)
     ),
     nColours_(1 + max(team.gather(labelList(1, max(colours_))))),
     thickness_(proposed.maxThickness),

@@ -157,10 +157,7 @@ void nameCauses
         {
             causes[c] = causeOfInvalid(front, kinds, c);
         }
-        else if
-        (
-            causes[c] == squeezeCause::none && isLower(asked, graded, c)
-        )
+        else if (causes[c] == squeezeCause::none && isLower(asked, graded, c))
         {
             causes[c] = columns.onLevelSets
               ? squeezeCause::levelSet : squeezeCause::transition;

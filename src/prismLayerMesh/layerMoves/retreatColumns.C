@@ -276,10 +276,7 @@ static labelList growTogether
                 grown.append(group);
             }
         }
-        editor.publish
-        (
-            SubList<label>(grown, grown.size() - nBefore, nBefore)
-        );
+        editor.publish(SubList<label>(grown, grown.size() - nBefore, nBefore));
     }
 
     return labelList(std::move(grown));

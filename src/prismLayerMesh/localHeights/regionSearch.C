@@ -10,11 +10,7 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-regionSearch::regionSearch
-(
-    const geometryRegion& region,
-    const Time& time
-)
+regionSearch::regionSearch(const geometryRegion& region, const Time& time)
 :
     region_(region),
     surface_

@@ -310,10 +310,7 @@ envelopeRadii makeEnvelopeRadii
     radii.radius = radii.room;
     do
     {
-        limitGradient
-        (
-            wall, addressing, sheetControls::maxSlope, radii.radius
-        );
+        limitGradient(wall, addressing, sheetControls::maxSlope, radii.radius);
     }
     while (team.points.lower(radii.radius));
     radii.edgeLengths = meanEdges(wall, addressing);

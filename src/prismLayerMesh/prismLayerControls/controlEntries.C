@@ -25,11 +25,7 @@ static label editDistance(const std::string& a, const std::string& b)
         for (size_t j = 0; j < b.size(); ++j)
         {
             const label above = row[j + 1];
-            row[j + 1] = min
-            (
-                diagonal + (a[i] != b[j]),
-                1 + min(above, row[j])
-            );
+            row[j + 1] = min(diagonal + (a[i] != b[j]), 1 + min(above, row[j]));
             diagonal = above;
         }
     }

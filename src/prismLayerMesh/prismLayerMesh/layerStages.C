@@ -240,10 +240,7 @@ layerColumns makeColumns
     );
     observer.end
     (
-        text
-        (
-            front.team.columns.nWhole(front.own.wallPoints.size()), " columns"
-        )
+        text(front.team.columns.nWhole(front.own.wallPoints.size()), " columns")
     );
 
     return columns;
@@ -274,10 +271,7 @@ madeLayers makeLayers
             front, kinds, request.at(front.wallPoints), spacing, columns, made
         );
     }
-    observer.end
-    (
-        sizesOf(made, team.faces.nWhole(front.surface.faces.size()))
-    );
+    observer.end(sizesOf(made, team.faces.nWhole(front.surface.faces.size())));
 
     return made;
 }

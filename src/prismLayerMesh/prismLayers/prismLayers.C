@@ -74,11 +74,7 @@ pointField prismLayers::pointsOf(const label i) const
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void requireCountable
-(
-    const std::int64_t nWallEdges,
-    const std::int64_t nLayers
-)
+void requireCountable(const std::int64_t nWallEdges, const std::int64_t nLayers)
 {
     // Faces of the wall have two for each edge, sides have four
     const std::int64_t nCorners = (2*(nLayers + 1) + 4*nLayers)*nWallEdges;

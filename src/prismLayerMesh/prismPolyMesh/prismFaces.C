@@ -118,12 +118,7 @@ static void appendSide
 }
 
 
-face sideFace
-(
-    const prismLayers& layers,
-    const edge& e,
-    const label i
-)
+face sideFace(const prismLayers& layers, const edge& e, const label i)
 {
     DynamicList<label> points(4);
     appendSide(layers, e, i, points);

@@ -240,11 +240,7 @@ static void addPatches
 
 //- The cells of a zone of the far field in the mesh, where they follow those of
 //  the layers
-static labelList cellsOf
-(
-    const prismLayers& layers,
-    const cellZoneParts& zone
-)
+static labelList cellsOf(const prismLayers& layers, const cellZoneParts& zone)
 {
     const label n = layers.nLayers;
     DynamicList<label> cells(zone.frontFaces.size()*n + zone.cells.size());

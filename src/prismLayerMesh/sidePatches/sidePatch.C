@@ -119,10 +119,7 @@ sideShape::sideShape(const pointField& points, const faceList& faces)
     surface_(trianglesOf(points, faces)),
     faceNormals_(outwardNormals(surface_)),
     pointNormals_(atPoints(surface_, faceNormals_)),
-    tree_
-    (
-        treeDataTriSurface(true, surface_, 0), searchBox(points), 12, 10, 3
-    )
+    tree_(treeDataTriSurface(true, surface_, 0), searchBox(points), 12, 10, 3)
 {
     // Made on demand otherwise, which threads must not do
     surface_.pointFaces();
@@ -176,10 +173,7 @@ static DynamicList<segment> segmentsOf(const sidePatch& part)
     DynamicList<segment> segments;
     for (const edge& e : outline(part.faces))
     {
-        segments.append
-        (
-            segment(part.points[e.start()], part.points[e.end()])
-        );
+        segments.append(segment(part.points[e.start()], part.points[e.end()]));
     }
 
     return segments;
@@ -403,12 +397,7 @@ edgeList outline(const faceList& faces)
 }
 
 
-point onAll
-(
-    const UList<sidePatch>& sides,
-    const labelUList& some,
-    point x
-)
+point onAll(const UList<sidePatch>& sides, const labelUList& some, point x)
 {
     // In planes the second pass takes away the rounding of the first
     const bool isCurved =

@@ -412,11 +412,7 @@ const char* wallDefect::advice() const
 }
 
 
-List<wallDefect> findWallDefects
-(
-    const wallSurface& wall,
-    const bool mayBeOpen
-)
+List<wallDefect> findWallDefects(const wallSurface& wall, const bool mayBeOpen)
 {
     const wallSides sides(makeWallSides(wall));
     defectList defects(wall);

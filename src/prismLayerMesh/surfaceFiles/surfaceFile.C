@@ -292,10 +292,7 @@ static fileName uncompressedName(const fileName& file)
 
     if (isFile(plain, false))
     {
-        failToRead
-        (
-            file, "OpenFOAM would read the file " + plain + " instead"
-        );
+        failToRead(file, "OpenFOAM would read the file " + plain + " instead");
     }
 
     return plain;

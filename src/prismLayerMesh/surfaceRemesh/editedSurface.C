@@ -277,10 +277,7 @@ void editedSurface::tie(const Face f)
     const FixedList<point, 3> x(pointsOf(f));
     point y;
     nearest_[f] =
-        given_.findFace
-        (
-            nearest_[f], (x[0] + x[1] + x[2])/3.0, reachOf(x), y
-        );
+        given_.findFace(nearest_[f], (x[0] + x[1] + x[2])/3.0, reachOf(x), y);
 }
 
 

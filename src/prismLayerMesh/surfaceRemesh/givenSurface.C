@@ -53,11 +53,7 @@ void givenSurface::setNormals(const wallSides& sides)
         {
             const wallSide& side = both[i];
             const face& f = faces[side.facei];
-            if
-            (
-                f.faceEdge(f.longestEdge(points))
-             == edge(side.low, side.high)
-            )
+            if (f.faceEdge(f.longestEdge(points)) == edge(side.low, side.high))
             {
                 across[side.facei] = both[1 - i].facei;
             }
@@ -407,10 +403,7 @@ bool isNear
     nearest = given.findFace(nearest, centre, reach, y);
 
     return
-        mag(centre - y) <= min
-        (
-            given.deviation(nearest), farFromTriangle*reach
-        )
+        mag(centre - y) <= min(given.deviation(nearest), farFromTriangle*reach)
      && (area & given.normals()[nearest]) > minCos*mag(area);
 }
 

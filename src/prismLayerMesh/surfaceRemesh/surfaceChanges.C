@@ -37,12 +37,7 @@ static point middleOf(const editedSurface& surface, const Halfedge h)
 
 //- Returns the point of the given surface, or of an edge's line, that is
 //  nearest to the middle of the edge; sets the line, -1 for none
-static point newPointOf
-(
-    const editedSurface& surface,
-    const Edge e,
-    label& line
-)
+static point newPointOf(const editedSurface& surface, const Edge e, label& line)
 {
     const givenSurface& given = surface.given();
     const Halfedge h = surface.mesh().halfedge(e);
@@ -488,11 +483,7 @@ bool smoothVertex(editedSurface& surface, const Vertex v)
     }
     const scalar after = smallestAngleAt(surface, v, x);
     if
-    (
-        (
-            after < degToRad(enoughAngle)
-         && after <= surface.smallestAngle(v)
-        )
+    ((after < degToRad(enoughAngle) && after <= surface.smallestAngle(v))
      || (surface.guard() && !surface.guard()->mayMove(v, x))
     )
     {

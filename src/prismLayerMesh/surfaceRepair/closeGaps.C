@@ -62,10 +62,7 @@ surfaceBorders::surfaceBorders(const wallSurface& surface)
         }
     }
     std::sort(points.begin(), points.end());
-    points.setSize
-    (
-        std::unique(points.begin(), points.end()) - points.begin()
-    );
+    points.setSize(std::unique(points.begin(), points.end()) - points.begin());
 }
 
 

@@ -164,11 +164,7 @@ static bitSet nearTheCut
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-scalarField distancesTo
-(
-    const sidePatch& plane,
-    const wallSurface& surface
-)
+scalarField distancesTo(const sidePatch& plane, const wallSurface& surface)
 {
     scalarField distances(surface.points.size());
     forAll(distances, p)

@@ -90,13 +90,7 @@ void addOctahedron(const point& x, const scalar radius, bodies& all)
 }
 
 
-void addPrism
-(
-    const point& a,
-    const point& b,
-    const scalar radius,
-    bodies& all
-)
+void addPrism(const point& a, const point& b, const scalar radius, bodies& all)
 {
     const vector axis = normalised(b - a);
     const vector across =
@@ -158,11 +152,7 @@ surfaceContacts findContacts(const wallSurface& surface)
 }
 
 
-void addContactFillers
-(
-    const surfaceContacts& contacts,
-    wallSurface& surface
-)
+void addContactFillers(const surfaceContacts& contacts, wallSurface& surface)
 {
     const label nPoints = surface.points.size();
     std::vector<scalar> lengths(nPoints, 0);

@@ -378,10 +378,7 @@ wrapTargets::wrapTargets
 
 void wrapTargets::setNearest(const label start)
 {
-    const pointField from
-    (
-        SubList<point>(from_, from_.size() - start, start)
-    );
+    const pointField from(SubList<point>(from_, from_.size() - start, start));
     pointField onFaces;
     labelList faces;
     nearest_.find(from, onFaces, faces);

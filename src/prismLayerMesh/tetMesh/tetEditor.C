@@ -328,11 +328,7 @@ void splitTets
 
 //- Whether the order of the points p q r s of a tetrahedron is an even
 //  permutation of its own
-static bool isAlike
-(
-    const tetCell& tet,
-    const FixedList<label, 4>& points
-)
+static bool isAlike(const tetCell& tet, const FixedList<label, 4>& points)
 {
     bool even = true;
 
@@ -513,11 +509,7 @@ void tetEditor::ring
 }
 
 
-labelList tetEditor::replace
-(
-    const labelUList& old,
-    const UList<tetCell>& made
-)
+labelList tetEditor::replace(const labelUList& old, const UList<tetCell>& made)
 {
     DynamicList<triFace, 64> outerFaces;
     DynamicList<label, 64> outerTets;

@@ -230,10 +230,7 @@ const struct
 //  coordinates rarely again
 static tensor generalRotation(const label attempt)
 {
-    return quaternion
-    (
-        normalised(vector(0.37, 0.61, 0.29)), 1.13 + attempt
-    ).R();
+    return quaternion(normalised(vector(0.37, 0.61, 0.29)), 1.13 + attempt).R();
 }
 
 

@@ -15,11 +15,7 @@ namespace Foam
 
 //- Returns a face in triangles without edges that have points; the face itself
 //  if it has no such edges
-static DynamicList<face> pieces
-(
-    const EdgeMap<label>& points,
-    const face& whole
-)
+static DynamicList<face> pieces(const EdgeMap<label>& points, const face& whole)
 {
     DynamicList<face> left;
     DynamicList<face> done;

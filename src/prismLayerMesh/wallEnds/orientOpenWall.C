@@ -210,11 +210,7 @@ bool isWithin(const UList<triPoints>& triangles, const point& x)
 // * * * * * * * * * * * * * *  Orient Open Wall * * * * * * * * * * * * * * //
 
 //- The centre of the largest of some faces
-static point centreOfLargest
-(
-    const wallSurface& surface,
-    const labelList& faces
-)
+static point centreOfLargest(const wallSurface& surface, const labelList& faces)
 {
     scalarField areas(faces.size());
     forAll(areas, i)

@@ -266,10 +266,7 @@ static void setShape(sidePatch& side)
 {
     if (side.isCurved())
     {
-        side.shape = std::make_shared<const sideShape>
-        (
-            side.points, side.faces
-        );
+        side.shape = std::make_shared<const sideShape>(side.points, side.faces);
     }
 }
 

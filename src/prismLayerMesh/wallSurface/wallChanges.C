@@ -157,12 +157,7 @@ public:
 };
 
 
-bool capFlipper::flip
-(
-    const edge& e,
-    const label cap,
-    const label neighbour
-)
+bool capFlipper::flip(const edge& e, const label cap, const label neighbour)
 {
     face& f = wall_.faces[cap];
     face& g = wall_.faces[neighbour];

@@ -82,10 +82,7 @@ List<labelPair> findIntersectingFaces
     DynamicList<labelPair> trianglePairs;
     addIntersections
     (
-        labelledTriangles
-        (
-            faceList(triangles, kept), wall.points, kept
-        ),
+        labelledTriangles(faceList(triangles, kept), wall.points, kept),
         {},
         trianglePairs
     );

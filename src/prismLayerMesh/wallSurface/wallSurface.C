@@ -349,11 +349,7 @@ static label firstCorner
 
 //- Sorts corners so that each begins at the edge on which the one before ends.
 //  The first one does not depend on the labels of points and faces.
-static void sortByRotation
-(
-    UList<wallCorner>& corners,
-    const pointField& points
-)
+static void sortByRotation(UList<wallCorner>& corners, const pointField& points)
 {
     std::swap(corners[0], corners[firstCorner(corners, points)]);
 
