@@ -212,8 +212,7 @@ struct sideFacets
     //- Region of each side patch; points on each side patch that are on another
     //  side patch, too
     List<planeRegion> regions = List<planeRegion>(wall.border.sides.size());
-    List<DynamicList<label>> corners =
-        List<DynamicList<label>>(regions.size());
+    List<DynamicList<label>> corners = List<DynamicList<label>>(regions.size());
 
     //- Points of the border of the wall, and of parts
     equalPoints labels{};

@@ -50,10 +50,8 @@ static void countFaults(cadTriangulation& made)
     {
         made.nTwins += !triangles.insert(triFace(f));
     }
-    made.nOpen =
-        made.model.solidLabels.size() ? outline(wall.faces).size() : 0;
-    made.nBare =
-        wall.patchNames.size() - made.nBetween - hasTriangles.count();
+    made.nOpen = made.model.solidLabels.size() ? outline(wall.faces).size() : 0;
+    made.nBare = wall.patchNames.size() - made.nBetween - hasTriangles.count();
 }
 
 

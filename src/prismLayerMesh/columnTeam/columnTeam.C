@@ -15,8 +15,7 @@ namespace Foam
 //- Index in an ascending list, -1 if it is not found
 static label indexOf(const labelUList& ascending, const label value)
 {
-    const auto at =
-        std::lower_bound(ascending.begin(), ascending.end(), value);
+    const auto at = std::lower_bound(ascending.begin(), ascending.end(), value);
 
     return at != ascending.end() && *at == value ? at - ascending.begin() : -1;
 }

@@ -34,8 +34,7 @@ fieldControls readFieldControls(const dictionary& dict, const bool onLevelSets)
     readChoice(dict, "solver", {"krylov", "iteration"}, controls.solver);
     readBounded
     (
-        dict, "tolerance",
-        scalar(1e-14), scalar(0.1), controls.tolerance
+        dict, "tolerance", scalar(1e-14), scalar(0.1), controls.tolerance
     );
 
     // Its coefficients are checked here, not when they are used in mid-run

@@ -47,8 +47,7 @@ Foam::symmTensorField Foam::diffusionTensors::gradientPower::tensors
         const scalar q = sigma < 1 ? qConcave_ : qConvex_;
         const vector g(normalised(gradients[p]));
 
-        tensors[p] =
-            ::pow(sigma, q)*(tau_*symmTensor::I + (1 - tau_)*sqr(g));
+        tensors[p] = ::pow(sigma, q)*(tau_*symmTensor::I + (1 - tau_)*sqr(g));
     }
 
     return tensors;

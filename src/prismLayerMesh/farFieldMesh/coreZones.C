@@ -41,8 +41,7 @@ List<faceZoneParts> coreFaceZones
             const bool turned = cells[core.topology.owner[facei]] >= 0;
             const labelList triangles
             (
-                cutFaces.found(facei)
-              ? labelList(cutFaces[facei]) : labelList()
+                cutFaces.found(facei) ? labelList(cutFaces[facei]) : labelList()
             );
             zoneFaces.append(triangles);
             flips.append(boolList(triangles.size(), zone.flips[i] != turned));

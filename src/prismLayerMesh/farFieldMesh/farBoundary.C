@@ -384,8 +384,7 @@ void checkFarBoundary(const wallSurface& both, const label nOuter)
     {
         return labelledTriangles
         (
-            SubList<face>(both.faces, n, start), both.points,
-            identity(n, start)
+            SubList<face>(both.faces, n, start), both.points, identity(n, start)
         );
     };
 

@@ -35,8 +35,7 @@ static edge longestEdge
         edge sorted(e);
         sorted.sort();
 
-        const bool longer =
-            length > most || (length == most && sorted < ends);
+        const bool longer = length > most || (length == most && sorted < ends);
 
         if (longer && !kept.found(e))
         {

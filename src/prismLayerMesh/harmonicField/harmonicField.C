@@ -143,8 +143,7 @@ static void iterate
                 for (const label e : pointEdges[p])
                 {
                     sumWeights += weights[e];
-                    sumValues +=
-                        weights[e]*field[mesh.edges[e].otherVertex(p)];
+                    sumValues += weights[e]*field[mesh.edges[e].otherVertex(p)];
                 }
 
                 // Positive, except at a point that no tetrahedron uses
@@ -264,8 +263,7 @@ tetAreas::tetAreas(const tetPointRef& tet)
     normals[2] = ab ^ ac;
     sixV = max
     (
-        normals[2] & ad,
-        harmonicControls::smallestShape*mag(ab)*mag(ac)*mag(ad)
+        normals[2] & ad, harmonicControls::smallestShape*mag(ab)*mag(ac)*mag(ad)
     );
 }
 

@@ -155,8 +155,7 @@ wallBlocks makeWallBlocks
     const scalarField radius(team.points.onMaster(radii.radius));
     const labelListList parts
     (
-        team.isMaster()
-      ? divideWall(points, radius, controls) : labelListList()
+        team.isMaster() ? divideWall(points, radius, controls) : labelListList()
     );
     blocks.isDivided = team.any(parts.size());
     if (blocks.isDivided)

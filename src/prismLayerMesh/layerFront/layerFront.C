@@ -314,8 +314,7 @@ struct frontBuilder
         }
 
         front.addressing = makeWallAddressing(front.surface);
-        front.visibility =
-            makeWallVisibility(front.surface, front.addressing);
+        front.visibility = makeWallVisibility(front.surface, front.addressing);
         addPlanes();
     }
 };

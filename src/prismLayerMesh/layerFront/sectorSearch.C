@@ -109,8 +109,7 @@ void sectorSearch::setPlanes(const label i, const vector& toNeighbour)
     const vector& e = edges_[i];
 
     planes_[i].first() = normalised(toNeighbour ^ e);
-    planes_[i].second() =
-        normalised(toNeighbour - (toNeighbour & e)*e);
+    planes_[i].second() = normalised(toNeighbour - (toNeighbour & e)*e);
 }
 
 
@@ -340,8 +339,7 @@ void sectorSearch::consider
         narrowest = min(narrowest, c.cosine);
     }
 
-    const scalar score =
-        narrowest/::pow(1 + frontControls::sectorGain, n - 2);
+    const scalar score = narrowest/::pow(1 + frontControls::sectorGain, n - 2);
     faceList triangles;
 
     if

@@ -306,8 +306,7 @@ scalar columnCells::evaluate()
         if (s.keptHeights.size())
         {
             setHeights(s);
-            const auto errors =
-                heightResiduals(s, s.firstHeight, s.thickness);
+            const auto errors = heightResiduals(s, s.firstHeight, s.thickness);
             sum += sqr(errors[0]) + sqr(errors[1]);
         }
     }
@@ -356,8 +355,7 @@ void columnCells::setGradients(stack& s) const
         }
 
         const scalar height = layerHeight(lower, upper, s.volumes3[i]);
-        const scalar areas =
-            max(mag(lower.area) + mag(upper.area), VSMALL);
+        const scalar areas = max(mag(lower.area) + mag(upper.area), VSMALL);
         s.gradients[i] +=
             (2.0/3.0*(sides + share*upper.area) - height*area)/areas;
 

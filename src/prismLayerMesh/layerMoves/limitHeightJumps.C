@@ -444,8 +444,7 @@ bool limitHeightJumps(layerEditor& editor, const List<labelPair>& neighbours)
     (
         firstHeights(editor, neighbours).factors
         (
-            editor.front().wallPoints.size(), editor.controls(),
-            editor.team()
+            editor.front().wallPoints.size(), editor.controls(), editor.team()
         )
     );
     DynamicList<label> lowered;

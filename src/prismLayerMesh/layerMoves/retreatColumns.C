@@ -78,8 +78,7 @@ void retreatColumns
         const label c = lowered[i];
         editor.setThickness
         (
-            c, thickness[c],
-            retreating.found(c) ? controls.straightenShare : 0
+            c, thickness[c], retreating.found(c) ? controls.straightenShare : 0
         );
     }
 
@@ -172,11 +171,9 @@ static bool grow
     const std::function<bool(label facei)>& isAtFault
 )
 {
-    const scalar current =
-        max(scalarField(editor.thickness(), columnsOnPoint));
+    const scalar current = max(scalarField(editor.thickness(), columnsOnPoint));
     const scalar largest = largestThickness(editor, columnsOnPoint);
-    const scalar grown =
-        min(largest, current/editor.controls().retreatFactor);
+    const scalar grown = min(largest, current/editor.controls().retreatFactor);
 
     if (grown <= current)
     {

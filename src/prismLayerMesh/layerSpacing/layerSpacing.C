@@ -483,8 +483,7 @@ static void limitFinalHeight
 
     if (n > 1)
     {
-        const scalar growth =
-            max(finalHeight/heights.firstLayerThickness, 1.0);
+        const scalar growth = max(finalHeight/heights.firstLayerThickness, 1.0);
 
         heights.expansionRatio =
             min(heights.expansionRatio, ::pow(growth, 1.0/(n - 1)));

@@ -151,8 +151,7 @@ static scalarField clearanceOf
     (
         wallPartInBoxes
         (
-            front, columns.team,
-            boxesAround(front.surface.points, farthest)
+            front, columns.team, boxesAround(front.surface.points, farthest)
         )
     );
 

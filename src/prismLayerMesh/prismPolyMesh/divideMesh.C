@@ -144,8 +144,7 @@ static label setWallFaces(label next, countedStacks& share)
     forAll(patches, facei)
     {
         share.stacks[facei].patch = patches[facei];
-        share.stacks[facei].wallFace =
-            wallFaces[share.team.wholeFace(facei)];
+        share.stacks[facei].wallFace = wallFaces[share.team.wholeFace(facei)];
     }
 
     return next;

@@ -161,8 +161,7 @@ List<DynamicList<labelPair>> openEdges
     EdgeMap<label> patchOf(2*layers.border.edges.size());
     forAll(layers.border.edges, i)
     {
-        const sidePatch& side =
-            layers.border.sides[layers.border.edgeSides[i]];
+        const sidePatch& side = layers.border.sides[layers.border.edgeSides[i]];
         patchOf.insert(layers.border.edges[i], names.find(side.name));
     }
 

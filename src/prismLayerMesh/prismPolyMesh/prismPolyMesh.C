@@ -215,8 +215,7 @@ static void addPatches
         patch.set("startFace", starts[patchi]);
         patches.set
         (
-            patchi,
-            polyPatch::New(all.names[patchi], patch, patchi, boundary)
+            patchi, polyPatch::New(all.names[patchi], patch, patchi, boundary)
         );
     }
 
@@ -286,8 +285,7 @@ static void addZones
         (
             new cellZone
             (
-                zone.name, cellsOf(layers, zone), cells.size(),
-                mesh.cellZones()
+                zone.name, cellsOf(layers, zone), cells.size(), mesh.cellZones()
             )
         );
     }

@@ -305,8 +305,7 @@ message stackExchange::facesFor
     {
         if
         (
-            near.size()
-         && grid.mayTouch(boxOf(layers_, facei, layers_.nLayers))
+            near.size() && grid.mayTouch(boxOf(layers_, facei, layers_.nLayers))
         )
         {
             for

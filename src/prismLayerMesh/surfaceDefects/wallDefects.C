@@ -249,8 +249,7 @@ labelList countFans(const wallSurface& wall, const wallSides& sides)
             {
                 corners.join
                 (
-                    starts[s.facei] + f.find(p),
-                    starts[t.facei] + g.find(p)
+                    starts[s.facei] + f.find(p), starts[t.facei] + g.find(p)
                 );
             }
         }

@@ -36,8 +36,7 @@ void edgeBounds::applyRegions
                 distances[p] > 0
               ? min
                 (
-                    bounds[p],
-                    maxEdge + (controls_.growthRate - 1)*distances[p]
+                    bounds[p], maxEdge + (controls_.growthRate - 1)*distances[p]
                 )
               : maxEdge;
         }

@@ -81,8 +81,7 @@ static void unitePatches(const bitSet& faces, wallSurface& surface)
             const scalar most = ofPart[patchi];
             if
             (
-                area.val() > most
-             || (area.val() == most && area.key() < patchi)
+                area.val() > most || (area.val() == most && area.key() < patchi)
             )
             {
                 patchi = area.key();

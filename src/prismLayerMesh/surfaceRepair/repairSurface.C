@@ -110,8 +110,7 @@ bitSet surfaceRepairer::facesOnSides() const
 void surfaceRepairer::wrap(const nearestSurface& nearest)
 {
     const scalar size = orShare(controls_.size, 0.01);
-    const scalar offset =
-        controls_.offset > 0 ? controls_.offset : 0.1*size;
+    const scalar offset = controls_.offset > 0 ? controls_.offset : 0.1*size;
 
     wallSurface& surface = repaired_.surface;
     surface = wrapSurface(original_, size, offset, controls_.seeds);

@@ -119,8 +119,7 @@ void stitchFaces(wallSurface& surface, repairSteps& steps)
     const std::size_t nFaces = polygons.size();
     PMP::repair_polygon_soup
     (
-        points, polygons,
-        CGAL::parameters::require_same_orientation(false)
+        points, polygons, CGAL::parameters::require_same_orientation(false)
     );
     addStep
     (

@@ -388,8 +388,7 @@ label windingNumber::inFront(const face& part, const label triangle) const
 {
     const triangle3 p = divided_.triangleOn(part);
     const vector3 n = CGAL::normal(p[0], p[1], p[2]);
-    const vector normal =
-        normalised(rounded(CGAL::ORIGIN + n) - point::zero);
+    const vector normal = normalised(rounded(CGAL::ORIGIN + n) - point::zero);
 
     std::mt19937 random(triangle);
     std::uniform_real_distribution<scalar> share(-0.3, 0.3);
@@ -481,8 +480,7 @@ void unionFacets::collectFacets()
         if (!others.empty())
         {
             const triangle3 part = divided_.triangleOn(f.points);
-            const point3 centre =
-                CGAL::centroid(part[0], part[1], part[2]);
+            const point3 centre = CGAL::centroid(part[0], part[1], part[2]);
             const vector3 n = CGAL::normal(part[0], part[1], part[2]);
 
             for (const label j : others)

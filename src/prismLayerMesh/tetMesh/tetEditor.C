@@ -92,8 +92,7 @@ List<FixedList<label, 4>> tetNeighbours
         [&](const label k)
         {
             const tetCell& tet = tets[k/4];
-            label f[3] =
-                {tet[(k + 1) % 4], tet[(k + 2) % 4], tet[(k + 3) % 4]};
+            label f[3] = {tet[(k + 1) % 4], tet[(k + 2) % 4], tet[(k + 3) % 4]};
             std::sort(f, f + 3);
             return std::make_pair(f[0], twoPoints{f[1], f[2]});
         }

@@ -105,8 +105,7 @@ static bool isLarge(REAL* a, REAL* b, REAL* c, REAL* d, REAL*, REAL)
 
     const point centre(0.25*(x[0] + x[1] + x[2] + x[3]));
 
-    return
-        longest > sqr(maxLength*sizing.size(centre & sizing.rotation));
+    return longest > sqr(maxLength*sizing.size(centre & sizing.rotation));
 }
 
 

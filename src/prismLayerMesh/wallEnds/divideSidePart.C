@@ -217,8 +217,7 @@ struct partDivider
                 apart[findMax(scalarField(mag(apart - apart[0])))] - apart[0]
             );
             const vector e(normalised(along));
-            plane.normal =
-                normalised(plane.normal - (plane.normal & e)*e);
+            plane.normal = normalised(plane.normal - (plane.normal & e)*e);
             setDistances();
         }
 

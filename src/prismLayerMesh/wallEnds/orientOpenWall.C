@@ -177,8 +177,7 @@ scalar volumeOf(const UList<triPoints>& triangles)
     for (const triPoints& t : triangles)
     {
         const point& origin = triangles[0][0];
-        volume +=
-            ((t[0] - origin) ^ (t[1] - origin)) & (t[2] - origin);
+        volume += ((t[0] - origin) ^ (t[1] - origin)) & (t[2] - origin);
     }
 
     return volume/6;

@@ -234,8 +234,7 @@ boolList wallVisibility::narrowCones(const scalar smallestAngle) const
 
     forAll(narrow, p)
     {
-        narrow[p] =
-            cones[p].empty() || cones[p].cosine < ::sin(smallestAngle);
+        narrow[p] = cones[p].empty() || cones[p].cosine < ::sin(smallestAngle);
     }
 
     return narrow;
