@@ -574,10 +574,7 @@ void layerEditor::rollBack(const label c)
 Foam::columnStates::columnStates(const message& states)
 {
     messageReader reader(states);
-    places_ = reader.list<label>();
-    points_ = reader.list<point>();
-    thickness_ = reader.list<scalar>();
-    causes_ = reader.list<squeezeCause>();
+    reader(places_, points_, thickness_, causes_);
 }
 
 
@@ -605,10 +602,7 @@ void Foam::columnStates::append(const label place, const columnState& state)
 
 void Foam::columnStates::addTo(message& toOther) const
 {
-    toOther.addList(places_);
-    toOther.addList(points_);
-    toOther.addList(thickness_);
-    toOther.addList(causes_);
+    toOther(places_, points_, thickness_, causes_);
 }
 
 // ************************************************************************* //

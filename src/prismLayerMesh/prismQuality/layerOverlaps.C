@@ -323,8 +323,7 @@ message stackExchange::facesFor
     }
 
     message toOther;
-    toOther.addList(triangles);
-    toOther.addList(tallest);
+    toOther(triangles, tallest);
 
     return toOther;
 }
@@ -372,8 +371,8 @@ stackExchange::stackExchange
     }
 
     message noBoxes, ownBoxes;
-    noBoxes.addList(List<boundBox>());
-    ownBoxes.addList(groups.all());
+    noBoxes(List<boundBox>());
+    ownBoxes(groups.all());
     const List<message> boxes
     (
         team.exchange(List<message>(team.size(), ownBoxes))
@@ -413,7 +412,7 @@ List<overlappingStack> stackExchange::tell() const
     List<message> toOthers(team_.size());
     forAll(toOthers, p)
     {
-        toOthers[p].addList(replies_[p]);
+        toOthers[p](replies_[p]);
     }
 
     DynamicList<overlappingStack> told;
