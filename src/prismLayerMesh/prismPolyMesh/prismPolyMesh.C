@@ -81,21 +81,6 @@ static void dropPatchesOfWall(const wordList& wallPatches, farFieldMesh& far)
 }
 
 
-wordList sidePatchNames(const wallBorder& border)
-{
-    DynamicList<word> names;
-    for (const sidePatch& side : border.sides)
-    {
-        if (!names.found(side.name))
-        {
-            names.append(side.name);
-        }
-    }
-
-    return wordList(std::move(names));
-}
-
-
 wordList prismPatchNames(const wordList& wallPatchNames)
 {
     wordHashSet taken;

@@ -364,6 +364,21 @@ void checkSides
 }
 
 
+wordList sidePatchNames(const wallBorder& border)
+{
+    DynamicList<word> names;
+    for (const sidePatch& side : border.sides)
+    {
+        if (!names.found(side.name))
+        {
+            names.append(side.name);
+        }
+    }
+
+    return wordList(std::move(names));
+}
+
+
 bool hasPlanes(const UList<sidePatch>& sides)
 {
     return anyOf(sides, [](const sidePatch& side) { return !side.isPart(); });
