@@ -176,13 +176,55 @@ struct improvement
     }
 
     //- Lean columns of stacks that are below their target
-    void lean(const labelUList& faces);
+    void lean(const labelUList& faces)
+    {
+        const auto penalty = [&]
+        (
+            const label facei,
+            const label lowest,
+            const scalar enough
+        )
+        {
+            const scalar own = judge.penalty(facei, lowest, enough);
+
+            return lowest == 1 && own <= enough && isAtFault(facei)
+              ? forbidden : own;
+        };
+
+        const labelList leaning
+        (
+            moves.notBarredOf
+            (
+                judge.findBelowAttainable(faces, editor.controls().goodJacobian)
+            )
+        );
+        labelList nTries(moves.barred.size(), 0);
+        leanColumns(editor, leaning, penalty, 1, nTries);
+    }
 
     //- Give height back to columns of faces that retreated
-    void grow(const labelUList& faces);
+    void grow(const labelUList& faces)
+    {
+        growColumns
+        (
+            editor,
+            subsetList
+            (
+                moves.notBarredOf(faces),
+                [&](const label c) { return isLowered(editor, c); }
+            ),
+            [&](const label facei) { return isAtFault(facei); }
+        );
+    }
 
     //- Keep the targets around columns, which are about to bend, on all shares
-    void keepTargets(const labelUList& columns, bendTargets& targets) const;
+    void keepTargets(const labelUList& columns, bendTargets& targets) const
+    {
+        boolList kept(moves.barred.size(), false);
+        UIndirectList<bool>(kept, columns) = true;
+        editor.team().columns.update(kept);
+        targets.keep(editor, findIndices(kept, true));
+    }
 
     //- Bend columns of faces and cells beyond bounds, of stacks that are looked
     //  at, and of stacks around columns that bend. Returns the columns that
@@ -193,7 +235,59 @@ struct improvement
         bendTargets& targets,
         editedGeometry& geometry,
         labelList looked
-    );
+    )
+    {
+        const columnTeam& team = editor.team();
+        const auto atFault = [&](const label facei)
+        {
+            return isAtFault(facei);
+        };
+        labelHashSet bent;
+        moves.barred = false;
+
+        const auto bendOnce = [&]()
+        {
+            const labelList columns
+            (
+                moves.notBarredOf
+                (
+                    stacksMissingTargets
+                    (
+                        editor.layers(), geometry.now(), looked, bounds
+                    )
+                )
+            );
+            keepTargets(columns, targets);
+            tellProgress("bending columns", columns.size());
+
+            const label then = editor.now();
+            const labelList tried
+            (
+                bendColumns(editor, geometry, targets, columns, atFault)
+            );
+            moves.settle(notAtFault);
+
+            for (const label c : tried)
+            {
+                if (!moves.barred[c])
+                {
+                    bent.insert(c);
+                }
+            }
+            looked = editor.touchedSince(then);
+
+            return team.any(looked.size());
+        };
+        if (team.any(looked.size()))
+        {
+            repeatUntilStable
+            (
+                "bending columns", editor.controls().maxBends, bendOnce
+            );
+        }
+
+        return bent;
+    }
 
     void leanAndGrow()
     {
@@ -215,9 +309,37 @@ struct improvement
 
     //- Fit columns to the first heights that are asked for, those that have to
     //  be rolled back again nearer to the wall
-    void fitFirst();
+    void fitFirst()
+    {
+        boolList wanted(moves.barred.size(), true);
 
-    void limitJumps();
+        for (const scalar reach : editor.controls().reaches)
+        {
+            tellProgress("fitting first heights");
+            moves.barred = false;
+            fitFirstHeights(editor, wanted, reach);
+            moves.settle();
+            editor.team().columns.update(moves.barred);
+            wanted = moves.barred;
+        }
+    }
+
+    void limitJumps()
+    {
+        const List<labelPair> neighbours(neighboursOnWall(editor.front()));
+
+        const auto limit = [&]()
+        {
+            const bool anyLimited = limitHeightJumps(editor, neighbours);
+            if (anyLimited)
+            {
+                moves.settle();
+            }
+
+            return anyLimited;
+        };
+        repeatUntilStable("limiting jumps", editor.controls().maxLimits, limit);
+    }
 
     void fitAll()
     {
@@ -228,203 +350,59 @@ struct improvement
 
     //- Bend columns to where faces are better: with heights as they are, then
     //  as the user's priority is with heights that give way
-    void bend();
+    void bend()
+    {
+        const layerMoveControls& controls = editor.controls();
+        const qualityControls& quality = controls.quality;
+
+        bendTargets targets
+        (
+            bendTargets::withMargins(controls, judge.attainable())
+        );
+        editedGeometry geometry(editor);
+        const label then = editor.now();
+        const faceList& faces = editor.layers().faces;
+        const labelList all
+        (
+            editor.team().withOwn(identity(faces.size()), faces)
+        );
+        labelList stacks
+        (
+            stacksMissingTargets(editor.layers(), geometry.now(), all, targets)
+        );
+        bendTo(targets, targets, geometry, stacks);
+
+        if (quality.priority == qualityControls::priorities::quality)
+        {
+            bendTargets bounds;
+            bounds.faces = faceTargets
+            {
+                Foam::cos(degToRad(quality.maxNonOrtho)),
+                quality.maxInternalSkewness, SMALL
+            };
+
+            const auto giveWay = [&]()
+            {
+                const labelList moved(editor.allTouchedSince(then));
+                stacks.append
+                (
+                    editor.team().withOwn
+                    (
+                        geometry.now().withNeighbours(moved), faces
+                    )
+                );
+                inplaceUniqueSort(stacks);
+                gaveWay |= bendTo(bounds, targets, geometry, stacks);
+            };
+            targets.thicknessWeight = controls.lowThicknessWeight;
+            giveWay();
+            targets.firstHeightWeight = controls.lowFirstHeightWeight;
+            giveWay();
+        }
+    }
 };
 
-
-void improvement::lean(const labelUList& faces)
-{
-    const auto penalty = [&]
-    (
-        const label facei,
-        const label lowest,
-        const scalar enough
-    )
-    {
-        const scalar own = judge.penalty(facei, lowest, enough);
-
-        return lowest == 1 && own <= enough && isAtFault(facei)
-          ? forbidden : own;
-    };
-
-    const labelList leaning
-    (
-        moves.notBarredOf
-        (
-            judge.findBelowAttainable(faces, editor.controls().goodJacobian)
-        )
-    );
-    labelList nTries(moves.barred.size(), 0);
-    leanColumns(editor, leaning, penalty, 1, nTries);
-}
-
-
-void improvement::grow(const labelUList& faces)
-{
-    growColumns
-    (
-        editor,
-        subsetList
-        (
-            moves.notBarredOf(faces),
-            [&](const label c) { return isLowered(editor, c); }
-        ),
-        [&](const label facei) { return isAtFault(facei); }
-    );
-}
-
-
-void improvement::keepTargets
-(
-    const labelUList& columns,
-    bendTargets& targets
-) const
-{
-    boolList kept(moves.barred.size(), false);
-    UIndirectList<bool>(kept, columns) = true;
-    editor.team().columns.update(kept);
-    targets.keep(editor, findIndices(kept, true));
-}
-
-
-void improvement::fitFirst()
-{
-    boolList wanted(moves.barred.size(), true);
-
-    for (const scalar reach : editor.controls().reaches)
-    {
-        tellProgress("fitting first heights");
-        moves.barred = false;
-        fitFirstHeights(editor, wanted, reach);
-        moves.settle();
-        editor.team().columns.update(moves.barred);
-        wanted = moves.barred;
-    }
-}
-
-
-void improvement::limitJumps()
-{
-    const List<labelPair> neighbours(neighboursOnWall(editor.front()));
-
-    const auto limit = [&]()
-    {
-        const bool anyLimited = limitHeightJumps(editor, neighbours);
-        if (anyLimited)
-        {
-            moves.settle();
-        }
-
-        return anyLimited;
-    };
-    repeatUntilStable("limiting jumps", editor.controls().maxLimits, limit);
-}
-
-
-labelHashSet improvement::bendTo
-(
-    const bendTargets& bounds,
-    bendTargets& targets,
-    editedGeometry& geometry,
-    labelList looked
-)
-{
-    const columnTeam& team = editor.team();
-    const auto atFault = [&](const label facei) { return isAtFault(facei); };
-    labelHashSet bent;
-    moves.barred = false;
-
-    const auto bendOnce = [&]()
-    {
-        const labelList columns
-        (
-            moves.notBarredOf
-            (
-                stacksMissingTargets
-                (
-                    editor.layers(), geometry.now(), looked, bounds
-                )
-            )
-        );
-        keepTargets(columns, targets);
-        tellProgress("bending columns", columns.size());
-
-        const label then = editor.now();
-        const labelList tried
-        (
-            bendColumns(editor, geometry, targets, columns, atFault)
-        );
-        moves.settle(notAtFault);
-
-        for (const label c : tried)
-        {
-            if (!moves.barred[c])
-            {
-                bent.insert(c);
-            }
-        }
-        looked = editor.touchedSince(then);
-
-        return team.any(looked.size());
-    };
-    if (team.any(looked.size()))
-    {
-        repeatUntilStable
-        (
-            "bending columns", editor.controls().maxBends, bendOnce
-        );
-    }
-
-    return bent;
-}
-
-
-void improvement::bend()
-{
-    const layerMoveControls& controls = editor.controls();
-    const qualityControls& quality = controls.quality;
-
-    bendTargets targets(bendTargets::withMargins(controls, judge.attainable()));
-    editedGeometry geometry(editor);
-    const label then = editor.now();
-    const faceList& faces = editor.layers().faces;
-    const labelList all(editor.team().withOwn(identity(faces.size()), faces));
-    labelList stacks
-    (
-        stacksMissingTargets(editor.layers(), geometry.now(), all, targets)
-    );
-    bendTo(targets, targets, geometry, stacks);
-
-    if (quality.priority == qualityControls::priorities::quality)
-    {
-        bendTargets bounds;
-        bounds.faces = faceTargets
-        {
-            Foam::cos(degToRad(quality.maxNonOrtho)),
-            quality.maxInternalSkewness, SMALL
-        };
-
-        const auto giveWay = [&]()
-        {
-            const labelList moved(editor.allTouchedSince(then));
-            stacks.append
-            (
-                editor.team().withOwn
-                (
-                    geometry.now().withNeighbours(moved), faces
-                )
-            );
-            inplaceUniqueSort(stacks);
-            gaveWay |= bendTo(bounds, targets, geometry, stacks);
-        };
-        targets.thicknessWeight = controls.lowThicknessWeight;
-        giveWay();
-        targets.firstHeightWeight = controls.lowFirstHeightWeight;
-        giveWay();
-    }
-}
-
-}
+} // End anonymous namespace
 
 
 labelList improveLayers

@@ -54,53 +54,6 @@ const Type* alternative(const Variant& common)
 }
 
 
-class triangleDivider
-{
-    const faceList& triangles_;
-    dividedTriangles result_;
-
-    //- Labels of the points on triangles that are divided
-    std::map<point3, label> labels_;
-
-    //- For each triangle: the triangles that intersect it
-    std::vector<std::vector<label>> partners_;
-
-    triangle3 triangle(const label i) const
-    {
-        return result_.triangleOn(triangles_[i]);
-    }
-
-    label labelOf(const point3& x);
-
-    //- Adds the intersection with another triangle to a triangulation
-    void insert
-    (
-        const triangle3& a,
-        const triangle3& b,
-        const planeProjection& project,
-        planeTriangulation& plane
-    ) const;
-
-    void divide(label i);
-
-public:
-
-    explicit triangleDivider(const wallSurface& surface)
-    :
-        triangles_(surface.faces),
-        partners_(surface.faces.size())
-    {
-        result_.points = cgalPoints<point3>(surface.points);
-        result_.inPlane.resize(triangles_.size());
-    }
-
-    //- Finds the triangles that intersect
-    void findPartners(const wallSurface& surface);
-
-    dividedTriangles divide();
-};
-
-
 //- Returns pairs of triangles on the same three points
 std::vector<labelPair> onSamePoints(const faceList& triangles)
 {
@@ -124,162 +77,188 @@ std::vector<labelPair> onSamePoints(const faceList& triangles)
 }
 
 
-void triangleDivider::findPartners(const wallSurface& surface)
+class triangleDivider
 {
-    std::vector<labelPair> pairs = onSamePoints(triangles_);
-    const List<labelPair> found
+    const faceList& triangles_;
+    dividedTriangles result_;
+
+    //- Labels of the points on triangles that are divided
+    std::map<point3, label> labels_;
+
+    //- For each triangle: the triangles that intersect it
+    std::vector<std::vector<label>> partners_;
+
+    triangle3 triangle(const label i) const
+    {
+        return result_.triangleOn(triangles_[i]);
+    }
+
+    label labelOf(const point3& x)
+    {
+        const auto inserted = labels_.emplace(x, result_.points.size());
+        if (inserted.second)
+        {
+            result_.points.push_back(x);
+        }
+
+        return inserted.first->second;
+    }
+
+    //- Adds the intersection with another triangle to a triangulation
+    void insert
     (
-        findIntersectingFaces(surface, bitSet(triangles_.size()))
-    );
-    pairs.insert(pairs.end(), found.begin(), found.end());
-
-    for (const labelPair& pair : pairs)
+        const triangle3& a,
+        const triangle3& b,
+        const planeProjection& project,
+        planeTriangulation& plane
+    ) const
     {
-        const label i = pair.first();
-        const label j = pair.second();
-        partners_[i].push_back(j);
-        partners_[j].push_back(i);
-
-        const exactKernel::Plane_3 plane = triangle(i).supporting_plane();
-        const triangle3 other = triangle(j);
-        if
-        (
-            plane.has_on(other[0]) && plane.has_on(other[1])
-         && plane.has_on(other[2])
-        )
+        const auto common = CGAL::intersection(a, b);
+        if (!common)
         {
-            result_.inPlane[i].push_back(j);
-            result_.inPlane[j].push_back(i);
+            return;
         }
-    }
 
-    for (std::vector<label>& others : result_.inPlane)
-    {
-        std::sort(others.begin(), others.end());
-    }
-}
-
-
-label triangleDivider::labelOf(const point3& x)
-{
-    const auto inserted = labels_.emplace(x, result_.points.size());
-    if (inserted.second)
-    {
-        result_.points.push_back(x);
-    }
-
-    return inserted.first->second;
-}
-
-
-void triangleDivider::insert
-(
-    const triangle3& a,
-    const triangle3& b,
-    const planeProjection& project,
-    planeTriangulation& plane
-) const
-{
-    const auto common = CGAL::intersection(a, b);
-    if (!common)
-    {
-        return;
-    }
-
-    // The corners of the intersection, in their order around it
-    std::vector<point3> corners;
-    if (const auto* x = alternative<point3>(*common))
-    {
-        corners = {*x};
-    }
-    else if (const auto* s = alternative<exactKernel::Segment_3>(*common))
-    {
-        corners = {s->source(), s->target()};
-    }
-    else if (const auto* t = alternative<triangle3>(*common))
-    {
-        corners = {(*t)[0], (*t)[1], (*t)[2]};
-    }
-    else
-    {
-        corners = *alternative<std::vector<point3>>(*common);
-    }
-
-    auto last = plane.insert(project(corners.back()));
-    for (const point3& x : corners)
-    {
-        const auto next = plane.insert(project(x));
-        if (next != last)
+        // The corners of the intersection, in their order around it
+        std::vector<point3> corners;
+        if (const auto* x = alternative<point3>(*common))
         {
-            plane.insert_constraint(last, next);
+            corners = {*x};
         }
-        last = next;
-    }
-}
-
-
-void triangleDivider::divide(const label i)
-{
-    const triangle3 t = triangle(i);
-    const planeProjection project(t.supporting_plane());
-
-    planeTriangulation plane;
-    for (int k = 0; k < 3; ++k)
-    {
-        plane.insert_constraint(project(t[k]), project(t[(k + 1) % 3]));
-    }
-    for (const label j : partners_[i])
-    {
-        insert(t, triangle(j), project, plane);
-    }
-
-    for (const auto v : plane.finite_vertex_handles())
-    {
-        v->info() = labelOf(project.inverse(v->point()));
-    }
-
-    for (const auto f : plane.finite_face_handles())
-    {
-        face part{f->vertex(0)->info(), f->vertex(1)->info(),
-            f->vertex(2)->info()};
-        if (project.turns())
+        else if (const auto* s = alternative<exactKernel::Segment_3>(*common))
         {
-            part.flip();
+            corners = {s->source(), s->target()};
         }
-        result_.parts.push_back(part);
-        result_.triangleOf.push_back(i);
-    }
-}
-
-
-dividedTriangles triangleDivider::divide()
-{
-    forAll(triangles_, i)
-    {
-        if (!partners_[i].empty())
+        else if (const auto* t = alternative<triangle3>(*common))
         {
-            for (const label p : triangles_[i])
-            {
-                labels_.emplace(result_.points[p], p);
-            }
-        }
-    }
-
-    forAll(triangles_, i)
-    {
-        if (partners_[i].empty())
-        {
-            result_.parts.push_back(triangles_[i]);
-            result_.triangleOf.push_back(i);
+            corners = {(*t)[0], (*t)[1], (*t)[2]};
         }
         else
         {
-            divide(i);
+            corners = *alternative<std::vector<point3>>(*common);
+        }
+
+        auto last = plane.insert(project(corners.back()));
+        for (const point3& x : corners)
+        {
+            const auto next = plane.insert(project(x));
+            if (next != last)
+            {
+                plane.insert_constraint(last, next);
+            }
+            last = next;
         }
     }
 
-    return result_;
-}
+    void divide(const label i)
+    {
+        const triangle3 t = triangle(i);
+        const planeProjection project(t.supporting_plane());
+
+        planeTriangulation plane;
+        for (int k = 0; k < 3; ++k)
+        {
+            plane.insert_constraint(project(t[k]), project(t[(k + 1) % 3]));
+        }
+        for (const label j : partners_[i])
+        {
+            insert(t, triangle(j), project, plane);
+        }
+
+        for (const auto v : plane.finite_vertex_handles())
+        {
+            v->info() = labelOf(project.inverse(v->point()));
+        }
+
+        for (const auto f : plane.finite_face_handles())
+        {
+            face part{f->vertex(0)->info(), f->vertex(1)->info(),
+                f->vertex(2)->info()};
+            if (project.turns())
+            {
+                part.flip();
+            }
+            result_.parts.push_back(part);
+            result_.triangleOf.push_back(i);
+        }
+    }
+
+public:
+
+    explicit triangleDivider(const wallSurface& surface)
+    :
+        triangles_(surface.faces),
+        partners_(surface.faces.size())
+    {
+        result_.points = cgalPoints<point3>(surface.points);
+        result_.inPlane.resize(triangles_.size());
+    }
+
+    //- Finds the triangles that intersect
+    void findPartners(const wallSurface& surface)
+    {
+        std::vector<labelPair> pairs = onSamePoints(triangles_);
+        const List<labelPair> found
+        (
+            findIntersectingFaces(surface, bitSet(triangles_.size()))
+        );
+        pairs.insert(pairs.end(), found.begin(), found.end());
+
+        for (const labelPair& pair : pairs)
+        {
+            const label i = pair.first();
+            const label j = pair.second();
+            partners_[i].push_back(j);
+            partners_[j].push_back(i);
+
+            const exactKernel::Plane_3 plane = triangle(i).supporting_plane();
+            const triangle3 other = triangle(j);
+            if
+            (
+                plane.has_on(other[0]) && plane.has_on(other[1])
+             && plane.has_on(other[2])
+            )
+            {
+                result_.inPlane[i].push_back(j);
+                result_.inPlane[j].push_back(i);
+            }
+        }
+
+        for (std::vector<label>& others : result_.inPlane)
+        {
+            std::sort(others.begin(), others.end());
+        }
+    }
+
+    dividedTriangles divide()
+    {
+        forAll(triangles_, i)
+        {
+            if (!partners_[i].empty())
+            {
+                for (const label p : triangles_[i])
+                {
+                    labels_.emplace(result_.points[p], p);
+                }
+            }
+        }
+
+        forAll(triangles_, i)
+        {
+            if (partners_[i].empty())
+            {
+                result_.parts.push_back(triangles_[i]);
+                result_.triangleOf.push_back(i);
+            }
+            else
+            {
+                divide(i);
+            }
+        }
+
+        return result_;
+    }
+};
 
 } // End anonymous namespace
 
@@ -440,153 +419,136 @@ class unionFacets
 
     std::vector<facet> facets_;
 
-    void collectFacets();
+    void collectFacets()
+    {
+        for (std::size_t k = 0; k < divided_.parts.size(); ++k)
+        {
+            facet f{divided_.parts[k], divided_.triangleOf[k], 1, 0};
+            const std::vector<label>& others = divided_.inPlane[f.triangle];
+            bool isFirst = true;
+
+            if (!others.empty())
+            {
+                const triangle3 part = divided_.triangleOn(f.points);
+                const point3 centre = CGAL::centroid(part[0], part[1], part[2]);
+                const vector3 n = CGAL::normal(part[0], part[1], part[2]);
+
+                for (const label j : others)
+                {
+                    const triangle3 other = divided_.triangleOn(triangles_[j]);
+                    if (other.has_on(centre))
+                    {
+                        isFirst = isFirst && f.triangle < j;
+                        f.jump +=
+                            CGAL::normal(other[0], other[1], other[2])*n > 0
+                          ? 1
+                          : -1;
+                    }
+                }
+            }
+
+            if (f.jump < 0)
+            {
+                f.jump = -f.jump;
+                f.points.flip();
+            }
+            if (isFirst && f.jump)
+            {
+                f.sqrArea = CGAL::to_double
+                (
+                    divided_.triangleOn(f.points).squared_area()
+                );
+                facets_.push_back(f);
+            }
+        }
+    }
 
     //- Sets the patch of each facet. The winding number is the same in front of
     //  all facets of a patch, and behind them. Returns the number of patches.
-    label findPatches(labelList& patchOf) const;
+    label findPatches(labelList& patchOf) const
+    {
+        faceList faces(facets_.size());
+        forAll(faces, i)
+        {
+            faces[i] = facets_[i].points;
+        }
+        const wallSides sides(makeWallSides(faces, divided_.points.size()));
+
+        return findComponents(sides, faces.size(), patchOf, 2);
+    }
 
 public:
 
-    explicit unionFacets(const wallSurface& surface);
+    explicit unionFacets(const wallSurface& surface)
+    :
+        triangles_(surface.faces),
+        divided_(divideTriangles(surface)),
+        winding_(surface, divided_)
+    {}
 
-    std::vector<facet> boundary();
-
-    //- Points of all parts, rounded
-    pointField points() const;
-
-    //- Number of triangles that were divided, or are in the plane of another
-    //  that they intersect
-    label nDivided() const;
-};
-
-
-unionFacets::unionFacets(const wallSurface& surface)
-:
-    triangles_(surface.faces),
-    divided_(divideTriangles(surface)),
-    winding_(surface, divided_)
-{}
-
-
-void unionFacets::collectFacets()
-{
-    for (std::size_t k = 0; k < divided_.parts.size(); ++k)
+    std::vector<facet> boundary()
     {
-        facet f{divided_.parts[k], divided_.triangleOf[k], 1, 0};
-        const std::vector<label>& others = divided_.inPlane[f.triangle];
-        bool isFirst = true;
-
-        if (!others.empty())
+        collectFacets();
+        labelList patchOf;
+        labelList largest(findPatches(patchOf), -1);
+        forAll(patchOf, i)
         {
-            const triangle3 part = divided_.triangleOn(f.points);
-            const point3 centre = CGAL::centroid(part[0], part[1], part[2]);
-            const vector3 n = CGAL::normal(part[0], part[1], part[2]);
+            label& l = largest[patchOf[i]];
+            l = l < 0 || facets_[l].sqrArea < facets_[i].sqrArea ? i : l;
+        }
 
-            for (const label j : others)
+        boolList isBoundary(largest.size());
+        forAll(largest, patchi)
+        {
+            const facet& f = facets_[largest[patchi]];
+            const label inFront = winding_.inFront(f.points, f.triangle);
+            isBoundary[patchi] = inFront < 1 && inFront + f.jump >= 1;
+        }
+
+        std::vector<facet> result;
+        forAll(patchOf, i)
+        {
+            if (isBoundary[patchOf[i]])
             {
-                const triangle3 other = divided_.triangleOn(triangles_[j]);
-                if (other.has_on(centre))
-                {
-                    isFirst = isFirst && f.triangle < j;
-                    f.jump +=
-                        CGAL::normal(other[0], other[1], other[2])*n > 0
-                      ? 1
-                      : -1;
-                }
+                result.push_back(facets_[i]);
             }
         }
 
-        if (f.jump < 0)
+        return result;
+    }
+
+    //- Points of all parts, rounded
+    pointField points() const
+    {
+        pointField result(divided_.points.size());
+        forAll(result, p)
         {
-            f.jump = -f.jump;
-            f.points.flip();
+            result[p] = rounded(divided_.points[p]);
         }
-        if (isFirst && f.jump)
+
+        return result;
+    }
+
+    //- Number of triangles that were divided, or are in the plane of another
+    //  that they intersect
+    label nDivided() const
+    {
+        labelList nParts(triangles_.size(), Zero);
+        for (const label i : divided_.triangleOf)
         {
-            f.sqrArea = CGAL::to_double
-            (
-                divided_.triangleOn(f.points).squared_area()
-            );
-            facets_.push_back(f);
+            ++nParts[i];
         }
-    }
-}
 
-
-label unionFacets::findPatches(labelList& patchOf) const
-{
-    faceList faces(facets_.size());
-    forAll(faces, i)
-    {
-        faces[i] = facets_[i].points;
-    }
-    const wallSides sides(makeWallSides(faces, divided_.points.size()));
-
-    return findComponents(sides, faces.size(), patchOf, 2);
-}
-
-
-std::vector<facet> unionFacets::boundary()
-{
-    collectFacets();
-    labelList patchOf;
-    labelList largest(findPatches(patchOf), -1);
-    forAll(patchOf, i)
-    {
-        label& l = largest[patchOf[i]];
-        l = l < 0 || facets_[l].sqrArea < facets_[i].sqrArea ? i : l;
-    }
-
-    boolList isBoundary(largest.size());
-    forAll(largest, patchi)
-    {
-        const facet& f = facets_[largest[patchi]];
-        const label inFront = winding_.inFront(f.points, f.triangle);
-        isBoundary[patchi] = inFront < 1 && inFront + f.jump >= 1;
-    }
-
-    std::vector<facet> result;
-    forAll(patchOf, i)
-    {
-        if (isBoundary[patchOf[i]])
+        label n = 0;
+        forAll(nParts, i)
         {
-            result.push_back(facets_[i]);
+            n += nParts[i] > 1 || !divided_.inPlane[i].empty();
         }
+
+        return n;
     }
+};
 
-    return result;
-}
-
-
-pointField unionFacets::points() const
-{
-    pointField result(divided_.points.size());
-    forAll(result, p)
-    {
-        result[p] = rounded(divided_.points[p]);
-    }
-
-    return result;
-}
-
-
-label unionFacets::nDivided() const
-{
-    labelList nParts(triangles_.size(), Zero);
-    for (const label i : divided_.triangleOf)
-    {
-        ++nParts[i];
-    }
-
-    label n = 0;
-    forAll(nParts, i)
-    {
-        n += nParts[i] > 1 || !divided_.inPlane[i].empty();
-    }
-
-    return n;
-}
 
 } // End anonymous namespace
 
