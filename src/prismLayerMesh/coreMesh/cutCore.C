@@ -262,8 +262,6 @@ coreCut cutCore
 }
 
 
-// * * * * * * * * * * * * * * *  Room Parts * * * * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 roomParts::roomParts(const polyMeshParts& core, const coreCut& cut)

@@ -47,8 +47,6 @@ fieldControls readFieldControls(const dictionary& dict, const bool onLevelSets)
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * *  Diffusion Tensor * * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * * * * Static Members  * * * * * * * * * * * * * //
 
 namespace Foam

@@ -270,8 +270,6 @@ farFieldMesh joinCells
 }
 
 
-// * * * * * * * * * * * * *  Make Far Field Mesh  * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * * * * Static Data * * * * * * * * * * * * * * * //
 
 const word farFieldName("farField");

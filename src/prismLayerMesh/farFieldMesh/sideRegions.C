@@ -363,8 +363,6 @@ static pointField planePoints
 }
 
 
-// * * * * * * * * * * * * * * *  Side Regions * * * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 sideRegions::sideRegions

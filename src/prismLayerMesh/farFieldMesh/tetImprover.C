@@ -109,8 +109,6 @@ bool tetViolation::missesTargets(const label t, const label i) const
 }
 
 
-// * * * * * * * * * * * * * * *  Tet Improver * * * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 bool tetImprover::replace
@@ -342,8 +340,6 @@ bool tetImprover::split(const label t, const label i)
     return false;
 }
 
-
-// * * * * * * * * * * * * *  Tet Improver Moves * * * * * * * * * * * * * * //
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 

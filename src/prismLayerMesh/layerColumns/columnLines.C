@@ -444,8 +444,6 @@ columnLines makeColumnLines
 }
 
 
-// * * * * * * * * * * * * * * *  Column Lines * * * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 labelList columnStarts::columnsOn

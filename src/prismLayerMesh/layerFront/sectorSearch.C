@@ -100,8 +100,6 @@ bool cutIntoTriangles(const vectorField& d, faceList& triangles)
 }
 
 
-// * * * * * * * * * * * * * *  Sector Candidates  * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void sectorSearch::setPlanes(const label i, const vector& toNeighbour)
@@ -249,8 +247,6 @@ sectorSearch::sectorSearch
     }
 }
 
-
-// * * * * * * * * * * * * * * *  Sector Search  * * * * * * * * * * * * * * //
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 

@@ -320,8 +320,6 @@ scalar columnCells::evaluate()
 }
 
 
-// * * * * * * * * * * * * *  Linear Column Cells  * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void columnCells::setGradients(stack& s) const

@@ -98,8 +98,6 @@ labelList columnColours
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * *  Layer Editor * * * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 const columnConstraint& layerEditor::constraint(const label c) const
@@ -375,8 +373,6 @@ void layerEditor::setCause(const label c, const squeezeCause cause)
 namespace Foam
 {
 
-// * * * * * * * * * * * * *  Layer Editor Record  * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void layerEditor::restore(const label c, const columnState& before)
@@ -566,8 +562,6 @@ void layerEditor::rollBack(const label c)
 
 } // End namespace Foam
 
-
-// * * * * * * * * * * * * * * *  Column States  * * * * * * * * * * * * * * //
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 

@@ -171,8 +171,6 @@ List<labelPair> partsOfPatches
 }
 
 
-// * * * * * * * * * * * * * *  Prism Poly Mesh  * * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * * * * Static Data * * * * * * * * * * * * * * * //
 
 const word boundaryLayerName("boundaryLayer");

@@ -283,8 +283,6 @@ List<labelPair> findNestedBodies
 }
 
 
-// * * * * * * * * * * * * * *  Stack Exchange * * * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
 
 message stackExchange::facesFor

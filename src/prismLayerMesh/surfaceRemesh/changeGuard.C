@@ -402,8 +402,6 @@ bool changeGuard::mayReplace
 }
 
 
-// * * * * * * * * * * * * * *  Change Journal * * * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 changeJournal::changeJournal(Mesh& mesh)

@@ -252,8 +252,6 @@ labelList editedSurface::nearestFaces() const
 }
 
 
-// * * * * * * * * * * * *  Edited Surface Changes * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void editedSurface::divide(const Halfedge a, const Halfedge b)

@@ -274,8 +274,6 @@ scalarField givenSurface::lengths() const
 }
 
 
-// * * * * * * * * * * * * * * *  Given Lines  * * * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void givenSurface::setLines(const wallSides& sides, const scalar minCos)

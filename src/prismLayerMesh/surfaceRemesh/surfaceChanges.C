@@ -15,9 +15,11 @@ namespace Foam
 {
 
 typedef editedSurface::Mesh Mesh;
+typedef editedSurface::Vertex Vertex;
 typedef editedSurface::Halfedge Halfedge;
 typedef editedSurface::Edge Edge;
 typedef editedSurface::Face Face;
+typedef editedSurface::candidate candidate;
 
 //- Points that split edges are no further from the middle than this share of
 //  the length
@@ -119,12 +121,6 @@ bool splitEdge(editedSurface& surface, const Edge e)
 
 
 // * * * * * * * * * * * * * * *  Collapse Edge  * * * * * * * * * * * * * * //
-
-typedef editedSurface::Mesh Mesh;
-typedef editedSurface::Vertex Vertex;
-typedef editedSurface::Halfedge Halfedge;
-typedef editedSurface::Face Face;
-typedef editedSurface::candidate candidate;
 
 //- Angles [degrees] below which a collapse may not go, unless there are
 //  smaller ones before
@@ -368,11 +364,6 @@ bool flipEdge(editedSurface& surface, const editedSurface::Edge e)
 
 
 // * * * * * * * * * * * * * * *  Move Vertex  * * * * * * * * * * * * * * * //
-
-typedef editedSurface::Mesh Mesh;
-typedef editedSurface::Vertex Vertex;
-typedef editedSurface::Halfedge Halfedge;
-typedef editedSurface::Face Face;
 
 //- Angle [degrees] below which smoothing may make no angle smaller
 static constexpr scalar enoughAngle = 30;

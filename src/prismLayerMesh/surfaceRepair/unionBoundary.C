@@ -5,8 +5,8 @@
 
 #include "bitSet.H"
 #include "cgalMeshes.H"
-#include "divideTriangles.H"
 #include "HashTable.H"
+#include "treeBoundBox.H"
 #include "triFace.H"
 #include "unions.H"
 #include "wallPredicates.H"
@@ -16,6 +16,7 @@
 #include <map>
 #include <random>
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
+#include <CGAL/Exact_predicates_exact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
 namespace Foam
@@ -24,8 +25,101 @@ namespace Foam
 namespace
 {
 
+typedef CGAL::Exact_predicates_exact_constructions_kernel exactKernel;
 typedef exactKernel::Point_3 point3;
 typedef exactKernel::Triangle_3 triangle3;
+typedef exactKernel::Vector_3 vector3;
+
+
+point rounded(const point3& x)
+{
+    return point
+    (
+        CGAL::to_double(x.x()), CGAL::to_double(x.y()), CGAL::to_double(x.z())
+    );
+}
+
+
+//- Projects a plane along the coordinate in which its normal is largest
+class planeProjection
+{
+    const exactKernel::Plane_3 plane_;
+
+    //- The coordinate that is dropped
+    int dropped_ = 0;
+
+public:
+
+    explicit planeProjection(const exactKernel::Plane_3& plane)
+    :
+        plane_(plane)
+    {
+        const vector3 n = plane_.orthogonal_vector();
+        for (int k = 1; k < 3; ++k)
+        {
+            if (CGAL::abs(n[k]) > CGAL::abs(n[dropped_]))
+            {
+                dropped_ = k;
+            }
+        }
+    }
+
+    //- Whether the projection turns triangles round
+    bool turns() const
+    {
+        return plane_.orthogonal_vector()[dropped_] < 0;
+    }
+
+    exactKernel::Point_2 operator()(const point3& x) const
+    {
+        return exactKernel::Point_2
+        (
+            x[(dropped_ + 1) % 3], x[(dropped_ + 2) % 3]
+        );
+    }
+
+    //- Returns the point of the plane that has this projection
+    point3 inverse(const exactKernel::Point_2& x) const
+    {
+        const vector3 n = plane_.orthogonal_vector();
+        const int i = (dropped_ + 1) % 3;
+        const int j = (dropped_ + 2) % 3;
+        exactKernel::FT c[3];
+        c[i] = x[0];
+        c[j] = x[1];
+        c[dropped_] = -(n[i]*c[i] + n[j]*c[j] + plane_.d())/n[dropped_];
+
+        return point3(c[0], c[1], c[2]);
+    }
+};
+
+
+//- The arrangement of triangles that intersect: each triangle is divided along
+//  its intersections with the others, by exact constructions. Two of the parts
+//  have at most points and edges in common, except that parts in the same plane
+//  may cover each other.
+struct dividedTriangles
+{
+    //- The points of the surface, and then the points at which it is divided
+    std::vector<point3> points;
+
+    //- Parts of triangles, oriented as the triangles
+    std::vector<face> parts;
+
+    //- The triangle that each part belongs to. The parts of a triangle follow
+    //  each other.
+    std::vector<label> triangleOf;
+
+    //- For each triangle: the triangles in its plane that intersect it, in
+    //  ascending order
+    std::vector<std::vector<label>> inPlane;
+
+    triangle3 triangleOn(const face& f) const
+    {
+        return triangle3(points[f[0]], points[f[1]], points[f[2]]);
+    }
+};
+
 
 //- A triangulation of a triangle's plane; its points know their labels
 typedef CGAL::Triangulation_data_structure_2
@@ -55,20 +149,20 @@ const Type* alternative(const Variant& common)
 
 
 //- Returns pairs of triangles on the same three points
-std::vector<labelPair> onSamePoints(const faceList& triangles)
+DynamicList<labelPair> onSamePoints(const faceList& triangles)
 {
     HashTable<DynamicList<label>, triFace, triFace::Hash<>> groups
     (
         2*triangles.size()
     );
-    std::vector<labelPair> pairs;
+    DynamicList<labelPair> pairs;
 
     forAll(triangles, i)
     {
         DynamicList<label>& same = groups(triFace(triangles[i]));
         for (const label j : same)
         {
-            pairs.emplace_back(j, i);
+            pairs.append(labelPair(j, i));
         }
         same.append(i);
     }
@@ -197,12 +291,8 @@ public:
     //- Finds the triangles that intersect
     void findPartners(const wallSurface& surface)
     {
-        std::vector<labelPair> pairs = onSamePoints(triangles_);
-        const List<labelPair> found
-        (
-            findIntersectingFaces(surface, bitSet(triangles_.size()))
-        );
-        pairs.insert(pairs.end(), found.begin(), found.end());
+        DynamicList<labelPair> pairs(onSamePoints(triangles_));
+        pairs.append(findIntersectingFaces(surface, bitSet(triangles_.size())));
 
         for (const labelPair& pair : pairs)
         {
@@ -260,9 +350,9 @@ public:
     }
 };
 
-} // End anonymous namespace
 
-
+//- Divides the triangles of a surface. All faces are triangles with area, and
+//  no two points are equal.
 dividedTriangles divideTriangles(const wallSurface& surface)
 {
     triangleDivider divider(surface);
@@ -274,128 +364,125 @@ dividedTriangles divideTriangles(const wallSurface& surface)
 
 // * * * * * * * * * * * * * *  Winding Number * * * * * * * * * * * * * * * //
 
-typedef exactKernel::Point_3 point3;
-typedef exactKernel::Triangle_3 triangle3;
-typedef exactKernel::Vector_3 vector3;
-
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-bool windingNumber::along
-(
-    const vector3& direction,
-    const face& part,
-    const label triangle,
-    label& number
-) const
+//- The winding number of a surface in front of its triangles, exactly.
+class windingNumber
 {
-    const triangle3 p = divided_.triangleOn(part);
-    const point3 begin = CGAL::centroid(p[0], p[1], p[2]);
-    const point3 end = begin + direction;
-    const std::vector<label>& inPlane = divided_.inPlane[triangle];
-    const point from = rounded(begin);
-    const point to = from + 2*size_*normalised(rounded(end) - from);
-    point hit;
-    number = 0;
+    const faceList& triangles_;
+    const dividedTriangles& divided_;
 
-    forAll(triangles_, i)
+    //- Size of the surface [m], and the boxes of its triangles
+    const scalar size_;
+    std::vector<treeBoundBox> boxes_;
+
+    //- Returns whether the number could be found along a direction: whether the
+    //  ray runs through no edge of a triangle
+    bool along
+    (
+        const vector3& direction,
+        const face& part,
+        const label triangle,
+        label& number
+    ) const
     {
-        if
-        (
-            i == triangle || !boxes_[i].intersects(from, to, hit)
-         || std::binary_search(inPlane.begin(), inPlane.end(), i)
-        )
+        const triangle3 p = divided_.triangleOn(part);
+        const point3 begin = CGAL::centroid(p[0], p[1], p[2]);
+        const point3 end = begin + direction;
+        const std::vector<label>& inPlane = divided_.inPlane[triangle];
+        const point from = rounded(begin);
+        const point to = from + 2*size_*normalised(rounded(end) - from);
+        point hit;
+        number = 0;
+
+        forAll(triangles_, i)
         {
-            continue;
+            if
+            (
+                i == triangle || !boxes_[i].intersects(from, to, hit)
+             || std::binary_search(inPlane.begin(), inPlane.end(), i)
+            )
+            {
+                continue;
+            }
+
+            const triangle3 t = divided_.triangleOn(triangles_[i]);
+            label nSides[3] = {0, 0, 0};
+            for (int k = 0; k < 3; ++k)
+            {
+                ++nSides[1 + CGAL::orientation(begin, end, t[k], t[k + 1])];
+            }
+            if (nSides[0] && nSides[2])
+            {
+                continue;
+            }
+
+            const vector3 n = CGAL::normal(t[0], t[1], t[2]);
+            const int along = CGAL::sign(n*direction);
+            const int side = CGAL::orientation(t[0], t[1], t[2], begin);
+            if (side == 0 || along == side)
+            {
+                continue;
+            }
+            if (nSides[1] || along == 0)
+            {
+                // Through an edge of the triangle, or within its plane
+                return false;
+            }
+            number += along;
         }
 
-        const triangle3 t = divided_.triangleOn(triangles_[i]);
-        label nSides[3] = {0, 0, 0};
-        for (int k = 0; k < 3; ++k)
-        {
-            ++nSides[1 + CGAL::orientation(begin, end, t[k], t[k + 1])];
-        }
-        if (nSides[0] && nSides[2])
-        {
-            continue;
-        }
-
-        const vector3 n = CGAL::normal(t[0], t[1], t[2]);
-        const int along = CGAL::sign(n*direction);
-        const int side = CGAL::orientation(t[0], t[1], t[2], begin);
-        if (side == 0 || along == side)
-        {
-            continue;
-        }
-        if (nSides[1] || along == 0)
-        {
-            // Through an edge of the triangle, or within its plane
-            return false;
-        }
-        number += along;
+        return true;
     }
 
-    return true;
-}
+public:
 
-
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-windingNumber::windingNumber
-(
-    const wallSurface& surface,
-    const dividedTriangles& divided
-)
-:
-    triangles_(surface.faces),
-    divided_(divided),
-    size_(boundBox(surface.points, false).mag())
-{
-    boxes_.reserve(triangles_.size());
-    for (const face& f : triangles_)
+    windingNumber(const wallSurface& surface, const dividedTriangles& divided)
+    :
+        triangles_(surface.faces),
+        divided_(divided),
+        size_(boundBox(surface.points, false).mag())
     {
-        treeBoundBox box(surface.points, f);
-        box.min() -= vector::uniform(1e-9*size_);
-        box.max() += vector::uniform(1e-9*size_);
-        boxes_.push_back(box);
+        boxes_.reserve(triangles_.size());
+        for (const face& f : triangles_)
+        {
+            treeBoundBox box(surface.points, f);
+            box.min() -= vector::uniform(1e-9*size_);
+            box.max() += vector::uniform(1e-9*size_);
+            boxes_.push_back(box);
+        }
     }
-}
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-label windingNumber::inFront(const face& part, const label triangle) const
-{
-    const triangle3 p = divided_.triangleOn(part);
-    const vector3 n = CGAL::normal(p[0], p[1], p[2]);
-    const vector normal = normalised(rounded(CGAL::ORIGIN + n) - point::zero);
-
-    std::mt19937 random(triangle);
-    std::uniform_real_distribution<scalar> share(-0.3, 0.3);
-    label number = 0;
-
-    for (;;)
+    //- Returns the winding number in front of a part of a triangle.
+    //  part: points of the part, the normal pointing to the front
+    label inFront(const face& part, const label triangle) const
     {
-        const vector3 direction
+        const triangle3 p = divided_.triangleOn(part);
+        const vector3 n = CGAL::normal(p[0], p[1], p[2]);
+        const vector normal
         (
-            normal.x() + share(random), normal.y() + share(random),
-            normal.z() + share(random)
+            normalised(rounded(CGAL::ORIGIN + n) - point::zero)
         );
-        if (n*direction > 0 && along(direction, part, triangle, number))
+
+        std::mt19937 random(triangle);
+        std::uniform_real_distribution<scalar> share(-0.3, 0.3);
+        label number = 0;
+
+        for (;;)
         {
-            return number;
+            const vector3 direction
+            (
+                normal.x() + share(random), normal.y() + share(random),
+                normal.z() + share(random)
+            );
+            if (n*direction > 0 && along(direction, part, triangle, number))
+            {
+                return number;
+            }
         }
     }
-}
+};
 
 
 // * * * * * * * * * * * * * *  Union Boundary * * * * * * * * * * * * * * * //
-
-namespace
-{
-
-typedef exactKernel::Point_3 point3;
-typedef exactKernel::Triangle_3 triangle3;
-typedef exactKernel::Vector_3 vector3;
 
 //- A part of a triangle, and how much the winding number is larger behind it
 //  than in front of it: at least 1

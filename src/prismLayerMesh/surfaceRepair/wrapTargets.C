@@ -340,8 +340,6 @@ pointField splitChamfers
 }
 
 
-// * * * * * * * * * * * * * * *  Wrap Targets * * * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 wrapTargets::wrapTargets

@@ -316,8 +316,6 @@ pointIndexHit triangleTree::nearest
 }
 
 
-// * * * * * * * * * * * * * * *  Wall Search  * * * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 wallSearch::wallSearch(const wallSurface& wall)

@@ -136,8 +136,6 @@ label findComponents
 }
 
 
-// * * * * * * * * * * * * * * *  Wall Surface * * * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 vectorField wallSurface::faceNormals() const

@@ -194,8 +194,6 @@ visibilityCone makeVisibilityCone(const UList<vector>& normals)
 }
 
 
-// * * * * * * * * * * * * * *  Wall Visibility  * * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void wallVisibility::setCone(const label p)
