@@ -15,124 +15,146 @@
 namespace Foam
 {
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-labelList faultRollBack::faultyFaces(const stackFault first)
+namespace
 {
-    const labelList moved(editor_.touchedSince(judged_));
-    judged_ = editor_.now();
-    DynamicList<label> faulty;
 
-    for (const faultyStack& stack : judge_.findFaults(moved, first))
+//- Rolls back the moves after which layers cannot be certified.
+class faultRollBack
+{
+    layerEditor& editor_;
+    const layerJudge& judge_;
+
+    //- Front faces with cells whose centres may be outside
+    const bitSet& tolerated_;
+
+    //- Time of the journal up to which all is judged
+    label judged_;
+
+    //- Front faces that cannot be certified, of those moved since the last look
+    //  first: earlier faults are not looked for
+    labelList faultyFaces(const stackFault first)
     {
-        const bool isOutside = stack.fault == stackFault::centreOutside;
-        if (!isOutside || !tolerated_.test(stack.facei))
+        const labelList moved(editor_.touchedSince(judged_));
+        judged_ = editor_.now();
+        DynamicList<label> faulty;
+
+        for (const faultyStack& stack : judge_.findFaults(moved, first))
+        {
+            const bool isOutside = stack.fault == stackFault::centreOutside;
+            if (!isOutside || !tolerated_.test(stack.facei))
+            {
+                faulty.append(stack.facei);
+            }
+        }
+        for
+        (
+            const overlappingStack& stack
+          : judge_.findOverlapping
+            (
+                moved, editor_.stackGroups(), editor_.thickness()
+            )
+        )
         {
             faulty.append(stack.facei);
         }
-    }
-    for
-    (
-        const overlappingStack& stack
-      : judge_.findOverlapping
-        (
-            moved, editor_.stackGroups(), editor_.thickness()
-        )
-    )
-    {
-        faulty.append(stack.facei);
+
+        return labelList(std::move(faulty));
     }
 
-    return labelList(std::move(faulty));
-}
-
-
-labelList faultRollBack::columnsAtFault(const labelUList& faulty) const
-{
-    const columnTeam& team = editor_.team();
-    boolList atFault(barred.size(), false);
-    UIndirectList<bool>(atFault, editor_.layers().columnsOf(faulty)) = true;
-    team.columns.unite(atFault);
-
-    return team.ownOf(findIndices(atFault, true));
-}
-
-
-void faultRollBack::rollBack(const label c, DynamicList<label>& rolledBack)
-{
-    for (const label q : editor_.columnsBeside(c))
+    //- The own columns of stacks that are faulty on any share
+    labelList columnsAtFault(const labelUList& faulty) const
     {
-        if (editor_.isChanged(q))
+        const columnTeam& team = editor_.team();
+        boolList atFault(barred.size(), false);
+        UIndirectList<bool>(atFault, editor_.layers().columnsOf(faulty)) = true;
+        team.columns.unite(atFault);
+
+        return team.ownOf(findIndices(atFault, true));
+    }
+
+    //- Roll back a column, and those on its point
+    void rollBack(const label c, DynamicList<label>& rolledBack)
+    {
+        for (const label q : editor_.columnsBeside(c))
         {
-            editor_.rollBack(q);
-            barred[q] = true;
-            rolledBack.append(q);
-        }
-    }
-}
-
-
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-faultRollBack::faultRollBack
-(
-    layerEditor& editor,
-    const layerJudge& judge,
-    const bitSet& tolerated
-)
-:
-    editor_(editor),
-    judge_(judge),
-    tolerated_(tolerated),
-    judged_(editor.now()),
-    barred(editor.thickness().size(), false)
-{}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-bool faultRollBack::isAtFault(const label facei) const
-{
-    return judge_.faultOf
-    (
-        facei, stackFault::belowAttainable, stackFault::notPositive
-    ) != stackFault::none;
-}
-
-
-labelList faultRollBack::notBarredOf(const labelUList& stacks) const
-{
-    return subsetList
-    (
-        editor_.team().ownOf(editor_.layers().columnsOf(stacks)),
-        [&](const label c) { return !barred[c]; }
-    );
-}
-
-
-void faultRollBack::settle(const stackFault first)
-{
-    // What is rolled back may be in the way of what is not
-    for
-    (
-        labelList faulty(faultyFaces(first));
-        editor_.team().any(faulty.size());
-        faulty = faultyFaces(stackFault::belowAttainable)
-    )
-    {
-        DynamicList<label> rolledBack;
-        for (const label c : columnsAtFault(faulty))
-        {
-            if (editor_.isChanged(c))
+            if (editor_.isChanged(q))
             {
-                rollBack(c, rolledBack);
+                editor_.rollBack(q);
+                barred[q] = true;
+                rolledBack.append(q);
             }
         }
-        editor_.publish(rolledBack);
     }
 
-    editor_.keep();
-}
+public:
+
+    //- Columns that had to be rolled back, since this list was set last
+    boolList barred;
+
+
+    //- Layers of the editor, which records, that can be certified. References
+    //  must outlive the object.
+    faultRollBack
+    (
+        layerEditor& editor,
+        const layerJudge& judge,
+        const bitSet& tolerated
+    )
+    :
+        editor_(editor),
+        judge_(judge),
+        tolerated_(tolerated),
+        judged_(editor.now()),
+        barred(editor.thickness().size(), false)
+    {}
+
+    //- Whether a stack has a fault that its own cells show
+    bool isAtFault(const label facei) const
+    {
+        return judge_.faultOf
+        (
+            facei, stackFault::belowAttainable, stackFault::notPositive
+        ) != stackFault::none;
+    }
+
+    //- The own columns of stacks, but for barred ones
+    labelList notBarredOf(const labelUList& stacks) const
+    {
+        return subsetList
+        (
+            editor_.team().ownOf(editor_.layers().columnsOf(stacks)),
+            [&](const label c) { return !barred[c]; }
+        );
+    }
+
+    //- Roll back columns until all can be certified, and keep what is left. The
+    //  first look is for faults from 'first' on. Collective
+    void settle(const stackFault first = stackFault::belowAttainable)
+    {
+        // What is rolled back may be in the way of what is not
+        for
+        (
+            labelList faulty(faultyFaces(first));
+            editor_.team().any(faulty.size());
+            faulty = faultyFaces(stackFault::belowAttainable)
+        )
+        {
+            DynamicList<label> rolledBack;
+            for (const label c : columnsAtFault(faulty))
+            {
+                if (editor_.isChanged(c))
+                {
+                    rollBack(c, rolledBack);
+                }
+            }
+            editor_.publish(rolledBack);
+        }
+
+        editor_.keep();
+    }
+};
+
+} // End anonymous namespace
 
 
 // * * * * * * * * * * * * * *  Improve Layers * * * * * * * * * * * * * * * //
