@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "columnTeam.H"
+#include "ranges.H"
 
 #include <algorithm>
 
@@ -72,11 +73,7 @@ const columnTeam& columnTeam::alone()
 
 bool columnTeam::hasOwn(const labelUList& columns) const
 {
-    return std::any_of
-    (
-        columns.begin(), columns.end(),
-        [&](const label c) { return isOwn(c); }
-    );
+    return anyOf(columns, [&](const label c) { return isOwn(c); });
 }
 
 

@@ -16,7 +16,6 @@
 #include "tetrahedralize.H"
 
 #include <algorithm>
-#include <functional>
 #include <memory>
 
 namespace Foam

@@ -9,6 +9,7 @@
 #include "ListOps.H"
 #include "mathematicalConstants.H"
 #include "normalSectors.H"
+#include "ranges.H"
 
 namespace Foam
 {
@@ -41,7 +42,7 @@ static bool isEar
     };
 
     return volume(d[prev], d[cur], d[next]) >= frontControls::smallestVolume
-        && std::none_of(polygon.begin(), polygon.end(), holds);
+        && !anyOf(polygon, holds);
 }
 
 

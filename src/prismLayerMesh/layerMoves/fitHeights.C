@@ -8,8 +8,6 @@
 #include "ranges.H"
 #include "stageProgress.H"
 
-#include <algorithm>
-
 namespace Foam
 {
 

@@ -10,8 +10,6 @@
 #include "ranges.H"
 #include "scaledJacobian.H"
 
-#include <algorithm>
-
 namespace Foam
 {
 

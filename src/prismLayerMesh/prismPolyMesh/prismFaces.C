@@ -7,6 +7,7 @@
 #include "EdgeMap.H"
 #include "ListOps.H"
 #include "prismPolyMesh.H"
+#include "ranges.H"
 
 namespace Foam
 {
@@ -229,11 +230,7 @@ List<DynamicList<prismFaceKey>> boundaryFaces
 
 label nHigherNeighbours(const labelUList& faceNeighbours, const label facei)
 {
-    return std::count_if
-    (
-        faceNeighbours.begin(), faceNeighbours.end(),
-        [&](const label other) { return other > facei; }
-    );
+    return countOf(faceNeighbours, [&](const label i) { return i > facei; });
 }
 
 } // End namespace Foam

@@ -9,12 +9,11 @@
 #include "cutSurface.H"
 #include "edgeHashes.H"
 #include "layerFront.H"
+#include "ranges.H"
 #include "remesher.H"
 #include "stageProgress.H"
 #include "triFace.H"
 #include "wallSides.H"
-
-#include <algorithm>
 
 namespace Foam
 {
@@ -85,11 +84,10 @@ labelList withFacesWithoutRoom
     (
         surface.points.size(), pointsWithoutDirection(surface)
     );
+    const auto blind = [&](const label p) { return isBlind.test(p); };
     forAll(surface.faces, facei)
     {
-        const face& f = surface.faces[facei];
-        const auto blind = [&](const label p) { return isBlind.test(p); };
-        if (std::any_of(f.begin(), f.end(), blind))
+        if (anyOf(surface.faces[facei], blind))
         {
             faults.append(facei);
         }

@@ -199,10 +199,8 @@ static std::vector<std::vector<label>> pointGroups
 
         for (const label p : a)
         {
-            allFit = allFit && std::all_of
-            (
-                b.begin(), b.end(), [&](const label q) { return fit(p, q); }
-            );
+            allFit =
+                allFit && allOf(b, [&](const label q) { return fit(p, q); });
         }
         if (allFit)
         {

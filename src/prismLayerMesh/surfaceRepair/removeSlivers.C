@@ -16,7 +16,6 @@
 #include "wallSides.H"
 #include "wallVisibility.H"
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <set>

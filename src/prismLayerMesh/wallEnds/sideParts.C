@@ -188,11 +188,11 @@ class partFinder
     {
         const sidePatch side(planeThrough(faces));
 
-        return std::all_of(faces.begin(), faces.end(), [&](const label f)
+        return allOf(faces, [&](const label f)
         {
             const face& points = surface_.faces[f];
 
-            return std::all_of(points.begin(), points.end(), [&](const label p)
+            return allOf(points, [&](const label p)
             {
                 return mag(side.distance(surface_.points[p])) <= tolerance_;
             });

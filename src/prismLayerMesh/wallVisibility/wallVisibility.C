@@ -12,8 +12,6 @@
 #include "sidePatch.H"
 #include "wallChanges.H"
 
-#include <algorithm>
-
 namespace Foam
 {
 
@@ -505,10 +503,8 @@ static boolList polygonsAt(const wallSurface& wall, const labelUList& points)
     forAll(wall.faces, facei)
     {
         const face& f = wall.faces[facei];
-        result[facei] = f.size() > 3 && std::any_of
-        (
-            f.begin(), f.end(), [&](const label p) { return isAsked[p]; }
-        );
+        result[facei] = f.size() > 3
+         && anyOf(f, [&](const label p) { return isAsked[p]; });
     }
 
     return result;
