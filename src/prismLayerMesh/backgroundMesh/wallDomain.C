@@ -32,7 +32,6 @@ tetDomain wallAndEnvelope
 pointField bodySeeds(const wallSurface& wall, const wallSearch& search)
 {
     DynamicList<point> seeds;
-
     for (const label facei : largestFaces(wall))
     {
         // On one triangle of the face: its centre may be off a warped face

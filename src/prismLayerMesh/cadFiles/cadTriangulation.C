@@ -20,7 +20,6 @@ static labelList findPatches(const cadModel& model, label& nBetween)
 {
     const labelList nSolids(model.nSolids());
     labelList patchOfTag(nSolids.size(), -1);
-
     forAll(model.faces, i)
     {
         const label tag = model.faces[i];
@@ -67,7 +66,6 @@ cadTriangulation makeCadTriangulation
 
     DynamicList<face> faces(mesh.faces.size());
     DynamicList<label> patchIDs(mesh.faces.size());
-
     forAll(mesh.faces, i)
     {
         const label tag = mesh.tags[i];

@@ -170,7 +170,6 @@ static const label notInShare = labelMax;
 static void addRing(const layerFront& front, const label ring, labelList& rings)
 {
     DynamicList<label> added;
-
     for (const face& f : front.surface.faces)
     {
         const labelList points(front.pointsUnder(f));
@@ -292,7 +291,6 @@ struct shareBuilder
     {
         DynamicList<edge> edges;
         DynamicList<labelPair> edgeFaces;
-
         forAll(around.edges, i)
         {
             const edge& e = around.edges[i];

@@ -47,7 +47,6 @@ struct coreCutter
         DynamicList<label> cells;
         DynamicList<label> room;
         DynamicList<label> first;
-
         for (label celli = 0; celli < core.nCells; ++celli)
         {
             if (stays[celli])

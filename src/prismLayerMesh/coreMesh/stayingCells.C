@@ -406,7 +406,6 @@ bool stayingCells::liesOnWall(const label patchi) const
 void stayingCells::removeOnWall()
 {
     DynamicList<word> names;
-
     forAll(core_.patches.names, patchi)
     {
         if (liesOnWall(patchi))

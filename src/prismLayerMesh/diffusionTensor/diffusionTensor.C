@@ -17,7 +17,6 @@ fieldControls readFieldControls(const dictionary& dict, const bool onLevelSets)
         diffusionTensor::dictionaryConstructorTablePtr_->sortedToc()
     );
     wordList keys({"tensor", "solver", "tolerance"});
-
     for (const word& model : models)
     {
         keys.append(model + "Coeffs");
@@ -96,7 +95,6 @@ Foam::symmTensorField Foam::tetMeans
 )
 {
     symmTensorField means(mesh.tets.size(), Zero);
-
     forAll(means, t)
     {
         for (const label p : mesh.tets[t])

@@ -40,7 +40,6 @@ Foam::symmTensorField Foam::diffusionTensors::gradientPower::tensors
 {
     const vectorField gradients(scaledGradients(mesh, isotropic));
     symmTensorField tensors(mesh.points.size());
-
     forAll(tensors, p)
     {
         const scalar sigma = min(max(mag(gradients[p]), smallest), largest);

@@ -38,7 +38,6 @@ static boundBox inFrontOf(const UList<sidePatch>& sides, boundBox box)
 static labelList planesOn(const UList<sidePatch>& sides)
 {
     labelList planeOn(6, -1);
-
     forAll(sides, s)
     {
         for (direction d = 0; d < 3; ++d)

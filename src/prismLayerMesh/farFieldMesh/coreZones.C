@@ -23,7 +23,6 @@ List<faceZoneParts> coreFaceZones
 )
 {
     DynamicList<faceZoneParts> zones;
-
     for (const faceZoneParts& zone : core.faceZones)
     {
         DynamicList<label> zoneFaces;

@@ -195,7 +195,6 @@ static void setPatches(const List<farPatch>& wanted, farBoundary& boundary)
     labelList patchOf(sides.size(), -1);
     DynamicList<word> names;
     DynamicList<word> types;
-
     for (const farPatch& patch : wanted)
     {
         const labelList matching(patch.sides.matching(sides));

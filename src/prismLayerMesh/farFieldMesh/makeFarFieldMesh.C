@@ -101,7 +101,6 @@ class cellJoiner
         // Neighbours, with the face of the tetrahedron, or less than 0 the
         // triangle of the cut
         DynamicList<labelPair> neighbours(4);
-
         forAll(tets_.tets, t)
         {
             neighbours.clear();
@@ -309,7 +308,6 @@ static pointField seedsOf
 )
 {
     DynamicList<point> seeds(far.seeds);
-
     for (const label i : largestFaces(outer))
     {
         seeds.append(pointBelow(outer.faces[i], layers));
@@ -327,7 +325,6 @@ static pointField layerCentres
 )
 {
     pointField centres(mesh.outerFaces.size(), Zero);
-
     forAll(centres, i)
     {
         const face& f = layers.faces[mesh.outerFaces[i]];

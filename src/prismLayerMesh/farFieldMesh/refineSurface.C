@@ -60,7 +60,6 @@ static scalarField keptLengths
 {
     const pointField& points = surface.points;
     scalarField lengths(points.size(), 0);
-
     for (const edge& e : kept)
     {
         const scalar length = e.mag(points);
@@ -442,7 +441,6 @@ void refineSurface
         EdgeMap<label> marked(markEdges(surface, kept, size));
 
         DynamicList<point> points(surface.points);
-
         for (const edge& e : marked.sortedToc())
         {
             const point middle(e.centre(surface.points));

@@ -130,7 +130,6 @@ bool layerBorder::covers(const point& a, const point& b, labelPair& ends) const
 labelList layerBorder::outerPointsOn(const label side) const
 {
     DynamicList<label> outerPoints;
-
     for (const corner& c : corners_)
     {
         if (c.sides.found(side))

@@ -62,7 +62,6 @@ faceList outerTriangles(const wallSurface& outer, labelList& triangleFace)
 {
     wallSurface cut(outer);
     boolList changed(outer.faces.size(), false);
-
     forAll(cut.faces, facei)
     {
         const label k = highestFan(outer.points, outer.faces[facei]);
@@ -140,7 +139,6 @@ static void putOnSides
 {
     labelList patches(far.points.size(), -1);
     bitSet onSeveral(far.points.size());
-
     forAll(far.faces, facei)
     {
         const label patchi = far.patchIDs[facei];

@@ -287,7 +287,6 @@ FixedList<vector, 4> tetAreas::gradients() const
 vectorField tetGradients(const backgroundMesh& mesh, const scalarField& field)
 {
     vectorField gradients(mesh.tets.size());
-
     forAll(mesh.tets, t)
     {
         const FixedList<vector, 4> g(tetAreas(mesh.tet(t)).gradients());
@@ -316,7 +315,6 @@ gradientMeans pointGradientMeans
     means.gradients.setSize(mesh.points.size(), Zero);
     means.sizes.setSize(mesh.points.size(), 0);
     scalarField angles(mesh.points.size(), 0);
-
     forAll(mesh.tets, t)
     {
         const tetCell& tet = mesh.tets[t];
@@ -362,7 +360,6 @@ static boolList extremaOf
 )
 {
     scalarField smallest(field.size(), GREAT), largest(field.size(), -GREAT);
-
     for (const edge& e : mesh.edges)
     {
         for (const label p : {e.start(), e.end()})

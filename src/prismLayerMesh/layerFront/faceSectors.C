@@ -141,7 +141,6 @@ static vectorField directionsNearEdges
     const nearEdges edges{around, neighbourDirections, shared};
     const label without = edges.edgeWithout();
     vectorField d(around.normals.size());
-
     forAll(d, i)
     {
         d[i] = around.isFirst(i) || around.isLast(i)

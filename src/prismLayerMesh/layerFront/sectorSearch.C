@@ -279,7 +279,6 @@ bool sectorSearch::closes
 ) const
 {
     scalarField angles(d.size(), 0);
-
     forAll(starts, s)
     {
         const label before = starts.rcIndex(s);

@@ -50,7 +50,6 @@ static labelList tallColumns
 )
 {
     boolList tall(editor.thickness().size(), false);
-
     for (const overlappingStack& stack : stacks)
     {
         const scalar least = editor.controls().tallShare*stack.tallest;
@@ -73,7 +72,6 @@ static labelList columnsInTheWay(layerEditor& editor, const labelUList& stacks)
 {
     labelHashSet columns;
     DynamicList<overlappingStack> others;
-
     for (const label facei : stacks)
     {
         const label c = columnInTheWay(editor, facei);
@@ -154,7 +152,6 @@ class layerCertifier
     {
         const columnTeam& team = editor_.team();
         DynamicList<labelPair> hopeless;
-
         for (const label c : columns)
         {
             const scalar least =

@@ -76,7 +76,6 @@ static labelList levelsOf
 )
 {
     DynamicList<label> levels;
-
     for (label i = 1; i <= editor.spacing().nLayers; ++i)
     {
         const bool any = anyOf(mobile, [&](const label c)

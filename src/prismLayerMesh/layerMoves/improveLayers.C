@@ -37,7 +37,6 @@ class faultRollBack
         const labelList moved(editor_.touchedSince(judged_));
         judged_ = editor_.now();
         DynamicList<label> faulty;
-
         for (const faultyStack& stack : judge_.findFaults(moved, first))
         {
             const bool isOutside = stack.fault == stackFault::centreOutside;

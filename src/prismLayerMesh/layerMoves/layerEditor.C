@@ -35,7 +35,6 @@ static label colourOf
 )
 {
     DynamicList<label> others;
-
     for (const label facei : columnFaces[c])
     {
         for (const label q : faces[facei])
@@ -302,7 +301,6 @@ void layerEditor::setThickness
     const label n = spacing_.nLayers;
     const scalarList heights(heightsFor(c, thickness));
     pointField points(n);
-
     for (label i = 1; i <= n; ++i)
     {
         const scalar h = heights[i];
@@ -469,7 +467,6 @@ labelList layerEditor::inColours
     }
 
     DynamicList<label> all;
-
     for (const labelUList& group : groups)
     {
         List<columnState> before(group.size());

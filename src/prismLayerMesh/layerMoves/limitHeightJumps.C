@@ -376,7 +376,6 @@ List<labelPair> neighboursOnWall(const layerFront& front)
     };
     EdgeMap<label> firstFaces;
     DynamicList<labelPair> neighbours(addressing.edges.size());
-
     forAll(addressing.edges, e)
     {
         const labelPair& two = addressing.edgeFaces[e];
@@ -422,7 +421,6 @@ bool limitHeightJumps(layerEditor& editor, const List<labelPair>& neighbours)
         )
     );
     DynamicList<label> lowered;
-
     forAll(factors, c)
     {
         if (factors[c] >= 1 || !editor.mayMove(c))

@@ -284,7 +284,6 @@ static scalarField largestOfFaces
 )
 {
     scalarField largest(nFaces, 0);
-
     forAll(ofEdges, edgei)
     {
         for (const label facei : addressing.edgeFaces[edgei])
@@ -304,7 +303,6 @@ static void addPointFields(const prismLayerMesh& mesh, vtkGrid& grid)
 {
     const label nPoints = grid.points.size();
     scalarField causes(nPoints), angles(nPoints);
-
     for (label p = 0; p < nPoints; ++p)
     {
         causes[p] = scalar(int(mesh.made.causes[p]));

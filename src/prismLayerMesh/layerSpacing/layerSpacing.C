@@ -23,7 +23,6 @@ static List<const heightEntries*> patchEntries
 )
 {
     List<const heightEntries*> result(patchNames.size(), nullptr);
-
     for (const patchLayers& entry : controls.patches)
     {
         bool used = false;
@@ -444,7 +443,6 @@ static label automaticNumber
 )
 {
     scalarField areas(heights.size(), 0);
-
     for (const face& f : wall.faces)
     {
         const scalar share = f.mag(wall.points)/f.size();

@@ -107,7 +107,6 @@ scalarField regionSearch::distances(const pointField& points) const
 {
     const boolList in(contains(points));
     scalarField distances(distancesFromSurface(points));
-
     forAll(distances, p)
     {
         distances[p] = in[p] ? 0 : distances[p] - region_.distance;

@@ -270,7 +270,6 @@ static scalarField closenessOf
 )
 {
     scalarField closeness(kinds.size(), 1);
-
     forAll(closeness, p)
     {
         if (isOnConcaveEdge(kinds[p]) && radius[p] > lengths[p])

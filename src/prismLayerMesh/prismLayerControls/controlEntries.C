@@ -17,7 +17,6 @@ namespace Foam
 static label editDistance(const std::string& a, const std::string& b)
 {
     labelList row(identity(b.size() + 1));
-
     for (size_t i = 0; i < a.size(); ++i)
     {
         label diagonal = row[0]++;

@@ -46,7 +46,6 @@ label prismLayers::pointLabel(const label c, const label i) const
 pointField prismLayers::meshPoints() const
 {
     pointField result(points);
-
     for (label c = nWallPoints(); c < nColumns(); ++c)
     {
         for (label i = 1; i <= nLayers; ++i)

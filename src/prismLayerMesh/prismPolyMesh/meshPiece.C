@@ -63,7 +63,6 @@ labelList meshPiece::pointAddressing() const
     const label nLayerPoints =
         layers.points.size() - layers.extraColumnPoints.size();
     labelList addressing(nLayerPoints + farPoints.size());
-
     forAll(columns, c)
     {
         const label whole = columns[c];

@@ -57,7 +57,6 @@ static meshPatches patchesOfWall(const prismLayers& layers)
 static void dropPatchesOfWall(const wordList& wallPatches, farFieldMesh& far)
 {
     DynamicList<label> kept;
-
     forAll(far.patches.names, patchi)
     {
         const word& name = far.patches.names[patchi];
@@ -155,7 +154,6 @@ List<labelPair> partsOfPatches
     const label nWall = layers.patchNames.size();
     const wordList sideNames(sidePatchNames(layers.border));
     DynamicList<labelPair> parts;
-
     for (label i = 0; i < (far.empty() ? nWall + 1 + nOpen : nWall); ++i)
     {
         parts.append(labelPair(i, -1));
@@ -226,7 +224,6 @@ static labelList cellsOf(const prismLayers& layers, const cellZoneParts& zone)
 {
     const label n = layers.nLayers;
     DynamicList<label> cells(zone.frontFaces.size()*n + zone.cells.size());
-
     for (const label fronti : zone.frontFaces)
     {
         for (label i = 1; i <= n; ++i)

@@ -27,7 +27,6 @@ static boundBox boundsOf
 )
 {
     boundBox bounds(boundBox::invertedBox);
-
     for (const label c : layers.faces[facei])
     {
         for (label i = from; i <= to; ++i)
@@ -338,7 +337,6 @@ class stackExchange
         const markedGrid grid(near);
         DynamicList<labelledTriangle> triangles;
         DynamicList<scalar> tallest;
-
         for (const label facei : outerFaces)
         {
             if

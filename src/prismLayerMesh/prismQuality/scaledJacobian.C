@@ -247,7 +247,6 @@ scalarField attainableJacobians
 )
 {
     scalarField jacobians(front.faces.size());
-
     forAll(jacobians, facei)
     {
         jacobians[facei] =

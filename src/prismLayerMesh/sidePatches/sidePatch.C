@@ -51,7 +51,6 @@ static vectorField atPoints
 )
 {
     vectorField atPoints(surface.points().size(), vector::zero);
-
     forAll(surface, i)
     {
         const labelledTri& t = surface[i];
@@ -189,7 +188,6 @@ static DynamicList<segment> commonSegments
     const scalar tolerance = 1e-9*boundBox(part.points, false).mag();
     const DynamicList<segment> others(segmentsOf(other));
     DynamicList<segment> common;
-
     for (const segment& s : segmentsOf(part))
     {
         if

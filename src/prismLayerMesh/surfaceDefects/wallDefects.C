@@ -352,7 +352,6 @@ static bool isDegenerate(const wallSurface& wall, const face& f)
 static bitSet findDegenerateFaces(const wallSurface& wall, defectList& defects)
 {
     bitSet degenerate(wall.faces.size());
-
     forAll(wall.faces, facei)
     {
         if (isDegenerate(wall, wall.faces[facei]))

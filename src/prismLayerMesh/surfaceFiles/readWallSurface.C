@@ -34,7 +34,6 @@ static labelList findRepresentatives
 
     const labelList order(sortedOrder(place));
     labelList representatives(points.size(), -1);
-
     forAll(order, i)
     {
         const label p = order[i];
@@ -75,7 +74,6 @@ static labelList findRepresentatives
 static label removeCollapsedFaces(wallSurface& wall)
 {
     bitSet kept(wall.faces.size());
-
     forAll(wall.faces, i)
     {
         kept.set(i, !hasRepeatedPoint(wall.faces[i]));

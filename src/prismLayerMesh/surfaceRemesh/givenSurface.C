@@ -239,7 +239,6 @@ scalarField givenSurface::lengths() const
 {
     const pointField& points = surface_.points;
     scalarField result(surface_.faces.size(), GREAT);
-
     forAll(result, facei)
     {
         for (label k = 0; k < 3; ++k)
@@ -283,7 +282,6 @@ void givenSurface::setLines(const wallSides& sides, const scalar minCos)
     neighbours_ = List<FixedList<label, 3>>(faces.size(), none);
     DynamicList<edge> lines;
     DynamicList<scalar> cosines;
-
     for (label e = 0; e < sides.nEdges(); ++e)
     {
         const SubList<wallSide> all(sides.on(e));

@@ -32,7 +32,6 @@ static List<labelPair> facesAway
     labelList faces;
     other.find(from, nearest, faces);
     DynamicList<labelPair> away;
-
     forAll(surface.faces, facei)
     {
         labelList samples(surface.faces[facei]);
@@ -62,7 +61,6 @@ labelList withFacesWithoutRoom
     const vectorField normals(surface.faceNormals());
     const wallSides all(makeWallSides(surface));
     DynamicList<label> faults(faces);
-
     for (label e = 0; e < all.nEdges(); ++e)
     {
         const label first = all.on(e)[0].facei;
@@ -196,7 +194,6 @@ static wallSurface trianglesOf
     wallSurface result(surface);
     DynamicList<face> faces;
     DynamicList<label> patchIDs;
-
     forAll(surface.faces, facei)
     {
         const face& f = surface.faces[facei];

@@ -120,7 +120,6 @@ edgeBounds::edgeBounds
 scalarField edgeBounds::atPoints(const wallSurface& surface) const
 {
     scalarField bounds(surface.points.size(), GREAT);
-
     forAll(surface.faces, facei)
     {
         for (const label p : surface.faces[facei])

@@ -126,7 +126,6 @@ surfaceContacts findContacts(const wallSurface& surface)
     const wallSides sides(makeWallSides(surface.faces, nPoints));
     surfaceContacts contacts;
     bitSet isOnContact(nPoints);
-
     for (label e = 0; e < sides.nEdges(); ++e)
     {
         if (sides.on(e).size() > 2)

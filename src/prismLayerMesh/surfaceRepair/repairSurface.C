@@ -58,7 +58,6 @@ class surfaceRepairer
     bitSet facesOnSides() const
     {
         bitSet onSides(original_.faces.size());
-
         forAll(original_.faces, facei)
         {
             const word& name = original_.patchNames[original_.patchIDs[facei]];

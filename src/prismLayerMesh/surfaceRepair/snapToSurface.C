@@ -158,7 +158,6 @@ static constexpr scalar keptShare = 0.5;
 static scalarField heightsOf(const wallSurface& wrap)
 {
     scalarField heights(wrap.faces.size());
-
     forAll(heights, facei)
     {
         const face& f = wrap.faces[facei];
@@ -177,7 +176,6 @@ scalarField wrapShape::sines(const wallSurface& wrap) const
 {
     const wallVisibility visibility(makeWallVisibility(wrap, addressing_));
     scalarField sines(visibility.cones.size());
-
     forAll(sines, p)
     {
         sines[p] = visibility.cones[p].cosine;
@@ -339,7 +337,6 @@ class wrapSnapper
     {
         bitSet beside(snapping_.size());
         DynamicList<label> apart;
-
         forAll(snapping_, p)
         {
             const bool isHeldBack = snapping_[p] != snapping::full;

@@ -31,7 +31,6 @@ static void removeWithoutArea(wallSurface& surface, repairSteps& steps)
     const vectorField normals(surface.faceNormals());
     DynamicList<face> kept(surface.faces.size());
     DynamicList<point> places;
-
     forAll(normals, facei)
     {
         const face& f = surface.faces[facei];

@@ -156,7 +156,6 @@ DynamicList<labelPair> onSamePoints(const faceList& triangles)
         2*triangles.size()
     );
     DynamicList<labelPair> pairs;
-
     forAll(triangles, i)
     {
         DynamicList<label>& same = groups(triFace(triangles[i]));

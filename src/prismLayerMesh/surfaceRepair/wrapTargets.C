@@ -24,7 +24,6 @@ sharpLines::sharpLines(const wallSurface& surface, const scalar minCos)
     const wallSides sides(makeWallSides(surface));
     DynamicList<edge> sharp;
     DynamicList<Pair<vector>> both;
-
     for (label e = 0; e < sides.nEdges(); ++e)
     {
         const SubList<wallSide> all(sides.on(e));
@@ -436,7 +435,6 @@ edgeList wrapTargets::snapToEdges
 )
 {
     DynamicList<edge> chamfers;
-
     for (const face& f : wrap.faces)
     {
         for (const edge& e : f.edges())

@@ -232,7 +232,6 @@ DynamicList<edge> dividedEdges
 )
 {
     DynamicList<edge> divided(edges.size());
-
     for (const edge& e : edges)
     {
         const point& a = points[e.start()];

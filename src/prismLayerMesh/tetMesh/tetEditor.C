@@ -358,7 +358,6 @@ void tetEditor::connect
     // Faces that still look for their neighbours
     DynamicList<triFace, 64> faces(outerFaces);
     DynamicList<label, 64> neighbours(outerTets);
-
     for (const label t : tets)
     {
         for (label i = 0; i < 4; ++i)
@@ -512,7 +511,6 @@ labelList tetEditor::replace(const labelUList& old, const UList<tetCell>& made)
 {
     DynamicList<triFace, 64> outerFaces;
     DynamicList<label, 64> outerTets;
-
     for (const label t : old)
     {
         for (label i = 0; i < 4; ++i)
@@ -567,7 +565,6 @@ labelList tetEditor::replace(const labelUList& old, const UList<tetCell>& made)
 tetCellList tetEditor::remaining() const
 {
     DynamicList<tetCell> tets(tets_.size());
-
     forAll(tets_, t)
     {
         if (!removed(t))

@@ -239,7 +239,6 @@ static bool keepsFacets(const tetDomain& domain, const tetMesh& mesh)
 {
     const triangleIndex facets(makeTriangleIndex(domain.facets));
     boolList isFace(domain.facets.size(), false);
-
     for (const tetCell& tet : mesh.tets)
     {
         for (label i = 0; i < 4; ++i)

@@ -55,7 +55,6 @@ bool sideSearch::putOnSides
 {
     sides = labelPair(-1, -1);
     DynamicList<label> near;
-
     forAll(sides_, s)
     {
         const sidePatch& side = sides_[s];

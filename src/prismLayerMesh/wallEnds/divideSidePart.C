@@ -52,7 +52,6 @@ labelList splitAtEdges(const EdgeMap<label>& points, wallSurface& surface)
 {
     DynamicList<face> added;
     DynamicList<label> from;
-
     forAll(surface.faces, facei)
     {
         const DynamicList<face> all(pieces(points, surface.faces[facei]));

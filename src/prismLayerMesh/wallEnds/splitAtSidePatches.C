@@ -206,7 +206,6 @@ struct borderFinder
         borders.pointSides.setSize(surface.points.size());
         const wallSides edges(makeWallSides(surface));
         DynamicList<point> lost;
-
         for (label e = 0; e < edges.nEdges(); ++e)
         {
             if (!addBorders(edges.on(e)))
@@ -393,7 +392,6 @@ struct wallSplitter
 static wordList patchTypes(const wordList& names, const layerControls& layers)
 {
     wordList types(names.size(), word("wall"));
-
     forAll(names, patchi)
     {
         const patchLayers* entry = layers.entryOf(names[patchi]);

@@ -82,7 +82,6 @@ label cutFaces(wallSurface& wall, const boolList& isCut)
 label cutReflexFaces(wallSurface& wall)
 {
     boolList isCut(wall.faces.size());
-
     forAll(isCut, facei)
     {
         const face& f = wall.faces[facei];

@@ -88,7 +88,6 @@ List<labelPair> findIntersectingFaces
     );
 
     DynamicList<labelPair> pairs;
-
     for (const labelPair& pair : trianglePairs)
     {
         const label i = pair.first();

@@ -64,7 +64,6 @@ wallSides makeWallSides(const faceList& faces, const label nPoints)
     visitSides(faces, [&](const wallSide& s) { sides[next[s.low]++] = s; });
 
     DynamicList<label> edgeStarts(sides.size()/2 + 1);
-
     for (label p = 0; p < nPoints; ++p)
     {
         UList<wallSide> run(byLow[p]);
@@ -141,7 +140,6 @@ label findComponents
 vectorField wallSurface::faceNormals() const
 {
     vectorField normals(faces.size());
-
     forAll(faces, i)
     {
         const vector area(faces[i].areaNormal(points));
@@ -156,7 +154,6 @@ vectorField wallSurface::faceNormals() const
 scalarField meanEdges(const wallSurface& wall, const wallAddressing& addressing)
 {
     scalarField means(wall.points.size(), 0);
-
     forAll(means, p)
     {
         const labelList& neighbours = addressing.pointPoints[p];
@@ -200,7 +197,6 @@ labelList largestFaces(const wallSurface& wall)
 
     labelList largest(wall.points.size(), -1);
     scalarField areas(wall.points.size(), -1);
-
     forAll(wall.faces, facei)
     {
         const label component = components.find(wall.faces[facei][0]);
@@ -298,7 +294,6 @@ static wallCorners makeCorners(const wallSurface& wall)
 
     wallCorners corners(nCorners);
     labelList next(SubList<label>(corners.offsets(), nCorners.size()));
-
     forAll(wall.faces, facei)
     {
         const face& f = wall.faces[facei];
@@ -384,7 +379,6 @@ static void setEdges(const wallCorners& corners, wallAddressing& addressing)
 {
     DynamicList<edge> edges(corners.m().size()/2);
     DynamicList<labelPair> edgeFaces(corners.m().size()/2);
-
     forAll(corners, a)
     {
         for (const wallCorner& corner : corners[a])

@@ -214,7 +214,6 @@ void wallVisibility::setCone(const label p)
 vectorField wallVisibility::axes() const
 {
     vectorField axes(cones.size());
-
     forAll(axes, p)
     {
         axes[p] = cones[p].axis;
@@ -227,7 +226,6 @@ vectorField wallVisibility::axes() const
 boolList wallVisibility::narrowCones(const scalar smallestAngle) const
 {
     boolList narrow(cones.size());
-
     forAll(narrow, p)
     {
         narrow[p] = cones[p].empty() || cones[p].cosine < ::sin(smallestAngle);
@@ -499,7 +497,6 @@ static boolList polygonsAt(const wallSurface& wall, const labelUList& points)
     boolList isAsked(wall.points.size(), false);
     UIndirectList<bool>(isAsked, points) = true;
     boolList result(wall.faces.size());
-
     forAll(wall.faces, facei)
     {
         const face& f = wall.faces[facei];
