@@ -22,10 +22,6 @@ namespace Foam
 static constexpr scalar maxLength = 1.6;
 
 //- The points of a tetrahedron, as TetGen has them
-typedef FixedList<int, 4> corners;
-
-
-//- Corners of a tetrahedron of TetGen
 typedef FixedList<int, 4> tetgenCell;
 
 
@@ -41,6 +37,16 @@ struct tetSizing
 
 //- Global because TetGen asks with coordinates alone
 tetSizing sizing;
+
+
+struct tetgenOptions
+{
+    //- Switches of TetGen's command line
+    std::string switches;
+
+    //- Sizes [m] of tetrahedra; null if there are none
+    std::function<scalar(const point&)> size;
+};
 
 } // End anonymous namespace
 
