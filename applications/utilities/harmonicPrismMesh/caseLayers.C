@@ -58,7 +58,7 @@ static List<message> orders
     dict.write(text, false);
 
     message order;
-    order.addText(text.str());
+    order(text.str());
 
     List<message> all(team.size(), order);
     all[team.rank()].clear();

@@ -10,8 +10,6 @@
 #include "wallBridges.H"
 #include "wallDomain.H"
 
-#include <algorithm>
-
 namespace Foam
 {
 
@@ -226,7 +224,7 @@ backgroundMesh makeBackgroundMesh(const fieldBlock& block)
     forAll(filled.tets, t)
     {
         const tetCell& tet = filled.tets[t];
-        isFront[t] = std::any_of(tet.begin(), tet.end(), isWhole)
+        isFront[t] = anyOf(tet, isWhole)
           ? isFront[t]
           : anyOf(tet, [&](const label p) { return mesh.free[p]; });
     }

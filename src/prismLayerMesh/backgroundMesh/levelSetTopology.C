@@ -183,7 +183,6 @@ void levelSetTriangles
     labelList edgePoint(mesh.edges.size(), -1);
     DynamicList<point> newPoints;
     DynamicList<face> newTriangles;
-
     forAll(mesh.tets, t)
     {
         FixedList<label, 4> crossed;

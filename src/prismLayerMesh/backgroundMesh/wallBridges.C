@@ -110,7 +110,6 @@ label splitWallBridges
     DynamicList<point> points;
     DynamicList<scalar> gaps;
     DynamicList<bool> free;
-
     for (const simplex& s : bridges.simplices())
     {
         const scalar gap = mesh.gap(s);
@@ -184,7 +183,6 @@ label splitSlitEdges(const wallSearch& search, backgroundMesh& mesh)
     simplexSet edges;
     DynamicList<point> points;
     DynamicList<scalar> gaps;
-
     for (const simplex& s : candidates.simplices())
     {
         // Distances to both sides change linearly, and are equal in the middle

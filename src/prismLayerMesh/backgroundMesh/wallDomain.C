@@ -32,7 +32,6 @@ tetDomain wallAndEnvelope
 pointField bodySeeds(const wallSurface& wall, const wallSearch& search)
 {
     DynamicList<point> seeds;
-
     for (const label facei : largestFaces(wall))
     {
         // On one triangle of the face: its centre may be off a warped face
@@ -65,11 +64,7 @@ pointField bodySeeds(const wallSurface& wall, const wallSearch& search)
 }
 
 
-boundBox boxAround
-(
-    const pointField& points,
-    const offsetEnvelope& envelope
-)
+boundBox boxAround(const pointField& points, const offsetEnvelope& envelope)
 {
     boundBox box(points);
     box.inflate(domainControls::boxShare);
@@ -216,8 +211,7 @@ struct sideFacets
     //- Region of each side patch; points on each side patch that are on another
     //  side patch, too
     List<planeRegion> regions = List<planeRegion>(wall.border.sides.size());
-    List<DynamicList<label>> corners =
-        List<DynamicList<label>>(regions.size());
+    List<DynamicList<label>> corners = List<DynamicList<label>>(regions.size());
 
     //- Points of the border of the wall, and of parts
     equalPoints labels{};

@@ -20,7 +20,6 @@ static labelList findPatches(const cadModel& model, label& nBetween)
 {
     const labelList nSolids(model.nSolids());
     labelList patchOfTag(nSolids.size(), -1);
-
     forAll(model.faces, i)
     {
         const label tag = model.faces[i];
@@ -50,10 +49,8 @@ static void countFaults(cadTriangulation& made)
     {
         made.nTwins += !triangles.insert(triFace(f));
     }
-    made.nOpen =
-        made.model.solidLabels.size() ? outline(wall.faces).size() : 0;
-    made.nBare =
-        wall.patchNames.size() - made.nBetween - hasTriangles.count();
+    made.nOpen = made.model.solidLabels.size() ? outline(wall.faces).size() : 0;
+    made.nBare = wall.patchNames.size() - made.nBetween - hasTriangles.count();
 }
 
 
@@ -69,7 +66,6 @@ cadTriangulation makeCadTriangulation
 
     DynamicList<face> faces(mesh.faces.size());
     DynamicList<label> patchIDs(mesh.faces.size());
-
     forAll(mesh.faces, i)
     {
         const label tag = mesh.tags[i];

@@ -155,7 +155,6 @@ static labelList readPoints(std::istream& is, pointField& points)
     const label n = beginSection(is, "$Nodes");
     DynamicList<point> read;
     DynamicList<label> labels;
-
     for (label i = 0; i < n; ++i)
     {
         label number = -1;

@@ -62,10 +62,7 @@ static word stepUnit(std::istream& is)
             std::remove_if(entity.begin(), entity.end(), ::isspace),
             entity.end()
         );
-        const std::string name
-        (
-            between(entity, "CONVERSION_BASED_UNIT('", "'")
-        );
+        const std::string name(between(entity, "CONVERSION_BASED_UNIT('", "'"));
 
         if (name.size())
         {

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "columnTeam.H"
+#include "ranges.H"
 
 #include <algorithm>
 
@@ -15,8 +16,7 @@ namespace Foam
 //- Index in an ascending list, -1 if it is not found
 static label indexOf(const labelUList& ascending, const label value)
 {
-    const auto at =
-        std::lower_bound(ascending.begin(), ascending.end(), value);
+    const auto at = std::lower_bound(ascending.begin(), ascending.end(), value);
 
     return at != ascending.end() && *at == value ? at - ascending.begin() : -1;
 }
@@ -51,11 +51,7 @@ void shareTable::unite(boolList& set) const
 }
 
 
-columnTeam::columnTeam
-(
-    const shareLabels& share,
-    const processTeam& processes
-)
+columnTeam::columnTeam(const shareLabels& share, const processTeam& processes)
 :
     share_(share),
     processes_(processes),
@@ -77,11 +73,7 @@ const columnTeam& columnTeam::alone()
 
 bool columnTeam::hasOwn(const labelUList& columns) const
 {
-    return std::any_of
-    (
-        columns.begin(), columns.end(),
-        [&](const label c) { return isOwn(c); }
-    );
+    return anyOf(columns, [&](const label c) { return isOwn(c); });
 }
 
 

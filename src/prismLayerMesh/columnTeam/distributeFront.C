@@ -8,8 +8,8 @@
 #include "frontPart.H"
 #include "HashSet.H"
 #include "ListOps.H"
-
-#include <algorithm>
+#include "ranges.H"
+#include "sideShape.H"
 
 namespace Foam
 {
@@ -33,6 +33,15 @@ struct frontOutline
 } // End anonymous namespace
 
 
+//- Calls wire(item) for a side patch, whose shape is made again
+template<class Wire, class Side>
+static void visit(Wire& wire, Side& side, bool& isCurved)
+{
+    wire(side.origin, side.normal, side.name, side.type);
+    wire(side.points, side.faces, isCurved);
+}
+
+
 static void addOutline
 (
     message& m,
@@ -40,34 +49,44 @@ static void addOutline
     const pointOwners& owners
 )
 {
-    wallSurface like;
-    like.patchNames = whole.surface.patchNames;
-    like.patchTypes = whole.surface.patchTypes;
-    like.border.sides = whole.surface.border.sides;
-
-    m.addValue
+    const wallSurface& surface = whole.surface;
+    m
     (
-        label(whole.wallPoints.size() - whole.extraColumnPoints().size())
+        label(whole.wallPoints.size() - whole.extraColumnPoints().size()),
+        whole.wallPoints.size(), surface.faces.size(), whole.isBare(),
+        owners.starts(), owners.processes(),
+        surface.patchNames, surface.patchTypes, surface.border.sides.size()
     );
-    m.addValue(whole.wallPoints.size());
-    m.addValue(whole.surface.faces.size());
-    m.addValue(whole.isBare());
-    m.addList(owners.starts());
-    m.addList(owners.processes());
-    addWall(m, like);
+    for (const sidePatch& side : surface.border.sides)
+    {
+        bool isCurved = side.isCurved();
+        visit(m, side, isCurved);
+    }
 }
 
 
 static frontOutline takeOutline(messageReader& reader)
 {
     frontOutline outline;
-    outline.nWallPoints = reader.value<label>();
-    outline.nColumns = reader.value<label>();
-    outline.nFaces = reader.value<label>();
-    outline.isBare = reader.value<bool>();
-    const labelList starts(reader.list<label>());
-    outline.owners = pointOwners(starts, reader.list<label>());
-    outline.like = takeWall(reader);
+    labelList starts, processes;
+    label nSides;
+    reader
+    (
+        outline.nWallPoints, outline.nColumns, outline.nFaces, outline.isBare,
+        starts, processes,
+        outline.like.patchNames, outline.like.patchTypes, nSides
+    );
+    outline.owners = pointOwners(starts, processes);
+    outline.like.border.sides.setSize(nSides);
+    for (sidePatch& side : outline.like.border.sides)
+    {
+        bool isCurved;
+        visit(reader, side, isCurved);
+        if (isCurved)
+        {
+            side.shape.reset(new sideShape(side.points, side.faces));
+        }
+    }
 
     return outline;
 }
@@ -159,7 +178,7 @@ struct regionCollector
         List<message> messages(processes.size());
         forAll(messages, p)
         {
-            messages[p].addList(points[p]);
+            messages[p](points[p]);
         }
 
         return messages;
@@ -241,7 +260,7 @@ static void distributePlanes
     List<message> questions(processes.size());
     forAll(questions, p)
     {
-        questions[p].addList(p == 0 ? columns : labelUList::null());
+        questions[p](p == 0 ? columns : labelUList::null());
     }
     questions = processes.exchange(questions);
 
@@ -251,7 +270,7 @@ static void distributePlanes
         messageReader reader(questions[p]);
         for (const label c : reader.list<label>())
         {
-            answers[p].addList(whole.visibility.polygonNormals[c]);
+            answers[p](whole.visibility.polygonNormals[c]);
         }
     }
     answers = processes.exchange(answers);
@@ -275,10 +294,7 @@ static wallAddressing addressingOf(const wallSurface& region)
     wallAddressing addressing(makeWallAddressing(region));
     if (region.border.sides.size())
     {
-        addressing.pointSides.setSize
-        (
-            region.points.size(), labelPair(-1, -1)
-        );
+        addressing.pointSides.setSize(region.points.size(), labelPair(-1, -1));
     }
     for (labelPair& sides : addressing.pointSides)
     {
@@ -425,10 +441,7 @@ frontShare shareOf
         return share;
     }
 
-    return distributeFront
-    (
-        front, ownersOf(kinds, processes.size()), processes
-    );
+    return distributeFront(front, ownersOf(kinds, processes.size()), processes);
 }
 
 
@@ -482,14 +495,7 @@ static labelList facesInBoxes
             continue;
         }
         const boundBox own(wall.points, wall.faces[facei], false);
-        if
-        (
-            std::any_of
-            (
-                boxes.begin(), boxes.end(),
-                [&](const boundBox& box) { return own.overlaps(box); }
-            )
-        )
+        if (anyOf(boxes, [&](const boundBox& b) { return own.overlaps(b); }))
         {
             inside.append(facei);
         }
@@ -573,11 +579,11 @@ List<surfacePart> wallPartsInBoxes
         );
     }
 
-    label nOwn = 0;
-    for (const partRequest& request : requests)
-    {
-        nOwn += request.process == team.rank();
-    }
+    const label nOwn = countOf
+    (
+        requests,
+        [&](const partRequest& r) { return r.process == team.rank(); }
+    );
     List<frontCollector> collectors(nOwn);
     for (const message& m : team.exchange(sent))
     {

@@ -147,11 +147,7 @@ labelList ownersByRange(const label nPoints, const label nProcesses)
 }
 
 
-pointOwners balancedOwners
-(
-    const UList<bool>& isHard,
-    const label nProcesses
-)
+pointOwners balancedOwners(const UList<bool>& isHard, const label nProcesses)
 {
     labelList processOfPoint(isHard.size(), 0);
     divide
@@ -171,15 +167,9 @@ static const label notInShare = labelMax;
 
 
 //- Set the ring of the points of faces that have a point of the ring below
-static void addRing
-(
-    const layerFront& front,
-    const label ring,
-    labelList& rings
-)
+static void addRing(const layerFront& front, const label ring, labelList& rings)
 {
     DynamicList<label> added;
-
     for (const face& f : front.surface.faces)
     {
         const labelList points(front.pointsUnder(f));
@@ -288,10 +278,7 @@ struct shareBuilder
             const edge& e = from.border.edges[i];
             if (min(rings[e.start()], rings[e.end()]) < 2)
             {
-                edges.append
-                (
-                    edge(newColumns[e.start()], newColumns[e.end()])
-                );
+                edges.append(edge(newColumns[e.start()], newColumns[e.end()]));
                 sides.append(from.border.edgeSides[i]);
             }
         }
@@ -304,7 +291,6 @@ struct shareBuilder
     {
         DynamicList<edge> edges;
         DynamicList<labelPair> edgeFaces;
-
         forAll(around.edges, i)
         {
             const edge& e = around.edges[i];
@@ -319,10 +305,7 @@ struct shareBuilder
             }
             if (two.first() >= 0)
             {
-                edges.append
-                (
-                    edge(newColumns[e.start()], newColumns[e.end()])
-                );
+                edges.append(edge(newColumns[e.start()], newColumns[e.end()]));
                 edgeFaces.append(two);
             }
         }

@@ -52,7 +52,7 @@ public:
 std::string processTeam::firstReason(const std::string& own) const
 {
     message reason;
-    reason.addText(own);
+    reason(own);
     const List<message> sent(size(), reason);
     List<message> received(size());
 

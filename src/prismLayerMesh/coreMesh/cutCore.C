@@ -41,238 +41,208 @@ struct coreCutter
         return core.topology.faces[facei];
     }
 
-    void addCells(coreCut& cut) const;
+    void addCells(coreCut& cut) const
+    {
+        disjointSets parts(stays.parts());
+        DynamicList<label> cells;
+        DynamicList<label> room;
+        DynamicList<label> first;
+        for (label celli = 0; celli < core.nCells; ++celli)
+        {
+            if (stays[celli])
+            {
+                cells.append(celli);
+                if (parts.find(celli) == celli)
+                {
+                    first.append(celli);
+                }
+            }
+            else if (stays.makesRoom(celli))
+            {
+                room.append(celli);
+            }
+        }
 
-    pointField seedsOf(const labelUList& cells) const;
+        cut.seeds = seedsOf(first);
+        cut.cells.transfer(cells);
+        cut.room.transfer(room);
+    }
 
-    void addPolygon(label facei, bool turned, label patchi);
+    pointField seedsOf(const labelUList& cells) const
+    {
+        pointField centres;
+        scalarField volumes;
+        setCentresAndVolumes(core, cells, centres, volumes);
+
+        return centres;
+    }
+
+    void addPolygon(const label facei, const bool turned, const label patchi)
+    {
+        for (const face& f : splitPolygon(core.points, faceOf(facei)))
+        {
+            triangles.append(turned ? f.reverseFace() : f);
+            patchIDs.append(patchi);
+            faces.append(facei);
+        }
+    }
 
     //- A face whose cell is gone
-    void addBoundary(label facei, label patchi);
-
-    void addPatches();
-
-    void addCut(coreCut& cut);
-
-    void moveTriangles(coreCut& cut);
-
-    coreCut cut();
-};
-
-
-void coreCutter::addCells(coreCut& cut) const
-{
-    disjointSets parts(stays.parts());
-    DynamicList<label> cells;
-    DynamicList<label> room;
-    DynamicList<label> first;
-
-    for (label celli = 0; celli < core.nCells; ++celli)
+    void addBoundary(const label facei, const label patchi)
     {
-        if (stays[celli])
+        const label plane = stays.planeOf(facei);
+
+        if (plane < 0)
         {
-            cells.append(celli);
-            if (parts.find(celli) == celli)
+            if (stays.inFluid(facei))
             {
-                first.append(celli);
+                addPolygon(facei, true, patchi);
+            }
+            return;
+        }
+
+        outlines.addGone(plane, faceOf(facei));
+    }
+
+    void addPatches()
+    {
+        const polyMeshTopology& t = core.topology;
+
+        forAll(t.patchStarts, patchi)
+        {
+            // Further patches without a name are behind the obstacles
+            const bool isWall =
+                patchi >= core.patches.names.size()
+             || stays.wallPatches().found(core.patches.names[patchi]);
+            const label start = t.patchStarts[patchi];
+            const label end = isWall ? start : start + t.patchSizes[patchi];
+            if (!isWall && !stays.isPlain(patchi))
+            {
+                refuseCoupled(core, stays, obstacles, patchi);
+            }
+            for (label i = end; i < start + t.patchSizes[patchi]; ++i)
+            {
+                outlines.addWall(faceOf(i));
+            }
+            for (label facei = start; facei < end; ++facei)
+            {
+                if (!stays[t.owner[facei]])
+                {
+                    addBoundary(facei, patchi);
+                }
+                else if (planes.size() && stays.planeOf(facei) >= 0)
+                {
+                    outlines.addStaying(faceOf(facei));
+                }
             }
         }
-        else if (stays.makesRoom(celli))
+
+        forAll(planes, s)
         {
-            room.append(celli);
-        }
-    }
-
-    cut.seeds = seedsOf(first);
-    cut.cells.transfer(cells);
-    cut.room.transfer(room);
-}
-
-
-pointField coreCutter::seedsOf(const labelUList& cells) const
-{
-    pointField centres;
-    scalarField volumes;
-    setCentresAndVolumes(core, cells, centres, volumes);
-
-    return centres;
-}
-
-
-void coreCutter::addPolygon
-(
-    const label facei,
-    const bool turned,
-    const label patchi
-)
-{
-    for (const face& f : splitPolygon(core.points, faceOf(facei)))
-    {
-        triangles.append(turned ? f.reverseFace() : f);
-        patchIDs.append(patchi);
-        faces.append(facei);
-    }
-}
-
-
-void coreCutter::addBoundary(const label facei, const label patchi)
-{
-    const label plane = stays.planeOf(facei);
-
-    if (plane < 0)
-    {
-        if (stays.inFluid(facei))
-        {
-            addPolygon(facei, true, patchi);
-        }
-        return;
-    }
-
-    outlines.addGone(plane, faceOf(facei));
-}
-
-
-void coreCutter::addPatches()
-{
-    const polyMeshTopology& t = core.topology;
-
-    forAll(t.patchStarts, patchi)
-    {
-        // Further patches without a name are behind the obstacles
-        const bool isWall =
-            patchi >= core.patches.names.size()
-         || stays.wallPatches().found(core.patches.names[patchi]);
-        const label start = t.patchStarts[patchi];
-        const label end = isWall ? start : start + t.patchSizes[patchi];
-        if (!isWall && !stays.isPlain(patchi))
-        {
-            refuseCoupled(core, stays, obstacles, patchi);
-        }
-        for (label i = end; i < start + t.patchSizes[patchi]; ++i)
-        {
-            outlines.addWall(faceOf(i));
-        }
-        for (label facei = start; facei < end; ++facei)
-        {
-            if (!stays[t.owner[facei]])
+            if (outlines.isEmpty(s))
             {
-                addBoundary(facei, patchi);
-            }
-            else if (planes.size() && stays.planeOf(facei) >= 0)
-            {
-                outlines.addStaying(faceOf(facei));
+                FatalErrorInFunction
+                    << "The mesh around the layers has no faces at the layers"
+                    << " on the plane of " << planes[s].name << ", through "
+                    << planes[s].origin << nl
+                    << "It must end in that plane" << exit(FatalError);
             }
         }
     }
 
-    forAll(planes, s)
+    void addCut(coreCut& cut)
     {
-        if (outlines.isEmpty(s))
+        const polyMeshTopology& t = core.topology;
+        cut.nBoundary = triangles.size();
+        cut.boundaryFaces = faces;
+
+        for (label facei = 0; facei < nInternal(); ++facei)
+        {
+            const bool nei = stays[t.neighbour[facei]];
+            if (stays[t.owner[facei]] != nei)
+            {
+                addPolygon(facei, nei, core.patches.names.size());
+            }
+        }
+
+        const label n = faces.size() - cut.nBoundary;
+        cut.cutFaces = SubList<label>(faces, n, cut.nBoundary);
+        cut.cutCells.setSize(n);
+        forAll(cut.cutFaces, i)
+        {
+            const label own = t.owner[cut.cutFaces[i]];
+            cut.cutCells[i] = stays[own] ? own : t.neighbour[cut.cutFaces[i]];
+        }
+
+        DynamicList<boundBox> boxes;
+        for (const label celli : labelHashSet(cut.cutCells).sortedToc())
+        {
+            boxes.append(stays.box(celli));
+        }
+        cut.cutBoxes.transfer(boxes);
+    }
+
+    void moveTriangles(coreCut& cut)
+    {
+        labelList own(core.points.size(), -1);
+        DynamicList<label> used;
+        const auto ownLabel = [&](const label p)
+        {
+            if (own[p] < 0)
+            {
+                own[p] = used.size();
+                used.append(p);
+            }
+            return own[p];
+        };
+
+        for (face& f : triangles)
+        {
+            for (label& p : f)
+            {
+                p = ownLabel(p);
+            }
+        }
+
+        outlines.set(cut.borders, cut.limits);
+        for (List<edgeList>* edges : {&cut.borders, &cut.limits})
+        {
+            for (edgeList& ofPlane : *edges)
+            {
+                for (edge& e : ofPlane)
+                {
+                    e = edge(ownLabel(e.start()), ownLabel(e.end()));
+                }
+            }
+        }
+
+        cut.surface.points = pointField(core.points, used);
+        cut.surface.faces.transfer(triangles);
+        cut.surface.patchIDs.transfer(patchIDs);
+        cut.points.transfer(used);
+    }
+
+    coreCut cut()
+    {
+        coreCut made;
+        made.wallPatches = stays.wallPatches();
+        addCells(made);
+
+        if (made.cells.empty())
         {
             FatalErrorInFunction
-                << "The mesh around the layers has no faces at the layers on"
-                << " the plane of " << planes[s].name << ", through "
-                << planes[s].origin << nl
-                << "It must end in that plane" << exit(FatalError);
+                << "No cell of the mesh around the layers stays: each is too"
+                << " near to them for farField.gap" << nl
+                << "Make the cells smaller, or the gap" << exit(FatalError);
         }
+
+        addPatches();
+        addCut(made);
+        moveTriangles(made);
+
+        return made;
     }
-}
-
-
-void coreCutter::addCut(coreCut& cut)
-{
-    const polyMeshTopology& t = core.topology;
-    cut.nBoundary = triangles.size();
-    cut.boundaryFaces = faces;
-
-    for (label facei = 0; facei < nInternal(); ++facei)
-    {
-        const bool nei = stays[t.neighbour[facei]];
-        if (stays[t.owner[facei]] != nei)
-        {
-            addPolygon(facei, nei, core.patches.names.size());
-        }
-    }
-
-    const label n = faces.size() - cut.nBoundary;
-    cut.cutFaces = SubList<label>(faces, n, cut.nBoundary);
-    cut.cutCells.setSize(n);
-    forAll(cut.cutFaces, i)
-    {
-        const label own = t.owner[cut.cutFaces[i]];
-        cut.cutCells[i] = stays[own] ? own : t.neighbour[cut.cutFaces[i]];
-    }
-
-    DynamicList<boundBox> boxes;
-    for (const label celli : labelHashSet(cut.cutCells).sortedToc())
-    {
-        boxes.append(stays.box(celli));
-    }
-    cut.cutBoxes.transfer(boxes);
-}
-
-
-void coreCutter::moveTriangles(coreCut& cut)
-{
-    labelList own(core.points.size(), -1);
-    DynamicList<label> used;
-    const auto ownLabel = [&](const label p)
-    {
-        if (own[p] < 0)
-        {
-            own[p] = used.size();
-            used.append(p);
-        }
-        return own[p];
-    };
-
-    for (face& f : triangles)
-    {
-        for (label& p : f)
-        {
-            p = ownLabel(p);
-        }
-    }
-
-    outlines.set(cut.borders, cut.limits);
-    for (List<edgeList>* edges : {&cut.borders, &cut.limits})
-    {
-        for (edgeList& ofPlane : *edges)
-        {
-            for (edge& e : ofPlane)
-            {
-                e = edge(ownLabel(e.start()), ownLabel(e.end()));
-            }
-        }
-    }
-
-    cut.surface.points = pointField(core.points, used);
-    cut.surface.faces.transfer(triangles);
-    cut.surface.patchIDs.transfer(patchIDs);
-    cut.points.transfer(used);
-}
-
-
-coreCut coreCutter::cut()
-{
-    coreCut made;
-    made.wallPatches = stays.wallPatches();
-    addCells(made);
-
-    if (made.cells.empty())
-    {
-        FatalErrorInFunction
-            << "No cell of the mesh around the layers stays: each is too near"
-            << " to them for farField.gap" << nl
-            << "Make the cells smaller, or the gap" << exit(FatalError);
-    }
-
-    addPatches();
-    addCut(made);
-    moveTriangles(made);
-
-    return made;
-}
+};
 
 } // End anonymous namespace
 
@@ -290,8 +260,6 @@ coreCut cutCore
     return coreCutter{core, obstacles, planes, stays}.cut();
 }
 
-
-// * * * * * * * * * * * * * * *  Room Parts * * * * * * * * * * * * * * * * //
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 

@@ -205,8 +205,6 @@ boundBox hexOctree::boxOf(const label i) const
 }
 
 
-// * * * * * * * * * * * * * * *  Hex Points * * * * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 hexPoints::hexPoints(const hexOctree& tree)

@@ -47,180 +47,160 @@ class hexFaceMaker
     };
 
     //- Numbers cells along the curve of the octree
-    void number(label node);
+    void number(const label node)
+    {
+        if (tree_.isCell(node))
+        {
+            cells_[node] = leaves_.size();
+            leaves_.append(node);
+        }
+        else if (!tree_.isLeaf(node))
+        {
+            for (label octant = 0; octant < 8; ++octant)
+            {
+                number(tree_.children(node) + octant);
+            }
+        }
+    }
 
     //- The leaves beyond a side of a leaf; none at the side of the box
     void addNeighbours
     (
-        label leaf,
-        label side,
+        const label leaf,
+        const label side,
         DynamicList<label>& neighbours
-    ) const;
-
-    void addCell(label celli, const labelList& sidePatches);
-
-    void addPatches();
-
-public:
-
-    hexFaceMaker(const hexOctree& tree, const hexCoreBox& box);
-
-    polyMeshParts release() { return std::move(mesh_); }
-};
-
-
-void hexFaceMaker::number(const label node)
-{
-    if (tree_.isCell(node))
+    ) const
     {
-        cells_[node] = leaves_.size();
-        leaves_.append(node);
-    }
-    else if (!tree_.isLeaf(node))
-    {
+        const direction d = side/2;
+        labelVector at(tree_.at(leaf));
+        at[d] += side % 2 ? 1 : -1;
+        const label node = tree_.find(at, tree_.level(leaf));
+
+        if (node < 0 || tree_.isLeaf(node))
+        {
+            if (node >= 0)
+            {
+                neighbours.append(node);
+            }
+            return;
+        }
+
+        // The four parts on our side
         for (label octant = 0; octant < 8; ++octant)
         {
-            number(tree_.children(node) + octant);
-        }
-    }
-}
-
-
-void hexFaceMaker::addNeighbours
-(
-    const label leaf,
-    const label side,
-    DynamicList<label>& neighbours
-) const
-{
-    const direction d = side/2;
-    labelVector at(tree_.at(leaf));
-    at[d] += side % 2 ? 1 : -1;
-    const label node = tree_.find(at, tree_.level(leaf));
-
-    if (node < 0 || tree_.isLeaf(node))
-    {
-        if (node >= 0)
-        {
-            neighbours.append(node);
-        }
-        return;
-    }
-
-    // The four parts on our side
-    for (label octant = 0; octant < 8; ++octant)
-    {
-        if ((octant >> d & 1) != side % 2)
-        {
-            neighbours.append(tree_.children(node) + octant);
-        }
-    }
-}
-
-
-void hexFaceMaker::addCell(const label celli, const labelList& sidePatches)
-{
-    DynamicList<cellFace, 24> higher;
-    DynamicList<label> neighbours;
-    const label leaf = leaves_[celli];
-
-    for (label side = 0; side < 6; ++side)
-    {
-        neighbours.clear();
-        addNeighbours(leaf, side, neighbours);
-
-        if (neighbours.empty())
-        {
-            boundary_[sidePatches[side]].append
-            (
-                boundaryFace{celli, leaf, side}
-            );
-        }
-        for (const label other : neighbours)
-        {
-            const bool isSmaller = tree_.level(other) > tree_.level(leaf);
-            const label facing = side ^ 1;
-            const label smaller = isSmaller ? other : leaf;
-            const label its = isSmaller ? facing : side;
-
-            if (!tree_.isCell(other))
+            if ((octant >> d & 1) != side % 2)
             {
-                boundary_.last().append(boundaryFace{celli, smaller, its});
-            }
-            else if (cells_[other] > celli)
-            {
-                higher.append(cellFace{cells_[other], smaller, its});
+                neighbours.append(tree_.children(node) + octant);
             }
         }
     }
 
-    std::sort
-    (
-        higher.begin(), higher.end(),
-        [](const cellFace& a, const cellFace& b)
-        {
-            return a.neighbour < b.neighbour;
-        }
-    );
-
-    for (const cellFace& f : higher)
+    void addCell(const label celli, const labelList& sidePatches)
     {
-        face polygon(points_.sideOf(f.leaf, f.side));
-        if (f.leaf != leaf)
+        DynamicList<cellFace, 24> higher;
+        DynamicList<label> neighbours;
+        const label leaf = leaves_[celli];
+
+        for (label side = 0; side < 6; ++side)
         {
-            polygon.flip();
+            neighbours.clear();
+            addNeighbours(leaf, side, neighbours);
+
+            if (neighbours.empty())
+            {
+                boundary_[sidePatches[side]].append
+                (
+                    boundaryFace{celli, leaf, side}
+                );
+            }
+            for (const label other : neighbours)
+            {
+                const bool isSmaller = tree_.level(other) > tree_.level(leaf);
+                const label facing = side ^ 1;
+                const label smaller = isSmaller ? other : leaf;
+                const label its = isSmaller ? facing : side;
+
+                if (!tree_.isCell(other))
+                {
+                    boundary_.last().append(boundaryFace{celli, smaller, its});
+                }
+                else if (cells_[other] > celli)
+                {
+                    higher.append(cellFace{cells_[other], smaller, its});
+                }
+            }
         }
-        mesh_.topology.append(std::move(polygon), celli, f.neighbour);
-    }
-}
 
+        std::sort
+        (
+            higher.begin(), higher.end(),
+            [](const cellFace& a, const cellFace& b)
+            {
+                return a.neighbour < b.neighbour;
+            }
+        );
 
-void hexFaceMaker::addPatches()
-{
-    for (const DynamicList<boundaryFace>& patch : boundary_)
-    {
-        mesh_.topology.startPatch();
-        for (const boundaryFace& f : patch)
+        for (const cellFace& f : higher)
         {
             face polygon(points_.sideOf(f.leaf, f.side));
-            if (f.leaf != leaves_[f.owner])
+            if (f.leaf != leaf)
             {
                 polygon.flip();
             }
-            mesh_.topology.append(std::move(polygon), f.owner);
+            mesh_.topology.append(std::move(polygon), celli, f.neighbour);
         }
     }
-}
 
-
-hexFaceMaker::hexFaceMaker(const hexOctree& tree, const hexCoreBox& box)
-:
-    tree_(tree),
-    cells_(tree.size(), -1),
-    points_(tree),
-    boundary_(box.patches.names.size() + 1)
-{
-    const labelVector& n = tree.nRoots();
-    for (label root = 0; root < n.x()*n.y()*n.z(); ++root)
+    void addPatches()
     {
-        number(root);
+        for (const DynamicList<boundaryFace>& patch : boundary_)
+        {
+            mesh_.topology.startPatch();
+            for (const boundaryFace& f : patch)
+            {
+                face polygon(points_.sideOf(f.leaf, f.side));
+                if (f.leaf != leaves_[f.owner])
+                {
+                    polygon.flip();
+                }
+                mesh_.topology.append(std::move(polygon), f.owner);
+            }
+        }
     }
 
-    mesh_.points = points_.release();
-    const labelList sidePatches
-    (
-        box.sidePatches.size()
-      ? box.sidePatches : labelList(6, boundary_.size() - 1)
-    );
-    mesh_.nCells = leaves_.size();
-    mesh_.topology.reserve(4*leaves_.size(), 4*leaves_.size());
-    forAll(leaves_, celli)
+public:
+
+    hexFaceMaker(const hexOctree& tree, const hexCoreBox& box)
+    :
+        tree_(tree),
+        cells_(tree.size(), -1),
+        points_(tree),
+        boundary_(box.patches.names.size() + 1)
     {
-        addCell(celli, sidePatches);
+        const labelVector& n = tree.nRoots();
+        for (label root = 0; root < n.x()*n.y()*n.z(); ++root)
+        {
+            number(root);
+        }
+
+        mesh_.points = points_.release();
+        const labelList sidePatches
+        (
+            box.sidePatches.size()
+          ? box.sidePatches : labelList(6, boundary_.size() - 1)
+        );
+        mesh_.nCells = leaves_.size();
+        mesh_.topology.reserve(4*leaves_.size(), 4*leaves_.size());
+        forAll(leaves_, celli)
+        {
+            addCell(celli, sidePatches);
+        }
+        addPatches();
+        mesh_.patches = box.patches;
     }
-    addPatches();
-    mesh_.patches = box.patches;
-}
+
+    polyMeshParts release() { return std::move(mesh_); }
+};
 
 } // End anonymous namespace
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "partsOfMesh.H"
+#include "labelPair.H"
 #include "ListOps.H"
 #include "polyMesh.H"
 #include "regionSplit.H"
@@ -49,7 +50,10 @@ public:
 } // End anonymous namespace
 
 
-labelPair overlappingCells(const polyMesh& mesh)
+//- Returns a cell whose centre is in a cell of another region of the mesh, and
+//  that other cell; labels -1 if there is none. Cells of one region do not
+//  overlap if all are positive.
+static labelPair overlappingCells(const polyMesh& mesh)
 {
     const regionSplit regions(mesh);
     const labelListList cellsOf(invertOneToMany(regions.nRegions(), regions));

@@ -15,11 +15,7 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void planeOutlines::set
-(
-    List<edgeList>& borders,
-    List<edgeList>& limits
-) const
+void planeOutlines::set(List<edgeList>& borders, List<edgeList>& limits) const
 {
     borders.setSize(gone_.size());
     limits.setSize(gone_.size());

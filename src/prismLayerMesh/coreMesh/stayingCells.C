@@ -406,7 +406,6 @@ bool stayingCells::liesOnWall(const label patchi) const
 void stayingCells::removeOnWall()
 {
     DynamicList<word> names;
-
     forAll(core_.patches.names, patchi)
     {
         if (liesOnWall(patchi))
@@ -488,11 +487,7 @@ void refuseCoupled
 
     for (label facei = start; facei < start + t.patchSizes[patchi]; ++facei)
     {
-        if
-        (
-            stays[t.owner[facei]]
-         || (isGone && !stays.inFluid(facei))
-        )
+        if (stays[t.owner[facei]] || (isGone && !stays.inFluid(facei)))
         {
             continue;
         }

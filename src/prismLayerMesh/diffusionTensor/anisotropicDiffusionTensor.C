@@ -62,7 +62,6 @@ Foam::symmTensorField Foam::diffusionTensors::anisotropic::tensors
     const vectorField gradients(scaledGradients(mesh, isotropic));
     const scalar flat = normalPart(-beta_);
     symmTensorField tensors(mesh.points.size());
-
     forAll(tensors, p)
     {
         const scalar x = -beta_*min(mag(gradients[p]), maxSlope_);

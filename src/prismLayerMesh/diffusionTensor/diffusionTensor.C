@@ -10,18 +10,13 @@
 namespace Foam
 {
 
-fieldControls readFieldControls
-(
-    const dictionary& dict,
-    const bool onLevelSets
-)
+fieldControls readFieldControls(const dictionary& dict, const bool onLevelSets)
 {
     const wordList models
     (
         diffusionTensor::dictionaryConstructorTablePtr_->sortedToc()
     );
     wordList keys({"tensor", "solver", "tolerance"});
-
     for (const word& model : models)
     {
         keys.append(model + "Coeffs");
@@ -38,8 +33,7 @@ fieldControls readFieldControls
     readChoice(dict, "solver", {"krylov", "iteration"}, controls.solver);
     readBounded
     (
-        dict, "tolerance",
-        scalar(1e-14), scalar(0.1), controls.tolerance
+        dict, "tolerance", scalar(1e-14), scalar(0.1), controls.tolerance
     );
 
     // Its coefficients are checked here, not when they are used in mid-run
@@ -51,8 +45,6 @@ fieldControls readFieldControls
 
 } // End namespace Foam
 
-
-// * * * * * * * * * * * * * *  Diffusion Tensor * * * * * * * * * * * * * * //
 
 // * * * * * * * * * * * * * * * * Static Members  * * * * * * * * * * * * * //
 
@@ -103,7 +95,6 @@ Foam::symmTensorField Foam::tetMeans
 )
 {
     symmTensorField means(mesh.tets.size(), Zero);
-
     forAll(means, t)
     {
         for (const label p : mesh.tets[t])

@@ -40,15 +40,13 @@ Foam::symmTensorField Foam::diffusionTensors::gradientPower::tensors
 {
     const vectorField gradients(scaledGradients(mesh, isotropic));
     symmTensorField tensors(mesh.points.size());
-
     forAll(tensors, p)
     {
         const scalar sigma = min(max(mag(gradients[p]), smallest), largest);
         const scalar q = sigma < 1 ? qConcave_ : qConvex_;
         const vector g(normalised(gradients[p]));
 
-        tensors[p] =
-            ::pow(sigma, q)*(tau_*symmTensor::I + (1 - tau_)*sqr(g));
+        tensors[p] = ::pow(sigma, q)*(tau_*symmTensor::I + (1 - tau_)*sqr(g));
     }
 
     return tensors;

@@ -124,11 +124,7 @@ static bool intersectAtEdge
     const vector v(b.points[kb] - start);
 
     // On different sides of the edge, seen along the normals
-    if
-    (
-        ((edge ^ u) & (edge ^ v))
-      < -roundingError*magSqr(edge)*mag(u)*mag(v)
-    )
+    if (((edge ^ u) & (edge ^ v)) < -roundingError*magSqr(edge)*mag(u)*mag(v))
     {
         return false;
     }

@@ -38,7 +38,6 @@ static boundBox inFrontOf(const UList<sidePatch>& sides, boundBox box)
 static labelList planesOn(const UList<sidePatch>& sides)
 {
     labelList planeOn(6, -1);
-
     forAll(sides, s)
     {
         for (direction d = 0; d < 3; ++d)
@@ -64,7 +63,9 @@ static void addPatch(const word& name, const word& type, meshPatches& patches)
 }
 
 
-bool staysOnSides(const UList<sidePatch>& sides, const bool isHexCore)
+//- Whether cells of a core can stay on all side patches: whether these are
+//  planes, and along the axes if the cells are hexahedra of an octree
+static bool staysOnSides(const UList<sidePatch>& sides, const bool isHexCore)
 {
     return allOf(sides, [&](const sidePatch& side)
     {
@@ -75,7 +76,9 @@ bool staysOnSides(const UList<sidePatch>& sides, const bool isHexCore)
 }
 
 
-boundBox coreBox(const prismLayers& layers, const farFieldDomain& domain)
+//- Returns the box of the far boundary and of the existing mesh; without these,
+//  a box around the layers
+static boundBox coreBox(const prismLayers& layers, const farFieldDomain& domain)
 {
     boundBox box(domain.boundary.surface.points, false);
     box.add(domain.core.points);
@@ -90,7 +93,9 @@ boundBox coreBox(const prismLayers& layers, const farFieldDomain& domain)
 }
 
 
-hexCoreBox makeHexCoreBox
+//- Returns the box of hexahedra, with patches on its sides. If hexahedra stay
+//  on all side patches, the box is in front of the side patches.
+static hexCoreBox makeHexCoreBox
 (
     const prismLayers& layers,
     const farFieldDomain& domain
@@ -167,16 +172,123 @@ struct coreBoundaryMaker
     bool isHexCore() const { return controls.type == farFieldType::hexCore; }
 
     //- Patches of the core for all side patches
-    void addSidePatches();
+    void addSidePatches()
+    {
+        polyMeshParts& core = domain.core;
+        for (const sidePatch& side : sides)
+        {
+            if (!core.patches.names.found(side.name))
+            {
+                // Before the faces of no patch, if there are any
+                const label n = core.patches.names.size();
+                const label end = n < core.topology.patchStarts.size()
+                  ? core.topology.patchStarts[n] : core.topology.faces.size();
+                const label nNameless = core.topology.patchStarts.size() - n;
+                labelList starts(SubList<label>(core.topology.patchStarts, n));
+                labelList sizes(SubList<label>(core.topology.patchSizes, n));
+                starts.append(end);
+                sizes.append(0);
+                starts.append
+                (
+                    SubList<label>(core.topology.patchStarts, nNameless, n)
+                );
+                sizes.append
+                (
+                    SubList<label>(core.topology.patchSizes, nNameless, n)
+                );
+                core.topology.patchStarts = starts;
+                core.topology.patchSizes = sizes;
+                core.patches.append(side.name, side.type);
+            }
+        }
+    }
 
-    void setCore(const coreObstacles& obstacles);
+    void setCore(const coreObstacles& obstacles)
+    {
+        if (isHexCore())
+        {
+            domain.core = makeHexCore
+            (
+                makeHexCoreBox(layers, domain), obstacles, size,
+                controls.maxCells
+            );
+        }
+    }
 
     //- The far boundary; the box of the core if there is no box yet
-    farBoundary outerBox() const;
+    farBoundary outerBox() const
+    {
+        if (domain.boundary.boxPatches.size() || !domain.core.nCells)
+        {
+            return domain.boundary;
+        }
 
-    tetBoundary makeOnPlanes();
+        farBoundaryControls boxControls;
+        boxControls.type = farBoundaryType::box;
+        boxControls.box = coreBox(layers, domain);
 
-    tetBoundary makeAround();
+        return makeFarBoundary(boxControls, nullptr);
+    }
+
+    tetBoundary makeOnPlanes()
+    {
+        // Closed by coarse triangles of planes and box
+        const farFieldBoundary boundary
+        (
+            makeFarFieldBoundary
+            (
+                layers, outerBox(), [](const point&) { return GREAT; }
+            )
+        );
+        tetBoundary closing;
+        closing.surface = boundary.surface;
+        closing.columns = boundary.columns;
+
+        const wallSearch surface(outer);
+        const wallSurface closed(joined(outer, closing));
+        checkBodies(closed, outer.faces.size());
+        const wallSearch fluid(closed);
+        const coreObstacles obstacles{surface, fluid};
+        setCore(obstacles);
+        addSidePatches();
+        cut = cutCore(domain.core, obstacles, controls.gap, sides);
+
+        tetBoundary result
+        (
+            makePlaneBoundary(layers, cut, domain.core.patches, size)
+        );
+        addCut(cut, domain.core.patches, result);
+
+        return result;
+    }
+
+    tetBoundary makeAround()
+    {
+        if (!isHexCore() && sides.size())
+        {
+            FatalErrorInFunction
+                << "The layers end on the side patch " << sides[0].name
+                << ", which is no plane of surface.sidePlanes" << nl
+                << "Layers that end on other side patches need a far field of"
+                << " type tet or hexCore" << exit(FatalError);
+        }
+
+        tetBoundary result;
+        if (domain.boundary.boxPatches.empty() || sides.size())
+        {
+            result = makeTetBoundary(layers, domain.boundary, size);
+        }
+
+        const wallSurface both(joined(outer, result));
+        checkBodies(both, outer.faces.size());
+        const wallSearch surface(both);
+        const coreObstacles obstacles{surface, surface};
+        setCore(obstacles);
+        cut = cutCore(domain.core, obstacles, controls.gap);
+        addCut(cut, domain.core.patches, result);
+
+        return result;
+    }
 
     tetBoundary make()
     {
@@ -185,127 +297,6 @@ struct coreBoundaryMaker
         return onPlanes ? makeOnPlanes() : makeAround();
     }
 };
-
-
-void coreBoundaryMaker::addSidePatches()
-{
-    polyMeshParts& core = domain.core;
-    for (const sidePatch& side : sides)
-    {
-        if (!core.patches.names.found(side.name))
-        {
-            // Before the faces of no patch, if there are any
-            const label n = core.patches.names.size();
-            const label end = n < core.topology.patchStarts.size()
-              ? core.topology.patchStarts[n] : core.topology.faces.size();
-            const label nNameless = core.topology.patchStarts.size() - n;
-            labelList starts(SubList<label>(core.topology.patchStarts, n));
-            labelList sizes(SubList<label>(core.topology.patchSizes, n));
-            starts.append(end);
-            sizes.append(0);
-            starts.append
-            (
-                SubList<label>(core.topology.patchStarts, nNameless, n)
-            );
-            sizes.append
-            (
-                SubList<label>(core.topology.patchSizes, nNameless, n)
-            );
-            core.topology.patchStarts = starts;
-            core.topology.patchSizes = sizes;
-            core.patches.append(side.name, side.type);
-        }
-    }
-}
-
-
-void coreBoundaryMaker::setCore(const coreObstacles& obstacles)
-{
-    if (isHexCore())
-    {
-        domain.core = makeHexCore
-        (
-            makeHexCoreBox(layers, domain), obstacles, size, controls.maxCells
-        );
-    }
-}
-
-
-farBoundary coreBoundaryMaker::outerBox() const
-{
-    if (domain.boundary.boxPatches.size() || !domain.core.nCells)
-    {
-        return domain.boundary;
-    }
-
-    farBoundaryControls boxControls;
-    boxControls.type = farBoundaryType::box;
-    boxControls.box = coreBox(layers, domain);
-
-    return makeFarBoundary(boxControls, nullptr);
-}
-
-
-tetBoundary coreBoundaryMaker::makeOnPlanes()
-{
-    // Closed by coarse triangles of planes and box
-    const farFieldBoundary boundary
-    (
-        makeFarFieldBoundary
-        (
-            layers, outerBox(), [](const point&) { return GREAT; }
-        )
-    );
-    tetBoundary closing;
-    closing.surface = boundary.surface;
-    closing.columns = boundary.columns;
-
-    const wallSearch surface(outer);
-    const wallSurface closed(joined(outer, closing));
-    checkBodies(closed, outer.faces.size());
-    const wallSearch fluid(closed);
-    const coreObstacles obstacles{surface, fluid};
-    setCore(obstacles);
-    addSidePatches();
-    cut = cutCore(domain.core, obstacles, controls.gap, sides);
-
-    tetBoundary result
-    (
-        makePlaneBoundary(layers, cut, domain.core.patches, size)
-    );
-    addCut(cut, domain.core.patches, result);
-
-    return result;
-}
-
-
-tetBoundary coreBoundaryMaker::makeAround()
-{
-    if (!isHexCore() && sides.size())
-    {
-        FatalErrorInFunction
-            << "The layers end on the side patch " << sides[0].name
-            << ", which is no plane of surface.sidePlanes" << nl
-            << "Layers that end on other side patches need a far field of type"
-            << " tet or hexCore" << exit(FatalError);
-    }
-
-    tetBoundary result;
-    if (domain.boundary.boxPatches.empty() || sides.size())
-    {
-        result = makeTetBoundary(layers, domain.boundary, size);
-    }
-
-    const wallSurface both(joined(outer, result));
-    checkBodies(both, outer.faces.size());
-    const wallSearch surface(both);
-    const coreObstacles obstacles{surface, surface};
-    setCore(obstacles);
-    cut = cutCore(domain.core, obstacles, controls.gap);
-    addCut(cut, domain.core.patches, result);
-
-    return result;
-}
 
 } // End anonymous namespace
 

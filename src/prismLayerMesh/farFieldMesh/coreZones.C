@@ -23,7 +23,6 @@ List<faceZoneParts> coreFaceZones
 )
 {
     DynamicList<faceZoneParts> zones;
-
     for (const faceZoneParts& zone : core.faceZones)
     {
         DynamicList<label> zoneFaces;
@@ -41,8 +40,7 @@ List<faceZoneParts> coreFaceZones
             const bool turned = cells[core.topology.owner[facei]] >= 0;
             const labelList triangles
             (
-                cutFaces.found(facei)
-              ? labelList(cutFaces[facei]) : labelList()
+                cutFaces.found(facei) ? labelList(cutFaces[facei]) : labelList()
             );
             zoneFaces.append(triangles);
             flips.append(boolList(triangles.size(), zone.flips[i] != turned));

@@ -36,69 +36,63 @@ struct boxSquares
     Map<label> labels;
 
     //- The point at the given counts of squares
-    label pointLabel(const labelVector& at);
+    label pointLabel(const labelVector& at)
+    {
+        const label m = farFieldTuned.maxSquares + 1;
+        const label key = at.x() + m*(at.y() + m*at.z());
 
-    void addSide(label side);
+        if (labels.insert(key, points.size()))
+        {
+            point x(box.max());
+            for (direction d = 0; d < 3; ++d)
+            {
+                if (at[d] < n[d])
+                {
+                    x[d] = box.min()[d] + box.span()[d]*at[d]/n[d];
+                }
+            }
+            points.append(x);
+        }
+
+        return labels[key];
+    }
+
+    void addSide(const label side)
+    {
+        const direction d = side/2;
+        const direction e = (d + 1) % 3;
+        const direction f = (d + 2) % 3;
+        labelVector at(Zero);
+        at[d] = side % 2 ? n[d] : 0;
+
+        const auto corner = [&](const label i, const label j)
+        {
+            at[e] = i;
+            at[f] = j;
+            return pointLabel(at);
+        };
+
+        for (label i = 0; i < n[e]; ++i)
+        {
+            for (label j = 0; j < n[f]; ++j)
+            {
+                face square
+                ({
+                    corner(i, j), corner(i + 1, j), corner(i + 1, j + 1),
+                    corner(i, j + 1)
+                });
+
+                if (side % 2)
+                {
+                    square.flip();
+                }
+
+                faces.append(face({square[0], square[1], square[2]}));
+                faces.append(face({square[0], square[2], square[3]}));
+            }
+        }
+    }
 };
-
-
-label boxSquares::pointLabel(const labelVector& at)
-{
-    const label m = farFieldTuned.maxSquares + 1;
-    const label key = at.x() + m*(at.y() + m*at.z());
-
-    if (labels.insert(key, points.size()))
-    {
-        point x(box.max());
-        for (direction d = 0; d < 3; ++d)
-        {
-            if (at[d] < n[d])
-            {
-                x[d] = box.min()[d] + box.span()[d]*at[d]/n[d];
-            }
-        }
-        points.append(x);
-    }
-
-    return labels[key];
-}
-
-
-void boxSquares::addSide(const label side)
-{
-    const direction d = side/2;
-    const direction e = (d + 1) % 3;
-    const direction f = (d + 2) % 3;
-    labelVector at(Zero);
-    at[d] = side % 2 ? n[d] : 0;
-
-    const auto corner = [&](const label i, const label j)
-    {
-        at[e] = i;
-        at[f] = j;
-        return pointLabel(at);
-    };
-
-    for (label i = 0; i < n[e]; ++i)
-    {
-        for (label j = 0; j < n[f]; ++j)
-        {
-            face square
-            ({
-                corner(i, j), corner(i + 1, j), corner(i + 1, j + 1),
-                corner(i, j + 1)
-            });
-
-            if (side % 2)
-            {
-                square.flip();
-            }
-
-            faces.append(face({square[0], square[1], square[2]}));
-            faces.append(face({square[0], square[2], square[3]}));
-        }
-    }
-}
 
 } // End anonymous namespace
 
@@ -201,7 +195,6 @@ static void setPatches(const List<farPatch>& wanted, farBoundary& boundary)
     labelList patchOf(sides.size(), -1);
     DynamicList<word> names;
     DynamicList<word> types;
-
     for (const farPatch& patch : wanted)
     {
         const labelList matching(patch.sides.matching(sides));
@@ -384,8 +377,7 @@ void checkFarBoundary(const wallSurface& both, const label nOuter)
     {
         return labelledTriangles
         (
-            SubList<face>(both.faces, n, start), both.points,
-            identity(n, start)
+            SubList<face>(both.faces, n, start), both.points, identity(n, start)
         );
     };
 

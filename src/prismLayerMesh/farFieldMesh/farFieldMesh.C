@@ -15,7 +15,6 @@ void farFieldMesh::keepPatches(const labelUList& kept)
     meshPatches keptPatches;
     labelList starts(1, topology.patchStarts[0]);
     labelList sizes(1, topology.patchSizes[0]);
-
     for (const label patchi : kept)
     {
         keptPatches.names.append(patches.names[patchi]);

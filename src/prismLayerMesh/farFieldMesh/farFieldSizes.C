@@ -21,10 +21,7 @@ static scalarField sizesOf(const tetBoundary& far)
         meanEdges(far.surface, makeWallAddressing(far.surface))
     );
 
-    return scalarField
-    (
-        SubList<scalar>(sizes, sizes.size() - nCommon, nCommon)
-    );
+    return scalarField(SubList<scalar>(sizes, sizes.size() - nCommon, nCommon));
 }
 
 

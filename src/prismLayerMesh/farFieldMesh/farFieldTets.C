@@ -35,7 +35,6 @@ boundaryTets findBoundaryTets(const farFieldTets& tets)
     triangles.append(tets.cutTriangles);
     const triangleIndex index(makeTriangleIndex(triangles));
     labelList found(triangles.size(), -1);
-
     forAll(tets.tets, t)
     {
         for (label i = 0; i < 4; ++i)

@@ -35,8 +35,7 @@ static edge longestEdge
         edge sorted(e);
         sorted.sort();
 
-        const bool longer =
-            length > most || (length == most && sorted < ends);
+        const bool longer = length > most || (length == most && sorted < ends);
 
         if (longer && !kept.found(e))
         {
@@ -61,7 +60,6 @@ static scalarField keptLengths
 {
     const pointField& points = surface.points;
     scalarField lengths(points.size(), 0);
-
     for (const edge& e : kept)
     {
         const scalar length = e.mag(points);
@@ -183,58 +181,6 @@ static void divide
 
     divide(points, marked, face({a, b, middle}), patchi, faces, patchIDs);
     divide(points, marked, face({a, middle, c}), patchi, faces, patchIDs);
-}
-
-
-void refineSurface
-(
-    wallSurface& surface,
-    const std::function<scalar(const point&)>& size,
-    const std::function<point(const point&)>& project
-)
-{
-    const edgeHashSet kept(outline(surface.faces));
-
-    const auto divideOnce = [&]()
-    {
-        flipEdges(surface, !project);
-
-        EdgeMap<label> marked(markEdges(surface, kept, size));
-
-        DynamicList<point> points(surface.points);
-
-        for (const edge& e : marked.sortedToc())
-        {
-            const point middle(e.centre(surface.points));
-            marked[e] = points.size();
-            points.append(project ? project(middle) : middle);
-        }
-
-        DynamicList<face> faces(2*surface.faces.size());
-        DynamicList<label> patchIDs(2*surface.faces.size());
-
-        forAll(surface.faces, facei)
-        {
-            divide
-            (
-                surface.points, marked, surface.faces[facei],
-                surface.patchIDs[facei], faces, patchIDs
-            );
-        }
-
-        surface.points.transfer(points);
-        surface.faces.transfer(faces);
-        surface.patchIDs.transfer(patchIDs);
-
-        return marked.size() > 0;
-    };
-    repeatUntilStable
-    (
-        "dividing long edges", farFieldTuned.maxDivisions, divideOnce
-    );
-
-    // Not before each division: that would not come to an end
-    smoothPoints(surface, project);
 }
 
 
@@ -444,7 +390,10 @@ static void smoothOnce
 }
 
 
-void flipEdges(wallSurface& surface, const bool inPlane)
+//- Flips edges between triangles of one patch until the triangles are Delaunay.
+//  inPlane: flips only edges between triangles in a plane; if false, flips all
+//  edges, and the surface must be smooth
+static void flipEdges(wallSurface& surface, const bool inPlane)
 {
     repeatUntilStable
     (
@@ -454,7 +403,11 @@ void flipEdges(wallSurface& surface, const bool inPlane)
 }
 
 
-void smoothPoints
+//- Moves points whose triangles are of one patch and in a plane to the mean of
+//  their neighbours, and flips edges, several times in turn. Points on an edge
+//  with one face stay. If project is not empty it moves a point to a curved
+//  surface, and the surface is smooth.
+static void smoothPoints
 (
     wallSurface& surface,
     const std::function<point(const point&)>& project
@@ -467,6 +420,59 @@ void smoothPoints
         smoothOnce(surface, isInner, project);
         flipEdges(surface, !project);
     }
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void refineSurface
+(
+    wallSurface& surface,
+    const std::function<scalar(const point&)>& size,
+    const std::function<point(const point&)>& project
+)
+{
+    const edgeHashSet kept(outline(surface.faces));
+
+    const auto divideOnce = [&]()
+    {
+        flipEdges(surface, !project);
+
+        EdgeMap<label> marked(markEdges(surface, kept, size));
+
+        DynamicList<point> points(surface.points);
+        for (const edge& e : marked.sortedToc())
+        {
+            const point middle(e.centre(surface.points));
+            marked[e] = points.size();
+            points.append(project ? project(middle) : middle);
+        }
+
+        DynamicList<face> faces(2*surface.faces.size());
+        DynamicList<label> patchIDs(2*surface.faces.size());
+
+        forAll(surface.faces, facei)
+        {
+            divide
+            (
+                surface.points, marked, surface.faces[facei],
+                surface.patchIDs[facei], faces, patchIDs
+            );
+        }
+
+        surface.points.transfer(points);
+        surface.faces.transfer(faces);
+        surface.patchIDs.transfer(patchIDs);
+
+        return marked.size() > 0;
+    };
+    repeatUntilStable
+    (
+        "dividing long edges", farFieldTuned.maxDivisions, divideOnce
+    );
+
+    // Not before each division: that would not come to an end
+    smoothPoints(surface, project);
 }
 
 } // End namespace Foam

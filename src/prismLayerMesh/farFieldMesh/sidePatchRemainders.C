@@ -15,12 +15,7 @@
 namespace Foam
 {
 
-static bool isSmooth
-(
-    const sidePatch& a,
-    const sidePatch& b,
-    const point& x
-)
+static bool isSmooth(const sidePatch& a, const sidePatch& b, const point& x)
 {
     return (a.planeAt(x).normal & b.planeAt(x).normal) > curvedCosine;
 }
@@ -161,10 +156,7 @@ static void replace
     }
     for (label i = 1; i < by.size(); ++i)
     {
-        left.append
-        (
-            forwards ? edge(by[i - 1], by[i]) : edge(by[i], by[i - 1])
-        );
+        left.append(forwards ? edge(by[i - 1], by[i]) : edge(by[i], by[i - 1]));
     }
     region.boundary.transfer(left);
 }
@@ -269,18 +261,136 @@ class farFieldBoundaryMaker
     }
 
     //- Refuses layers outside of the far boundary
-    void checkInBox() const;
+    void checkInBox() const
+    {
+        for (const point& top : on_.border.outerPoints())
+        {
+            // The nearest point in the box is the point itself
+            const point inBox(min(max(top, box_.min()), box_.max()));
 
-    void addEdge(const label s, const edge& e);
+            if (far_.surface.faces.size() && mag(top - inBox) > on_.tolerance)
+            {
+                FatalErrorInFunction
+                    << "The far boundary is not around the wall: the layers at "
+                    << top << " are outside of it" << exit(FatalError);
+            }
+        }
+    }
+
+    void addEdge(const label s, const edge& e)
+    {
+        const point& a = on_.points()[e.start()];
+        const point& b = on_.points()[e.end()];
+        on_.regions[s].boundary.append(e);
+
+        // A plane ends there too, seen from the other side
+        forAll(on_.sides, t)
+        {
+            const sidePatch& side = on_.sides[t];
+            if (!side.isPart() && side.hasEdge(a, b, on_.tolerance))
+            {
+                on_.regions[t].boundary.append(edge(e.end(), e.start()));
+            }
+        }
+    }
 
     //- The outline of parts, beyond the layers
-    void addParts();
+    void addParts()
+    {
+        forAll(on_.sides, s)
+        {
+            for (const edge& e : outline(on_.sides[s].faces))
+            {
+                const point& a = on_.sides[s].points[e.start()];
+                const point& b = on_.sides[s].points[e.end()];
+                labelPair ends;
+
+                const auto labelOf = [&](const label top, const point& x)
+                {
+                    return top < 0 ? labels_.labelIn(on_.points(), x) : top;
+                };
+
+                if (!on_.border.covers(a, b, ends))
+                {
+                    const label end = labelOf(ends.second(), b);
+                    const label start = labelOf(ends.first(), a);
+                    addEdge(s, edge(start, end));
+                }
+            }
+        }
+    }
 
     //- The far boundary, cut by the planes
-    convexPolyhedron cutBoundary();
+    convexPolyhedron cutBoundary()
+    {
+        const convexPolyhedron cut(cutBox(box_, on_.sides));
+        const label first = on_.points().size();
+        on_.points().append(cut.points);
+
+        forAll(cut.faces, facei)
+        {
+            const label s = cut.planes[facei];
+            const face f(labelList(cut.faces[facei] + first));
+
+            for (label k = 0; s >= 0 && k < f.size(); ++k)
+            {
+                on_.regions[s].limits.append(f.faceEdge(k));
+            }
+        }
+
+        return cut;
+    }
 
     //- The sides of the box that the far field reaches
-    void addBoxSides(const convexPolyhedron& cut, label first);
+    void addBoxSides(const convexPolyhedron& cut, const label first)
+    {
+        edgeHashSet reached;
+        for (const face& f : on_.made.surface.faces)
+        {
+            reached.insert(f.edges());
+        }
+
+        boolList added(cut.faces.size(), false);
+        for (bool more = true; more;)
+        {
+            more = false;
+
+            forAll(cut.faces, facei)
+            {
+                const face f(labelList(cut.faces[facei] + first));
+                const edgeList edges(f.edges());
+
+                if
+                (
+                    added[facei] || cut.planes[facei] >= 0
+                 || !hasAny(reached, edges)
+                )
+                {
+                    continue;
+                }
+
+                if (far_.surface.faces.empty())
+                {
+                    FatalErrorInFunction
+                        << "The fluid is open beyond the side planes at "
+                        << f.centre(on_.points()) << nl
+                        << "Give the far field a boundary of type box"
+                        << exit(FatalError);
+                }
+
+                for (label k = 1; k + 1 < f.size(); ++k)
+                {
+                    on_.addTriangle
+                    (
+                        face({f[0], f[k], f[k + 1]}),
+                        far_.boxPatches[cut.boxSides[facei]]
+                    );
+                }
+                reached.insert(edges);
+                added[facei] = more = true;
+            }
+        }
+    }
 
 public:
 
@@ -300,185 +410,46 @@ public:
         )
     {}
 
-    farFieldBoundary make();
-};
-
-
-void farFieldBoundaryMaker::checkInBox() const
-{
-    for (const point& top : on_.border.outerPoints())
+    farFieldBoundary make()
     {
-        // The nearest point in the box is the point itself
-        const point inBox(min(max(top, box_.min()), box_.max()));
+        checkInBox();
+        addParts();
+        coarsenCuts(on_.points(), on_.sides, on_.size, on_.regions);
 
-        if (far_.surface.faces.size() && mag(top - inBox) > on_.tolerance)
+        if (hasPlanes(on_.sides))
         {
-            FatalErrorInFunction
-                << "The far boundary is not around the wall: the layers at "
-                << top << " are outside of it" << exit(FatalError);
-        }
-    }
-}
-
-
-void farFieldBoundaryMaker::addEdge(const label s, const edge& e)
-{
-    const point& a = on_.points()[e.start()];
-    const point& b = on_.points()[e.end()];
-    on_.regions[s].boundary.append(e);
-
-    // A plane ends there too, seen from the other side
-    forAll(on_.sides, t)
-    {
-        if (!on_.sides[t].isPart() && on_.sides[t].hasEdge(a, b, on_.tolerance))
-        {
-            on_.regions[t].boundary.append(edge(e.end(), e.start()));
-        }
-    }
-}
-
-
-void farFieldBoundaryMaker::addParts()
-{
-    forAll(on_.sides, s)
-    {
-        for (const edge& e : outline(on_.sides[s].faces))
-        {
-            const point& a = on_.sides[s].points[e.start()];
-            const point& b = on_.sides[s].points[e.end()];
-            labelPair ends;
-
-            const auto labelOf = [&](const label top, const point& x)
-            {
-                return top < 0 ? labels_.labelIn(on_.points(), x) : top;
-            };
-
-            if (!on_.border.covers(a, b, ends))
-            {
-                const label end = labelOf(ends.second(), b);
-                const label start = labelOf(ends.first(), a);
-                addEdge(s, edge(start, end));
-            }
-        }
-    }
-}
-
-
-convexPolyhedron farFieldBoundaryMaker::cutBoundary()
-{
-    const convexPolyhedron cut(cutBox(box_, on_.sides));
-    const label first = on_.points().size();
-    on_.points().append(cut.points);
-
-    forAll(cut.faces, facei)
-    {
-        const label s = cut.planes[facei];
-        const face f(labelList(cut.faces[facei] + first));
-
-        for (label k = 0; s >= 0 && k < f.size(); ++k)
-        {
-            on_.regions[s].limits.append(f.faceEdge(k));
-        }
-    }
-
-    return cut;
-}
-
-
-void farFieldBoundaryMaker::addBoxSides
-(
-    const convexPolyhedron& cut,
-    const label first
-)
-{
-    edgeHashSet reached;
-    for (const face& f : on_.made.surface.faces)
-    {
-        reached.insert(f.edges());
-    }
-
-    boolList added(cut.faces.size(), false);
-    for (bool more = true; more;)
-    {
-        more = false;
-
-        forAll(cut.faces, facei)
-        {
-            const face f(labelList(cut.faces[facei] + first));
-            const edgeList edges(f.edges());
-
-            if
-            (
-                added[facei] || cut.planes[facei] >= 0
-             || !hasAny(reached, edges)
-            )
-            {
-                continue;
-            }
-
-            if (far_.surface.faces.empty())
+            if (far_.surface.faces.size() && far_.boxPatches.empty())
             {
                 FatalErrorInFunction
-                    << "The fluid is open beyond the side planes at "
-                    << f.centre(on_.points()) << nl
-                    << "Give the far field a boundary of type box"
+                    << "With side planes the far boundary has to be a box"
                     << exit(FatalError);
             }
 
-            for (label k = 1; k + 1 < f.size(); ++k)
+            const label first = on_.points().size();
+            const convexPolyhedron cut(cutBoundary());
+            on_.triangulate();
+            addBoxSides(cut, first);
+        }
+        else
+        {
+            on_.triangulate();
+            const label first = on_.points().size();
+            on_.points().append(far_.surface.points);
+            forAll(far_.surface.faces, facei)
             {
                 on_.addTriangle
                 (
-                    face({f[0], f[k], f[k + 1]}),
-                    far_.boxPatches[cut.boxSides[facei]]
+                    face(labelList(far_.surface.faces[facei] + first)),
+                    far_.surface.patchIDs[facei]
                 );
             }
-            reached.insert(edges);
-            added[facei] = more = true;
-        }
-    }
-}
-
-
-farFieldBoundary farFieldBoundaryMaker::make()
-{
-    checkInBox();
-    addParts();
-    coarsenCuts(on_.points(), on_.sides, on_.size, on_.regions);
-
-    if (hasPlanes(on_.sides))
-    {
-        if (far_.surface.faces.size() && far_.boxPatches.empty())
-        {
-            FatalErrorInFunction
-                << "With side planes the far boundary has to be a box"
-                << exit(FatalError);
         }
 
-        const label first = on_.points().size();
-        const convexPolyhedron cut(cutBoundary());
-        on_.triangulate();
-        addBoxSides(cut, first);
-    }
-    else
-    {
-        on_.triangulate();
-        const label first = on_.points().size();
-        on_.points().append(far_.surface.points);
-        forAll(far_.surface.faces, facei)
-        {
-            on_.addTriangle
-            (
-                face(labelList(far_.surface.faces[facei] + first)),
-                far_.surface.patchIDs[facei]
-            );
-        }
-    }
+        removeUnusedPoints(on_.made.surface.faces, on_.made.surface.points);
 
-    removeUnusedPoints(on_.made.surface.faces, on_.made.surface.points);
-
-    return on_.made;
-}
+        return on_.made;
+    }
+};
 
 } // End anonymous namespace
 

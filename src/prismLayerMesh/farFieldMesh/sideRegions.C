@@ -96,21 +96,12 @@ layerBorder::layerBorder(const prismLayers& layers, const scalar tolerance)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-bool layerBorder::covers
-(
-    const point& a,
-    const point& b,
-    labelPair& ends
-) const
+bool layerBorder::covers(const point& a, const point& b, labelPair& ends) const
 {
     ends = labelPair(-1, -1);
     const edge columns(roots_.find(a), roots_.find(b));
 
-    if
-    (
-        columns.start() >= 0 && columns.end() >= 0
-     && wallEdges_.found(columns)
-    )
+    if (columns.start() >= 0 && columns.end() >= 0 && wallEdges_.found(columns))
     {
         return true;
     }
@@ -139,7 +130,6 @@ bool layerBorder::covers
 labelList layerBorder::outerPointsOn(const label side) const
 {
     DynamicList<label> outerPoints;
-
     for (const corner& c : corners_)
     {
         if (c.sides.found(side))
@@ -316,7 +306,15 @@ public:
 } // End anonymous namespace
 
 
-pointField planePoints
+//- Returns the centres of squares in the plane of a side patch, over all that
+//  the boundary and limits of a region bound. On a curved side patch the
+//  centres are moved onto the side patch along the normal of its mean plane.
+//  The squares are divided until they are narrower than 0.85 times the size [m]
+//  at their centre, so that their diagonals are not longer than refineSurface
+//  allows, and further if a curved side patch bends in them. A centre is left
+//  out if it is nearer than 0.7 times the size to another centre or to a point
+//  of the region, or nearer than half of the size to an edge of the limits.
+static pointField planePoints
 (
     const pointField& points,
     const planeRegion& region,
@@ -363,8 +361,6 @@ pointField planePoints
     return pointField(std::move(result));
 }
 
-
-// * * * * * * * * * * * * * * *  Side Regions * * * * * * * * * * * * * * * //
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -417,10 +413,7 @@ void sideRegions::triangulate()
         );
         region.normal = -sides[s].normal;
         region.isCurved = sides[s].isCurved();
-        const pointField inside
-        (
-            planePoints(points(), region, sides[s], size)
-        );
+        const pointField inside(planePoints(points(), region, sides[s], size));
         region.points = identity(inside.size(), points().size());
         points().append(inside);
 

@@ -62,7 +62,6 @@ faceList outerTriangles(const wallSurface& outer, labelList& triangleFace)
 {
     wallSurface cut(outer);
     boolList changed(outer.faces.size(), false);
-
     forAll(cut.faces, facei)
     {
         const label k = highestFan(outer.points, outer.faces[facei]);
@@ -140,7 +139,6 @@ static void putOnSides
 {
     labelList patches(far.points.size(), -1);
     bitSet onSeveral(far.points.size());
-
     forAll(far.faces, facei)
     {
         const label patchi = far.patchIDs[facei];
@@ -258,10 +256,7 @@ void addCut
     wallSurface& surface = boundary.surface;
     const label first = boundary.nCutPoints
       ? boundary.columns.size() : surface.points.size();
-    appendSurface
-    (
-        cut.surface, identity(boundary.nCutPoints, first), surface
-    );
+    appendSurface(cut.surface, identity(boundary.nCutPoints, first), surface);
     surface.patchNames.append(patches.names);
     surface.patchTypes.append(patches.types());
     boundary.corePoints = labelList(surface.points.size(), -1);

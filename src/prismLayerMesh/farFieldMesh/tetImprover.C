@@ -109,8 +109,6 @@ bool tetViolation::missesTargets(const label t, const label i) const
 }
 
 
-// * * * * * * * * * * * * * * *  Tet Improver * * * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 bool tetImprover::replace
@@ -343,8 +341,6 @@ bool tetImprover::split(const label t, const label i)
 }
 
 
-// * * * * * * * * * * * * *  Tet Improver Moves * * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 bool tetImprover::step(const label p, const scalar distance, scalar& least)
@@ -399,10 +395,7 @@ bool tetImprover::move(const label p)
 
     for (const scalar length : farFieldTuned.moves)
     {
-        while
-        (
-            nMoves < farFieldTuned.maxMoves && step(p, length*size, least)
-        )
+        while (nMoves < farFieldTuned.maxMoves && step(p, length*size, least))
         {
             ++nMoves;
         }

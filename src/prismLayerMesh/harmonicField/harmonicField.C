@@ -143,8 +143,7 @@ static void iterate
                 for (const label e : pointEdges[p])
                 {
                     sumWeights += weights[e];
-                    sumValues +=
-                        weights[e]*field[mesh.edges[e].otherVertex(p)];
+                    sumValues += weights[e]*field[mesh.edges[e].otherVertex(p)];
                 }
 
                 // Positive, except at a point that no tetrahedron uses
@@ -247,11 +246,7 @@ scalar harmonicEnergy
 //- Solid angle of the triangle that three unit vectors span on the sphere
 static scalar solidAngle(const vector& a, const vector& b, const vector& c)
 {
-    return 2*::atan2
-    (
-        mag((a ^ b) & c),
-        1 + (a & b) + (b & c) + (c & a)
-    );
+    return 2*::atan2(mag((a ^ b) & c), 1 + (a & b) + (b & c) + (c & a));
 }
 
 
@@ -268,8 +263,7 @@ tetAreas::tetAreas(const tetPointRef& tet)
     normals[2] = ab ^ ac;
     sixV = max
     (
-        normals[2] & ad,
-        harmonicControls::smallestShape*mag(ab)*mag(ac)*mag(ad)
+        normals[2] & ad, harmonicControls::smallestShape*mag(ab)*mag(ac)*mag(ad)
     );
 }
 
@@ -293,7 +287,6 @@ FixedList<vector, 4> tetAreas::gradients() const
 vectorField tetGradients(const backgroundMesh& mesh, const scalarField& field)
 {
     vectorField gradients(mesh.tets.size());
-
     forAll(mesh.tets, t)
     {
         const FixedList<vector, 4> g(tetAreas(mesh.tet(t)).gradients());
@@ -322,7 +315,6 @@ gradientMeans pointGradientMeans
     means.gradients.setSize(mesh.points.size(), Zero);
     means.sizes.setSize(mesh.points.size(), 0);
     scalarField angles(mesh.points.size(), 0);
-
     forAll(mesh.tets, t)
     {
         const tetCell& tet = mesh.tets[t];
@@ -368,7 +360,6 @@ static boolList extremaOf
 )
 {
     scalarField smallest(field.size(), GREAT), largest(field.size(), -GREAT);
-
     for (const edge& e : mesh.edges)
     {
         for (const label p : {e.start(), e.end()})

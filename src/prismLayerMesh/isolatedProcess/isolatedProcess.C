@@ -209,8 +209,6 @@ processEnd isolatedProcess
 }
 
 
-// * * * * * * * * * * * * * *  Scratch Folder * * * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 scratchFolder::scratchFolder()

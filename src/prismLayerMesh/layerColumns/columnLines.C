@@ -239,8 +239,7 @@ static blockFailures failuresOfAll
     {
         if (own[i].size())
         {
-            reasons.addValue(i);
-            reasons.addText(own[i]);
+            reasons(i, own[i]);
         }
     }
 
@@ -274,10 +273,12 @@ static void addForOwners
     forAll(columns, i)
     {
         message& toOwner = toOwners[team.owner(points[i])];
-        toOwner.addValue(columns[i]);
-        toOwner.addValue(lines.slopes[i]);
-        toOwner.addList(SubList<scalar>(lines.lines.energies, n, n*i));
-        toOwner.addList(SubList<point>(lines.lines.points, n, n*i));
+        toOwner
+        (
+            columns[i], lines.slopes[i],
+            SubList<scalar>(lines.lines.energies, n, n*i),
+            SubList<point>(lines.lines.points, n, n*i)
+        );
     }
 }
 
@@ -442,8 +443,6 @@ columnLines makeColumnLines
     return lines;
 }
 
-
-// * * * * * * * * * * * * * * *  Column Lines * * * * * * * * * * * * * * * //
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 

@@ -241,10 +241,7 @@ gradientLines makeGradientLines
     lines.points.setSize(arcLengths.size());
     lines.energies.setSize(arcLengths.size());
 
-    const lineTracer tracer
-    (
-        mesh, field, wallPoints, wallDirections, weighting
-    );
+    const lineTracer tracer(mesh, field, wallPoints, wallDirections, weighting);
 
     #pragma omp parallel for schedule(dynamic, 256)
     forAll(wallPoints, line)

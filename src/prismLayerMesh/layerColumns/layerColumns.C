@@ -53,8 +53,6 @@ void straighten
 }
 
 
-// * * * * * * * * * * * * * * *  Layer Columns  * * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 scalar layerColumns::stretch(const label c, const scalar height) const

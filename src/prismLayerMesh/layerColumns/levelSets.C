@@ -25,7 +25,6 @@ static scalarField arcLengths
 {
     const label n = columnControls::nSamples;
     scalarField lengths(n*nLines);
-
     forAll(lengths, i)
     {
         lengths[i] = first*::pow(last/first, (i % n)/scalar(n - 1));
@@ -119,7 +118,6 @@ scalarField samplingEnergies
     );
     const bool anyFlat = kinds.found(pointKind::flat);
     scalarField energies(n);
-
     for (label i = 0; i < n; ++i)
     {
         DynamicField<scalar> values;

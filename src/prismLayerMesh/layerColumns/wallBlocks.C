@@ -85,10 +85,7 @@ labelList findFieldIslands
     const islandControls& controls
 )
 {
-    const boolList disturbs
-    (
-        disturbingPoints(under, radii, controls)
-    );
+    const boolList disturbs(disturbingPoints(under, radii, controls));
 
     // Ways along the wall from the borders of islands, negative inside
     scalarField beyond(disturbs.size(), VSMALL);
@@ -113,11 +110,7 @@ labelList findFieldIslands
 }
 
 
-labelListList partsWith
-(
-    const labelListList& parts,
-    const labelUList& points
-)
+labelListList partsWith(const labelListList& parts, const labelUList& points)
 {
     const bitSet isWanted(points);
 
@@ -162,8 +155,7 @@ wallBlocks makeWallBlocks
     const scalarField radius(team.points.onMaster(radii.radius));
     const labelListList parts
     (
-        team.isMaster()
-      ? divideWall(points, radius, controls) : labelListList()
+        team.isMaster() ? divideWall(points, radius, controls) : labelListList()
     );
     blocks.isDivided = team.any(parts.size());
     if (blocks.isDivided)
@@ -386,11 +378,7 @@ static List<surfacePart> partsOfBlocks(const dividedWall& wall)
 
 
 //- Sets the columns on the points of a part
-static void setColumns
-(
-    const UList<labelPair>& further,
-    blockWithWall& block
-)
+static void setColumns(const UList<labelPair>& further, blockWithWall& block)
 {
     block.columns = block.part.points;
     DynamicList<label> points(identity(block.columns.size()));
@@ -460,10 +448,7 @@ List<blockWithWall> blocksOfProcess(const dividedWall& wall)
 {
     const List<labelPair> further(furtherColumns(wall));
     List<surfacePart> parts(partsOfBlocks(wall));
-    const labelList own
-    (
-        findIndices(makersOfBlocks(wall), wall.team.rank())
-    );
+    const labelList own(findIndices(makersOfBlocks(wall), wall.team.rank()));
     const labelList labels
     (
         UIndirectList<label>(largestFirst(wall.blocks), own)

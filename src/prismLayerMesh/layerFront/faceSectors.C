@@ -120,7 +120,17 @@ struct nearEdges
 } // End anonymous namespace
 
 
-vectorField directionsNearEdges
+//- Returns a direction for each face around a point, near to the edge at which
+//  the face begins. Each direction is on its face's side of the column at the
+//  other end of the edge. Around a point of a border the directions of the
+//  first and the last face are in the plane of the side patch, and no direction
+//  is near to the edge with the smallest angle: faces after this edge have
+//  their directions near to the edges at which they end.
+//  neighbourDirections: directions of the columns at the other ends of edges
+//  shared: edges at whose other ends sectors meet, too. A direction near to
+//  such an edge is within a right angle of the neighbour's, about the edge.
+//  distance: of a direction from its edge, on the unit sphere
+static vectorField directionsNearEdges
 (
     const facesAround& around,
     const vectorField& neighbourDirections,
@@ -131,7 +141,6 @@ vectorField directionsNearEdges
     const nearEdges edges{around, neighbourDirections, shared};
     const label without = edges.edgeWithout();
     vectorField d(around.normals.size());
-
     forAll(d, i)
     {
         d[i] = around.isFirst(i) || around.isLast(i)

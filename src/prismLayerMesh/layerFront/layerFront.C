@@ -85,11 +85,7 @@ labelList layerFront::extraColumnPoints() const
 }
 
 
-void layerFront::complete
-(
-    wallAddressing ofWall,
-    wallVisibility seenFromWall
-)
+void layerFront::complete(wallAddressing ofWall, wallVisibility seenFromWall)
 {
     if (isBare())
     {
@@ -318,8 +314,7 @@ struct frontBuilder
         }
 
         front.addressing = makeWallAddressing(front.surface);
-        front.visibility =
-            makeWallVisibility(front.surface, front.addressing);
+        front.visibility = makeWallVisibility(front.surface, front.addressing);
         addPlanes();
     }
 };

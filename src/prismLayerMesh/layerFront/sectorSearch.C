@@ -9,6 +9,7 @@
 #include "ListOps.H"
 #include "mathematicalConstants.H"
 #include "normalSectors.H"
+#include "ranges.H"
 
 namespace Foam
 {
@@ -41,7 +42,7 @@ static bool isEar
     };
 
     return volume(d[prev], d[cur], d[next]) >= frontControls::smallestVolume
-        && std::none_of(polygon.begin(), polygon.end(), holds);
+        && !anyOf(polygon, holds);
 }
 
 
@@ -100,8 +101,6 @@ bool cutIntoTriangles(const vectorField& d, faceList& triangles)
 }
 
 
-// * * * * * * * * * * * * * *  Sector Candidates  * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void sectorSearch::setPlanes(const label i, const vector& toNeighbour)
@@ -109,8 +108,7 @@ void sectorSearch::setPlanes(const label i, const vector& toNeighbour)
     const vector& e = edges_[i];
 
     planes_[i].first() = normalised(toNeighbour ^ e);
-    planes_[i].second() =
-        normalised(toNeighbour - (toNeighbour & e)*e);
+    planes_[i].second() = normalised(toNeighbour - (toNeighbour & e)*e);
 }
 
 
@@ -251,8 +249,6 @@ sectorSearch::sectorSearch
 }
 
 
-// * * * * * * * * * * * * * * *  Sector Search  * * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 bool sectorSearch::isSymmetric(const unsigned bits) const
@@ -283,7 +279,6 @@ bool sectorSearch::closes
 ) const
 {
     scalarField angles(d.size(), 0);
-
     forAll(starts, s)
     {
         const label before = starts.rcIndex(s);
@@ -340,8 +335,7 @@ void sectorSearch::consider
         narrowest = min(narrowest, c.cosine);
     }
 
-    const scalar score =
-        narrowest/::pow(1 + frontControls::sectorGain, n - 2);
+    const scalar score = narrowest/::pow(1 + frontControls::sectorGain, n - 2);
     faceList triangles;
 
     if

@@ -6,6 +6,7 @@
 #include "bendColumns.H"
 #include "columnCells.H"
 #include "layerGeometry.H"
+#include "ranges.H"
 #include "scaledJacobian.H"
 #include "unitConversion.H"
 
@@ -255,7 +256,7 @@ static bool bend
         (
             cells.evaluate() <= controls.bendGain*sum
          && cells.nFacesWithoutDecomposition() <= nFacesWithoutDecomposition
-         && std::none_of(around.begin(), around.end(), isAtFault)
+         && !anyOf(around, isAtFault)
         )
         {
             return true;

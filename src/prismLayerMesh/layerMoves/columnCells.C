@@ -345,8 +345,7 @@ scalar columnCells::evaluate()
         if (s.keptHeights.size())
         {
             setHeights(s);
-            const auto errors =
-                heightResiduals(s, s.firstHeight, s.thickness);
+            const auto errors = heightResiduals(s, s.firstHeight, s.thickness);
             sum += sqr(errors[0]) + sqr(errors[1]);
         }
     }
@@ -359,8 +358,6 @@ scalar columnCells::evaluate()
     return sum;
 }
 
-
-// * * * * * * * * * * * * *  Linear Column Cells  * * * * * * * * * * * * * //
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -395,8 +392,7 @@ void columnCells::setGradients(stack& s) const
         }
 
         const scalar height = layerHeight(lower, upper, s.volumes3[i]);
-        const scalar areas =
-            max(mag(lower.area) + mag(upper.area), VSMALL);
+        const scalar areas = max(mag(lower.area) + mag(upper.area), VSMALL);
         s.gradients[i] +=
             (2.0/3.0*(sides + share*upper.area) - height*area)/areas;
 

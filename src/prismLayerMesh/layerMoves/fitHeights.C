@@ -8,10 +8,21 @@
 #include "ranges.H"
 #include "stageProgress.H"
 
-#include <algorithm>
-
 namespace Foam
 {
+
+//- Returns how many times further a displacement [m] goes than it may at a
+//  height [m]
+static scalar excessOf
+(
+    const layerMoveControls& controls,
+    const vector& displacement,
+    const scalar height
+)
+{
+    return mag(displacement)/(controls.maxDisplacement*height);
+}
+
 
 //- Displace own columns at a level by their shares
 static void displace
@@ -65,7 +76,6 @@ static labelList levelsOf
 )
 {
     DynamicList<label> levels;
-
     for (label i = 1; i <= editor.spacing().nLayers; ++i)
     {
         const bool any = anyOf(mobile, [&](const label c)
@@ -86,18 +96,12 @@ static labelList levelsOf
 }
 
 
-scalar excessOf
-(
-    const layerMoveControls& controls,
-    const vector& displacement,
-    const scalar height
-)
-{
-    return mag(displacement)/(controls.maxDisplacement*height);
-}
-
-
-void displaceColumns
+//- Displaces the mobile own columns of a fit. The fit of a level asks for a
+//  displacement, of which a column makes its share at this level, at most as
+//  much as it may. Publishes the changes. Collective.
+//  heights: the fit, with its mobilities
+//  missing: returns the heights [m] that the faces are too low by up to a level
+static void displaceColumns
 (
     const fittedWall& fitted,
     const heightFit& heights,
@@ -256,10 +260,7 @@ static scalarField firstMobilities
     {
         for (const label c : findIndices(mobile, true))
         {
-            UIndirectList<bool>
-            (
-                mobile, front.addressing.pointPoints[c]
-            ) = true;
+            UIndirectList<bool>(mobile, front.addressing.pointPoints[c]) = true;
         }
         editor.team().columns.update(mobile);
     }

@@ -148,7 +148,6 @@ static List<fittedCorner> cornersOf
 {
     const columnTeam& team = editor.team();
     DynamicList<fittedCorner> corners(3*faces.size());
-
     for (const label facei : faces)
     {
         for (const label c : editor.layers().faces[facei])

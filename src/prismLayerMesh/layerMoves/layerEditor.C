@@ -35,7 +35,6 @@ static label colourOf
 )
 {
     DynamicList<label> others;
-
     for (const label facei : columnFaces[c])
     {
         for (const label q : faces[facei])
@@ -78,10 +77,7 @@ labelList columnColours
         #pragma omp parallel for schedule(static, 256)
         forAll(waiting, i)
         {
-            found[i] = colourOf
-            (
-                waiting[i], faces, columnFaces, team, colours
-            );
+            found[i] = colourOf(waiting[i], faces, columnFaces, team, colours);
         }
 
         UIndirectList<label>(colours, waiting) = found;
@@ -100,8 +96,6 @@ labelList columnColours
 
 namespace Foam
 {
-
-// * * * * * * * * * * * * * * *  Layer Editor * * * * * * * * * * * * * * * //
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -177,10 +171,7 @@ layerEditor::layerEditor
     smoother_(front.surface, front.addressing),
     colours_
     (
-        columnColours
-        (
-            front.surface.faces, front.addressing.pointFaces, team
-        )
+        columnColours(front.surface.faces, front.addressing.pointFaces, team)
     ),
     nColours_(1 + max(team.gather(labelList(1, max(colours_))))),
     thickness_(proposed.maxThickness),
@@ -310,7 +301,6 @@ void layerEditor::setThickness
     const label n = spacing_.nLayers;
     const scalarList heights(heightsFor(c, thickness));
     pointField points(n);
-
     for (label i = 1; i <= n; ++i)
     {
         const scalar h = heights[i];
@@ -380,8 +370,6 @@ void layerEditor::setCause(const label c, const squeezeCause cause)
 
 namespace Foam
 {
-
-// * * * * * * * * * * * * *  Layer Editor Record  * * * * * * * * * * * * * //
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -479,7 +467,6 @@ labelList layerEditor::inColours
     }
 
     DynamicList<label> all;
-
     for (const labelUList& group : groups)
     {
         List<columnState> before(group.size());
@@ -573,17 +560,12 @@ void layerEditor::rollBack(const label c)
 } // End namespace Foam
 
 
-// * * * * * * * * * * * * * * *  Column States  * * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 Foam::columnStates::columnStates(const message& states)
 {
     messageReader reader(states);
-    places_ = reader.list<label>();
-    points_ = reader.list<point>();
-    thickness_ = reader.list<scalar>();
-    causes_ = reader.list<squeezeCause>();
+    reader(places_, points_, thickness_, causes_);
 }
 
 
@@ -611,10 +593,7 @@ void Foam::columnStates::append(const label place, const columnState& state)
 
 void Foam::columnStates::addTo(message& toOther) const
 {
-    toOther.addList(places_);
-    toOther.addList(points_);
-    toOther.addList(thickness_);
-    toOther.addList(causes_);
+    toOther(places_, points_, thickness_, causes_);
 }
 
 // ************************************************************************* //

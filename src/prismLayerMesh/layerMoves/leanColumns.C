@@ -111,7 +111,6 @@ static List<vectorField> trialDirections
 
     vectorField means(n), own(n);
     scalarField shares(n);
-
     for (label i = 0; i < n; ++i)
     {
         means[i] = editor.neighboursOffset(c, i + 1);
@@ -183,7 +182,6 @@ static label bestOf
     // No column has a lower penalty than its outermost cells
     const label n = editor.spacing().nLayers;
     scalarField outermost(directions.size());
-
     forAll(directions, k)
     {
         editor.setDirections(c, before, directions[k], n);

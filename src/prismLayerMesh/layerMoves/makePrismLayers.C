@@ -6,9 +6,8 @@
 #include "makePrismLayers.H"
 #include "improveLayers.H"
 #include "layerGeometry.H"
+#include "ranges.H"
 #include "UIndirectList.H"
-
-#include <algorithm>
 
 namespace Foam
 {
@@ -36,7 +35,7 @@ static bool isLowWithoutCause
         return made.causes[c] != squeezeCause::none;
     };
 
-    if (std::any_of(f.begin(), f.end(), hasCause))
+    if (anyOf(f, hasCause))
     {
         return false;
     }
@@ -157,10 +156,7 @@ void nameCauses
         {
             causes[c] = causeOfInvalid(front, kinds, c);
         }
-        else if
-        (
-            causes[c] == squeezeCause::none && isLower(asked, graded, c)
-        )
+        else if (causes[c] == squeezeCause::none && isLower(asked, graded, c))
         {
             causes[c] = columns.onLevelSets
               ? squeezeCause::levelSet : squeezeCause::transition;

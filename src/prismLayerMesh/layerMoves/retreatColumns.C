@@ -10,8 +10,6 @@
 #include "ranges.H"
 #include "scaledJacobian.H"
 
-#include <algorithm>
-
 namespace Foam
 {
 
@@ -78,8 +76,7 @@ void retreatColumns
         const label c = lowered[i];
         editor.setThickness
         (
-            c, thickness[c],
-            retreating.found(c) ? controls.straightenShare : 0
+            c, thickness[c], retreating.found(c) ? controls.straightenShare : 0
         );
     }
 
@@ -172,11 +169,9 @@ static bool grow
     const std::function<bool(label facei)>& isAtFault
 )
 {
-    const scalar current =
-        max(scalarField(editor.thickness(), columnsOnPoint));
+    const scalar current = max(scalarField(editor.thickness(), columnsOnPoint));
     const scalar largest = largestThickness(editor, columnsOnPoint);
-    const scalar grown =
-        min(largest, current/editor.controls().retreatFactor);
+    const scalar grown = min(largest, current/editor.controls().retreatFactor);
 
     if (grown <= current)
     {
@@ -276,10 +271,7 @@ static labelList growTogether
                 grown.append(group);
             }
         }
-        editor.publish
-        (
-            SubList<label>(grown, grown.size() - nBefore, nBefore)
-        );
+        editor.publish(SubList<label>(grown, grown.size() - nBefore, nBefore));
     }
 
     return labelList(std::move(grown));

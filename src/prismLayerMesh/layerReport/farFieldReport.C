@@ -47,138 +47,129 @@ struct farFieldFaces
         return faceCell{c.centre, c.volume3/3};
     }
 
-    void setCells();
-    cellGeometry lastCell(label fronti, const labelRange& outer) const;
-    void addTransition();
-    void addInside();
-    void addPatches();
-};
-
-
-void farFieldFaces::setCells()
-{
-    const polyMeshTopology& t = far.topology;
-    const polyhedralMesh mesh(far.points, t.faces, t.owner, t.neighbour);
-    cells.setSize(mesh.nCells());
-
-    #pragma omp parallel for schedule(static)
-    forAll(cells, celli)
+    void setCells()
     {
+        const polyMeshTopology& t = far.topology;
+        const polyhedralMesh mesh(far.points, t.faces, t.owner, t.neighbour);
+        cells.setSize(mesh.nCells());
+
+        #pragma omp parallel for schedule(static)
+        forAll(cells, celli)
+        {
+            DynamicList<faceGeometry> faces(8);
+            for (const label facei : mesh.cellFaces(celli))
+            {
+                faces.append(geometry(facei));
+                faces.last().area *= mesh.owner(facei) == celli ? 1 : -1;
+            }
+            cells[celli] = cellGeometry(faces);
+        }
+    }
+
+    //- The last cell on a front face; faces of the far field, one or several,
+    //  are its outer face
+    cellGeometry lastCell(const label fronti, const labelRange& outer) const
+    {
+        const label n = layers.nLayers;
+        const face& f = layers.faces[fronti];
         DynamicList<faceGeometry> faces(8);
-        for (const label facei : mesh.cellFaces(celli))
-        {
-            faces.append(geometry(facei));
-            faces.last().area *= mesh.owner(facei) == celli ? 1 : -1;
-        }
-        cells[celli] = cellGeometry(faces);
-    }
-}
 
-
-//- The last cell on a front face; faces of the far field, one or several, are
-//  its outer face
-cellGeometry farFieldFaces::lastCell
-(
-    const label fronti,
-    const labelRange& outer
-) const
-{
-    const label n = layers.nLayers;
-    const face& f = layers.faces[fronti];
-    DynamicList<faceGeometry> faces(8);
-
-    faces.append(faceGeometry(levelPoints{layers, f, n - 1}));
-    faces.last().area *= -1;
-    forAll(f, k)
-    {
-        faces.append(faceGeometry(sidePoints{layers, f[k], f.nextLabel(k), n}));
-    }
-    for (const label facei : outer)
-    {
-        faces.append(geometry(far.topology.patchStarts[0] + facei));
+        faces.append(faceGeometry(levelPoints{layers, f, n - 1}));
         faces.last().area *= -1;
-    }
-
-    return cellGeometry(faces);
-}
-
-
-void farFieldFaces::addTransition()
-{
-    const label start = far.topology.patchStarts[0];
-    const labelList& fronts = far.frontFaces;
-    DynamicField<scalar> volumeRatios(fronts.size());
-
-    for (label i = 0; i < fronts.size();)
-    {
-        label end = i + 1;
-        while (end < fronts.size() && fronts[end] == fronts[i])
+        forAll(f, k)
         {
-            ++end;
-        }
-        const labelRange outer(i, end - i);
-        const cellGeometry layer(lastCell(fronts[i], outer));
-
-        for (const label k : outer)
-        {
-            const cellGeometry& cell = cells[far.topology.owner[start + k]];
-            const face outwards(far.topology.faces[start + k].reverseFace());
-            const UIndirectList<point> points(far.points, outwards);
-            report.transition.add
+            faces.append
             (
-                k, faceGeometry(points), points, cellOf(layer), cellOf(cell),
-                bounds
+                faceGeometry(sidePoints{layers, f[k], f.nextLabel(k), n})
             );
-            volumeRatios.append(cell.volume3/layer.volume3);
         }
-        i = end;
-    }
-
-    report.volumeRatio = makePercentiles(volumeRatios);
-}
-
-
-void farFieldFaces::addInside()
-{
-    const polyMeshTopology& t = far.topology;
-
-    forAll(t.neighbour, facei)
-    {
-        const label owner = t.owner[facei];
-        const label neighbour = t.neighbour[facei];
-        faceQualityCounts& faces =
-            neighbour < nTets ? report.farField
-          : owner < nTets ? report.cut : report.core;
-        faces.add
-        (
-            facei, geometry(facei),
-            UIndirectList<point>(far.points, t.faces[facei]),
-            cellOf(cells[owner]), cellOf(cells[neighbour]), bounds
-        );
-    }
-}
-
-
-//- Patches with sides of layers are none of the far boundary
-void farFieldFaces::addPatches()
-{
-    wordHashSet sides;
-    for (const label side : layers.border.edgeSides)
-    {
-        sides.insert(layers.border.sides[side].name);
-    }
-
-    forAll(far.patches.names, patchi)
-    {
-        const word& name = far.patches.names[patchi];
-        const label size = far.topology.patchSizes[1 + patchi];
-        if (size && !sides.found(name))
+        for (const label facei : outer)
         {
-            report.patches.append(name);
-            report.patchFaces.append(size);
+            faces.append(geometry(far.topology.patchStarts[0] + facei));
+            faces.last().area *= -1;
+        }
+
+        return cellGeometry(faces);
+    }
+
+    void addTransition()
+    {
+        const label start = far.topology.patchStarts[0];
+        const labelList& fronts = far.frontFaces;
+        DynamicField<scalar> volumeRatios(fronts.size());
+
+        for (label i = 0; i < fronts.size();)
+        {
+            label end = i + 1;
+            while (end < fronts.size() && fronts[end] == fronts[i])
+            {
+                ++end;
+            }
+            const labelRange outer(i, end - i);
+            const cellGeometry layer(lastCell(fronts[i], outer));
+
+            for (const label k : outer)
+            {
+                const cellGeometry& cell = cells[far.topology.owner[start + k]];
+                const face outwards
+                (
+                    far.topology.faces[start + k].reverseFace()
+                );
+                const UIndirectList<point> points(far.points, outwards);
+                report.transition.add
+                (
+                    k, faceGeometry(points), points,
+                    cellOf(layer), cellOf(cell), bounds
+                );
+                volumeRatios.append(cell.volume3/layer.volume3);
+            }
+            i = end;
+        }
+
+        report.volumeRatio = makePercentiles(volumeRatios);
+    }
+
+    void addInside()
+    {
+        const polyMeshTopology& t = far.topology;
+
+        forAll(t.neighbour, facei)
+        {
+            const label owner = t.owner[facei];
+            const label neighbour = t.neighbour[facei];
+            faceQualityCounts& faces =
+                neighbour < nTets ? report.farField
+              : owner < nTets ? report.cut : report.core;
+            faces.add
+            (
+                facei, geometry(facei),
+                UIndirectList<point>(far.points, t.faces[facei]),
+                cellOf(cells[owner]), cellOf(cells[neighbour]), bounds
+            );
         }
     }
-}
+
+    //- Patches with sides of layers are none of the far boundary
+    void addPatches()
+    {
+        wordHashSet sides;
+        for (const label side : layers.border.edgeSides)
+        {
+            sides.insert(layers.border.sides[side].name);
+        }
+
+        forAll(far.patches.names, patchi)
+        {
+            const word& name = far.patches.names[patchi];
+            const label size = far.topology.patchSizes[1 + patchi];
+            if (size && !sides.found(name))
+            {
+                report.patches.append(name);
+                report.patchFaces.append(size);
+            }
+        }
+    }
+};
 
 } // End anonymous namespace
 

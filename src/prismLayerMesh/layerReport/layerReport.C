@@ -104,10 +104,7 @@ static List<labelPair> edgesOfShare
     }
     if (team.isMaster())
     {
-        edges.append
-        (
-            List<labelPair>(border.edges.size(), labelPair(0, 0))
-        );
+        edges.append(List<labelPair>(border.edges.size(), labelPair(0, 0)));
     }
 
     return List<labelPair>(std::move(edges));

@@ -22,7 +22,6 @@ static List<percentiles> spreadsByKind
 )
 {
     List<percentiles> spreads(nPointKinds);
-
     forAll(spreads, kind)
     {
         const labelList points(findIndices(kinds, pointKind(kind)));

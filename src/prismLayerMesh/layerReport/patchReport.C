@@ -235,7 +235,6 @@ scalarField changesOverEdges
 )
 {
     scalarField changes(edgeFaces.size());
-
     forAll(changes, edgei)
     {
         const labelPair& faces = edgeFaces[edgei];
@@ -329,7 +328,6 @@ static MinMax<Type> ofAll(const MinMax<Type>& range, const columnTeam& team)
 void wallSample::addPoints(const labelUList& faces, patchReport& patch) const
 {
     bitSet points;
-
     for (const label facei : faces)
     {
         const face& f = wall.faces[facei];

@@ -137,7 +137,10 @@ if sys.argv[-1].endswith(".png"):
 )python";
 
 
-void writeParaviewScript(const fileName& file)
+//- Writes a script for ParaView that shows wall.vtk and layers.vtk, both in
+//  its folder: thickness over the request, poor faces, and layers in a cut.
+//  Errors: FatalError if the file cannot be written
+static void writeParaviewScript(const fileName& file)
 {
     std::ofstream os(file);
     os  << R"(# Shows what harmonicPrismMesh -writeFields has written:
@@ -281,7 +284,6 @@ static scalarField largestOfFaces
 )
 {
     scalarField largest(nFaces, 0);
-
     forAll(ofEdges, edgei)
     {
         for (const label facei : addressing.edgeFaces[edgei])
@@ -301,7 +303,6 @@ static void addPointFields(const prismLayerMesh& mesh, vtkGrid& grid)
 {
     const label nPoints = grid.points.size();
     scalarField causes(nPoints), angles(nPoints);
-
     for (label p = 0; p < nPoints; ++p)
     {
         causes[p] = scalar(int(mesh.made.causes[p]));

@@ -49,7 +49,6 @@ static scalarField componentsOf(const UList<Type>& field)
 {
     const direction n = pTraits<Type>::nComponents;
     scalarField values(n*field.size());
-
     forAll(field, i)
     {
         for (direction d = 0; d < n; ++d)

@@ -23,7 +23,6 @@ static List<const heightEntries*> patchEntries
 )
 {
     List<const heightEntries*> result(patchNames.size(), nullptr);
-
     for (const patchLayers& entry : controls.patches)
     {
         bool used = false;
@@ -82,111 +81,132 @@ static bool thinner(const heightSeries& a, const heightSeries& b)
 }
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-scalar pointHeights::unit(const label p) const
+namespace
 {
-    return units_.size() ? units_[p] : 1;
-}
 
-
-heightEntries pointHeights::generalEntries(const label p) const
+//- The heights that are asked for at a point of the wall. The general entries
+//  come first, then local values, patches and regions. Each of them replaces
+//  entries of the ones before it.
+class pointHeights
 {
-    const bool hasFirst = local_.firstThickness.size();
-    const bool hasTotal = local_.thickness.size();
-    heightEntries given;
+    const wallSurface& wall_;
+    const wallAddressing& addressing_;
+    const layerControls& controls_;
+    const localHeights& local_;
+    const List<const heightEntries*> ofPatch_;
 
-    given.firstLayerThickness = hasFirst ? local_.firstThickness[p] : 0;
-    given.thickness = hasTotal ? local_.thickness[p] : 0;
-
-    return given;
-}
+    //- Unit of relative sizes at each point, or empty
+    const scalarField& units_;
 
 
-heightSeries pointHeights::patchHeights(const label p) const
-{
-    const heightSeries general
-    (
-        changedHeights
-        (
-            changedHeights(heightSeries(), controls_.heights, unit(p)),
-            generalEntries(p),
-            1
-        )
-    );
-    heightSeries thinnest(general);
-    thinnest.firstLayerThickness = VGREAT;
-
-    for (const label facei : addressing_.pointFaces[p])
+    scalar unit(const label p) const
     {
-        const heightEntries* given = ofPatch_[wall_.patchIDs[facei]];
-        const heightSeries ofFace
-        (
-            given ? changedHeights(general, *given, unit(p)) : general
-        );
-
-        if (thinner(ofFace, thinnest))
-        {
-            thinnest = ofFace;
-        }
+        return units_.size() ? units_[p] : 1;
     }
 
-    return thinnest;
-}
-
-
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-pointHeights::pointHeights
-(
-    const wallSurface& wall,
-    const wallAddressing& addressing,
-    const layerControls& controls,
-    const localHeights& local,
-    const scalarField& units
-)
-:
-    wall_(wall),
-    addressing_(addressing),
-    controls_(controls),
-    local_(local),
-    ofPatch_(patchEntries(wall.patchNames, controls)),
-    units_(units)
-{
-    checkRegions(controls, local);
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-heightSeries pointHeights::of(const label p) const
-{
-    heightSeries heights;
-
-    try
+    //- Heights from the files in place of the general ones
+    heightEntries generalEntries(const label p) const
     {
-        heights = patchHeights(p);
+        const bool hasFirst = local_.firstThickness.size();
+        const bool hasTotal = local_.thickness.size();
+        heightEntries given;
 
-        forAll(controls_.regions, i)
+        given.firstLayerThickness = hasFirst ? local_.firstThickness[p] : 0;
+        given.thickness = hasTotal ? local_.thickness[p] : 0;
+
+        return given;
+    }
+
+    //- Heights by the general entries, then by the patches of p
+    heightSeries patchHeights(const label p) const
+    {
+        const heightSeries general
+        (
+            changedHeights
+            (
+                changedHeights(heightSeries(), controls_.heights, unit(p)),
+                generalEntries(p),
+                1
+            )
+        );
+        heightSeries thinnest(general);
+        thinnest.firstLayerThickness = VGREAT;
+
+        for (const label facei : addressing_.pointFaces[p])
         {
-            if (local_.inRegion[i][p])
+            const heightEntries* given = ofPatch_[wall_.patchIDs[facei]];
+            const heightSeries ofFace
+            (
+                given ? changedHeights(general, *given, unit(p)) : general
+            );
+
+            if (thinner(ofFace, thinnest))
             {
-                heights = changedHeights
-                (
-                    heights, controls_.regions[i].heights, unit(p)
-                );
+                thinnest = ofFace;
             }
         }
-    }
-    catch (const heightEntriesError& error)
-    {
-        FatalErrorInFunction
-            << "Heights of the layers at the point " << wall_.points[p]
-            << " of the wall: " << error.what() << exit(FatalError);
+
+        return thinnest;
     }
 
-    return heights;
-}
+
+public:
+
+    //- All arguments must outlive the object.
+    //  Errors: FatalError if an entry for patches matches no patch, or a region
+    //  has no point
+    pointHeights
+    (
+        const wallSurface& wall,
+        const wallAddressing& addressing,
+        const layerControls& controls,
+        const localHeights& local,
+        const scalarField& units
+    )
+    :
+        wall_(wall),
+        addressing_(addressing),
+        controls_(controls),
+        local_(local),
+        ofPatch_(patchEntries(wall.patchNames, controls)),
+        units_(units)
+    {
+        checkRegions(controls, local);
+    }
+
+    //- Heights at the point p.
+    //  Errors: FatalError if heights are out of their bounds
+    heightSeries of(const label p) const
+    {
+        heightSeries heights;
+
+        try
+        {
+            heights = patchHeights(p);
+
+            forAll(controls_.regions, i)
+            {
+                if (local_.inRegion[i][p])
+                {
+                    heights = changedHeights
+                    (
+                        heights, controls_.regions[i].heights, unit(p)
+                    );
+                }
+            }
+        }
+        catch (const heightEntriesError& error)
+        {
+            FatalErrorInFunction
+                << "Heights of the layers at the point " << wall_.points[p]
+                << " of the wall: " << error.what() << exit(FatalError);
+        }
+
+        return heights;
+    }
+};
+
+} // End anonymous namespace
 
 
 // * * * * * * * * * * * * * * *  Layer Spacing  * * * * * * * * * * * * * * //
@@ -423,7 +443,6 @@ static label automaticNumber
 )
 {
     scalarField areas(heights.size(), 0);
-
     for (const face& f : wall.faces)
     {
         const scalar share = f.mag(wall.points)/f.size();
@@ -483,8 +502,7 @@ static void limitFinalHeight
 
     if (n > 1)
     {
-        const scalar growth =
-            max(finalHeight/heights.firstLayerThickness, 1.0);
+        const scalar growth = max(finalHeight/heights.firstLayerThickness, 1.0);
 
         heights.expansionRatio =
             min(heights.expansionRatio, ::pow(growth, 1.0/(n - 1)));

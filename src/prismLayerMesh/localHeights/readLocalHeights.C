@@ -98,7 +98,6 @@ static scalarField smallestOfFaces
     }
 
     scalarField ofPoints(surface.points.size(), 0);
-
     for (const face& f : surface.faces)
     {
         for (const label p : f)

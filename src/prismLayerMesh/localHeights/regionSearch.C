@@ -10,11 +10,7 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-regionSearch::regionSearch
-(
-    const geometryRegion& region,
-    const Time& time
-)
+regionSearch::regionSearch(const geometryRegion& region, const Time& time)
 :
     region_(region),
     surface_
@@ -111,7 +107,6 @@ scalarField regionSearch::distances(const pointField& points) const
 {
     const boolList in(contains(points));
     scalarField distances(distancesFromSurface(points));
-
     forAll(distances, p)
     {
         distances[p] = in[p] ? 0 : distances[p] - region_.distance;

@@ -119,8 +119,6 @@ boundBox cellCorners::bounds() const
 }
 
 
-// * * * * * * * * * * * * * * * *  Mesh Cell  * * * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 meshCell::meshCell(const polyhedralMesh& mesh, const boolList& onWall)
@@ -203,8 +201,6 @@ meshCellVerdict meshCell::operator()(const label celli)
       : meshCellVerdict{meshCellShape::prism, isPositivePrism(points)};
 }
 
-
-// * * * * * * * * * * * * * *  Mesh Cell Corners  * * * * * * * * * * * * * //
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
@@ -330,8 +326,6 @@ meshCellVerdict meshCell::cornersVerdict(const label celli)
     };
 }
 
-
-// * * * * * * * * * * * * * *  Mesh Cell Shapes * * * * * * * * * * * * * * //
 
 // * * * * * * * * * * * * * * * * Static Data * * * * * * * * * * * * * * * //
 

@@ -30,7 +30,6 @@ static labelList countLayers
 )
 {
     labelList nLayers(wallFaces.size(), Zero);
-
     forAll(wallFaces, i)
     {
         label facei = wallFaces[i];
@@ -67,7 +66,6 @@ static labelList countLayers
 static boolList pointsOf(const polyhedralMesh& mesh, const labelUList& faces)
 {
     boolList found(mesh.points().size(), false);
-
     for (const label facei : faces)
     {
         for (const label p : mesh.faces()[facei])
@@ -243,7 +241,6 @@ static std::vector<labelledTriangle> fansOf
 {
     DynamicList<face> fans;
     DynamicList<label> faceOf;
-
     for (const label facei : faces)
     {
         const face& f = mesh.faces()[facei];

@@ -79,7 +79,6 @@ label polyhedralMesh::across(const label facei, const label celli) const
 labelList polyhedralMesh::apart(const label facei, const label celli) const
 {
     DynamicList<label> found;
-
     for (const label other : cellFaces(celli))
     {
         const face& f = faces_[other];

@@ -270,7 +270,6 @@ static scalarField closenessOf
 )
 {
     scalarField closeness(kinds.size(), 1);
-
     forAll(closeness, p)
     {
         if (isOnConcaveEdge(kinds[p]) && radius[p] > lengths[p])
@@ -310,10 +309,7 @@ envelopeRadii makeEnvelopeRadii
     radii.radius = radii.room;
     do
     {
-        limitGradient
-        (
-            wall, addressing, sheetControls::maxSlope, radii.radius
-        );
+        limitGradient(wall, addressing, sheetControls::maxSlope, radii.radius);
     }
     while (team.points.lower(radii.radius));
     radii.edgeLengths = meanEdges(wall, addressing);

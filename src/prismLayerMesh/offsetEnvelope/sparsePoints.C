@@ -126,7 +126,6 @@ labelList sparsePoints(const pointField& points, const scalarField& distances)
 {
     pointGrids grids(points.size());
     DynamicList<label> kept(points.size());
-
     forAll(points, p)
     {
         auto near = [&](const label q)

@@ -62,7 +62,6 @@ void meshPatches::append(const word& name, const word& type)
 wordList meshPatches::types() const
 {
     wordList all(entries.size());
-
     forAll(all, patchi)
     {
         all[patchi] = entries[patchi].get<word>("type");

@@ -110,7 +110,6 @@ static string sizesOf
 static string sizesOf(const wallSurface& wall, const wallReading& reading)
 {
     wordHashSet curved;
-    wordHashSet names;
     for (const sidePatch& side : wall.border.sides)
     {
         if (side.isCurved())
@@ -121,13 +120,9 @@ static string sizesOf(const wallSurface& wall, const wallReading& reading)
 
     OStringStream os;
     os  << sizesOf(wall).c_str() << " of the wall" << nl << "ends on";
-    for (const sidePatch& side : wall.border.sides)
+    for (const word& name : sidePatchNames(wall.border))
     {
-        if (names.insert(side.name))
-        {
-            os  << ' ' << side.name.c_str()
-                << (curved.found(side.name) ? " (curved)" : "");
-        }
+        os  << ' ' << name.c_str() << (curved.found(name) ? " (curved)" : "");
     }
     os  << ", " << wall.border.edges.size() << " edges" << nl
         << "points put on their planes " << reading.pointsPutOnSides << ", by "

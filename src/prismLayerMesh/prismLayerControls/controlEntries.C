@@ -17,7 +17,6 @@ namespace Foam
 static label editDistance(const std::string& a, const std::string& b)
 {
     labelList row(identity(b.size() + 1));
-
     for (size_t i = 0; i < a.size(); ++i)
     {
         label diagonal = row[0]++;
@@ -25,11 +24,7 @@ static label editDistance(const std::string& a, const std::string& b)
         for (size_t j = 0; j < b.size(); ++j)
         {
             const label above = row[j + 1];
-            row[j + 1] = min
-            (
-                diagonal + (a[i] != b[j]),
-                1 + min(above, row[j])
-            );
+            row[j + 1] = min(diagonal + (a[i] != b[j]), 1 + min(above, row[j]));
             diagonal = above;
         }
     }

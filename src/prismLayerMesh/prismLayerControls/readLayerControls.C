@@ -119,8 +119,6 @@ scalar flatPlateThickness
 }
 
 
-// * * * * * * * * * * * * * *  Read Layer Parts * * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * * * * Static Data * * * * * * * * * * * * * * * //
 
 const wordList sideTypes

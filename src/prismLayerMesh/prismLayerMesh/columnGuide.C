@@ -168,10 +168,7 @@ static columnLines linesOfBlocks
         columns.team, columns.own, wall, radii, guide.spacing, blocks,
         blockControls(), controls.backgroundMesh, controls.layers.maxStretch
     };
-    columnLines lines
-    (
-        makeColumnLines(divided, controls.field, guide.noField)
-    );
+    columnLines lines(makeColumnLines(divided, controls.field, guide.noField));
     const label nPoints = columns.team.points.nWhole(wall.points.size());
     observer.end(sizesOf(blocks, nPoints, guide.noField));
 
@@ -248,10 +245,7 @@ static columnGuide fieldGuide
 {
     columnGuide guide;
     guide.spacing = columns.heights.graded;
-    const wallBlocks blocks
-    (
-        makeWallBlocks(columns.under, radii, columns.team)
-    );
+    const wallBlocks blocks(makeWallBlocks(columns.under, radii, columns.team));
     columnLines along;
 
     if (!blocks.isDivided || keepStages)
@@ -296,10 +290,7 @@ static columnGuide levelSetGuide
     const stageObserver& observer
 )
 {
-    fieldsOnMaster made
-    (
-        makeFieldsOnMaster(columns, radii, controls, observer)
-    );
+    fieldsOnMaster made(makeFieldsOnMaster(columns, radii, controls, observer));
     columnGuide guide;
     guide.fields = std::move(made.fields);
     guide.field = std::move(made.levelSets.field);

@@ -66,8 +66,7 @@ prismLayers layersOnMaster
     );
     layers.extraColumnPoints = front.extraColumnPoints();
     layers.faces = std::move(front.surface.faces);
-    layers.patchIDs =
-        SubList<label>(front.surface.patchIDs, front.nWallFaces);
+    layers.patchIDs = SubList<label>(front.surface.patchIDs, front.nWallFaces);
     layers.patchNames = front.surface.patchNames;
     layers.patchTypes = front.surface.patchTypes;
     layers.border = front.surface.border;

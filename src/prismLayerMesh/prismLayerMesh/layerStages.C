@@ -151,8 +151,7 @@ static scalarField clearanceOf
     (
         wallPartInBoxes
         (
-            front, columns.team,
-            boxesAround(front.surface.points, farthest)
+            front, columns.team, boxesAround(front.surface.points, farthest)
         )
     );
 
@@ -240,10 +239,7 @@ layerColumns makeColumns
     );
     observer.end
     (
-        text
-        (
-            front.team.columns.nWhole(front.own.wallPoints.size()), " columns"
-        )
+        text(front.team.columns.nWhole(front.own.wallPoints.size()), " columns")
     );
 
     return columns;
@@ -274,10 +270,7 @@ madeLayers makeLayers
             front, kinds, request.at(front.wallPoints), spacing, columns, made
         );
     }
-    observer.end
-    (
-        sizesOf(made, team.faces.nWhole(front.surface.faces.size()))
-    );
+    observer.end(sizesOf(made, team.faces.nWhole(front.surface.faces.size())));
 
     return made;
 }

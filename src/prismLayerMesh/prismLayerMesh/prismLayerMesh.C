@@ -39,10 +39,7 @@ struct pipeline
     {
         shareOfWall start
         (
-            makeShare
-            (
-                wall, controls.layers, angle, local, observer, processes
-            )
+            makeShare(wall, controls.layers, angle, local, observer, processes)
         );
         mesh.share = std::move(start.share);
         mesh.pointKinds = std::move(start.kinds);

@@ -87,8 +87,6 @@ string adviceOnPoints
 }
 
 
-// * * * * * * * * * * * * * *  Wall Points Error  * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 wallPointsError::wallPointsError

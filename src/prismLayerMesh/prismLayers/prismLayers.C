@@ -46,7 +46,6 @@ label prismLayers::pointLabel(const label c, const label i) const
 pointField prismLayers::meshPoints() const
 {
     pointField result(points);
-
     for (label c = nWallPoints(); c < nColumns(); ++c)
     {
         for (label i = 1; i <= nLayers; ++i)
@@ -74,11 +73,7 @@ pointField prismLayers::pointsOf(const label i) const
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-void requireCountable
-(
-    const std::int64_t nWallEdges,
-    const std::int64_t nLayers
-)
+void requireCountable(const std::int64_t nWallEdges, const std::int64_t nLayers)
 {
     // Faces of the wall have two for each edge, sides have four
     const std::int64_t nCorners = (2*(nLayers + 1) + 4*nLayers)*nWallEdges;

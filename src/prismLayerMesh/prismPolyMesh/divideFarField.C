@@ -197,11 +197,7 @@ struct farFieldDivider
 
 
 //- The parts of a mesh with a far field
-static meshParts partsOfMesh
-(
-    const prismLayers& layers,
-    const meshBlocks& mesh
-)
+static meshParts partsOfMesh(const prismLayers& layers, const meshBlocks& mesh)
 {
     const label nStacks = layers.faces.size();
     const label nLayerCells = nStacks*layers.nLayers;
@@ -272,10 +268,7 @@ labelList divideFarField
 {
     labelListList neighbours(findFaceNeighbours(layers));
     const List<DynamicList<labelPair>> open(openEdges(layers, neighbours));
-    const meshOrder order
-    (
-        layers, far, std::move(neighbours), open, patchParts
-    );
+    const meshOrder order(layers, far, std::move(neighbours), open, patchParts);
     const labelList processes(divide(partsOfMesh(layers, order.blocks())));
     const label nStacks = layers.faces.size();
     const labelList faceLabels(order.farFaceLabels());

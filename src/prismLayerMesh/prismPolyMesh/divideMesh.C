@@ -130,7 +130,6 @@ static label setWallFaces(label next, countedStacks& share)
     labelList patches(layers.faces.size(), -1);
     SubList<label>(patches, layers.nWallFaces()) = layers.patchIDs;
     labelList wallFaces(share.team.faces.onAll(patches));
-
     for (const labelList& ofPatch : invertOneToMany
         (
             layers.patchNames.size(), wallFaces
@@ -144,8 +143,7 @@ static label setWallFaces(label next, countedStacks& share)
     forAll(patches, facei)
     {
         share.stacks[facei].patch = patches[facei];
-        share.stacks[facei].wallFace =
-            wallFaces[share.team.wholeFace(facei)];
+        share.stacks[facei].wallFace = wallFaces[share.team.wholeFace(facei)];
     }
 
     return next;

@@ -92,12 +92,7 @@ pointField meshBlocks::allPoints() const
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-labelRange rangeOfBlock
-(
-    const label nItems,
-    const label perBlock,
-    const label i
-)
+labelRange rangeOfBlock(const label nItems, const label perBlock, const label i)
 {
     return labelRange(i*perBlock, min(perBlock, nItems - i*perBlock));
 }

@@ -348,8 +348,7 @@ struct meshLists
     {
         return bytesOf
         (
-            format, mesh.nFaces(), mesh.nFaceBlocks, i,
-            facesOf(mesh.faces(i))
+            format, mesh.nFaces(), mesh.nFaceBlocks, i, facesOf(mesh.faces(i))
         );
     }
 
@@ -371,8 +370,7 @@ struct meshLists
         labelList starts(block.ends.size() + (i == n - 1));
         forAll(starts, k)
         {
-            starts[k] =
-                mesh.firstFacePoints[i] + (k ? block.ends[k - 1] : 0);
+            starts[k] = mesh.firstFacePoints[i] + (k ? block.ends[k - 1] : 0);
         }
 
         return bytesOf(format, mesh.nFaces() + 1, n, i, starts);

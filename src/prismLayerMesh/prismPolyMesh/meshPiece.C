@@ -23,8 +23,7 @@ label meshPiece::faceAddress(const meshFace& f) const
     {
         const stackEdge& e = edges[stack.firstEdge + f.key.edge];
         const bool isAfterLevel = e.sideStride > 1 && i < layers.nLayers;
-        const label facei =
-            e.firstSide + (i - 1)*e.sideStride + isAfterLevel;
+        const label facei = e.firstSide + (i - 1)*e.sideStride + isAfterLevel;
 
         return f.isTurned ? -(facei + 1) : facei + 1;
     }
@@ -64,7 +63,6 @@ labelList meshPiece::pointAddressing() const
     const label nLayerPoints =
         layers.points.size() - layers.extraColumnPoints.size();
     labelList addressing(nLayerPoints + farPoints.size());
-
     forAll(columns, c)
     {
         const label whole = columns[c];

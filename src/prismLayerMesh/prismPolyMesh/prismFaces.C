@@ -7,6 +7,7 @@
 #include "EdgeMap.H"
 #include "ListOps.H"
 #include "prismPolyMesh.H"
+#include "ranges.H"
 
 namespace Foam
 {
@@ -118,12 +119,7 @@ static void appendSide
 }
 
 
-face sideFace
-(
-    const prismLayers& layers,
-    const edge& e,
-    const label i
-)
+face sideFace(const prismLayers& layers, const edge& e, const label i)
 {
     DynamicList<label> points(4);
     appendSide(layers, e, i, points);
@@ -166,8 +162,7 @@ List<DynamicList<labelPair>> openEdges
     EdgeMap<label> patchOf(2*layers.border.edges.size());
     forAll(layers.border.edges, i)
     {
-        const sidePatch& side =
-            layers.border.sides[layers.border.edgeSides[i]];
+        const sidePatch& side = layers.border.sides[layers.border.edgeSides[i]];
         patchOf.insert(layers.border.edges[i], names.find(side.name));
     }
 
@@ -235,11 +230,7 @@ List<DynamicList<prismFaceKey>> boundaryFaces
 
 label nHigherNeighbours(const labelUList& faceNeighbours, const label facei)
 {
-    return std::count_if
-    (
-        faceNeighbours.begin(), faceNeighbours.end(),
-        [&](const label other) { return other > facei; }
-    );
+    return countOf(faceNeighbours, [&](const label i) { return i > facei; });
 }
 
 } // End namespace Foam

@@ -57,7 +57,6 @@ static meshPatches patchesOfWall(const prismLayers& layers)
 static void dropPatchesOfWall(const wordList& wallPatches, farFieldMesh& far)
 {
     DynamicList<label> kept;
-
     forAll(far.patches.names, patchi)
     {
         const word& name = far.patches.names[patchi];
@@ -78,21 +77,6 @@ static void dropPatchesOfWall(const wordList& wallPatches, farFieldMesh& far)
     }
 
     far.keepPatches(kept);
-}
-
-
-wordList sidePatchNames(const wallBorder& border)
-{
-    DynamicList<word> names;
-    for (const sidePatch& side : border.sides)
-    {
-        if (!names.found(side.name))
-        {
-            names.append(side.name);
-        }
-    }
-
-    return wordList(std::move(names));
 }
 
 
@@ -118,7 +102,9 @@ wordList prismPatchNames(const wordList& wallPatchNames)
 }
 
 
-meshPatches patchesOfLayers(const prismLayers& layers, const label nOpen)
+//- Returns the patches of the mesh of layers without a far field.
+//  nOpen: number of lists of openEdges
+static meshPatches patchesOfLayers(const prismLayers& layers, const label nOpen)
 {
     meshPatches patches(patchesOfWall(layers));
 
@@ -168,7 +154,6 @@ List<labelPair> partsOfPatches
     const label nWall = layers.patchNames.size();
     const wordList sideNames(sidePatchNames(layers.border));
     DynamicList<labelPair> parts;
-
     for (label i = 0; i < (far.empty() ? nWall + 1 + nOpen : nWall); ++i)
     {
         parts.append(labelPair(i, -1));
@@ -183,8 +168,6 @@ List<labelPair> partsOfPatches
     return List<labelPair>(std::move(parts));
 }
 
-
-// * * * * * * * * * * * * * *  Prism Poly Mesh  * * * * * * * * * * * * * * //
 
 // * * * * * * * * * * * * * * * * Static Data * * * * * * * * * * * * * * * //
 
@@ -213,8 +196,7 @@ static void addPatches
         patch.set("startFace", starts[patchi]);
         patches.set
         (
-            patchi,
-            polyPatch::New(all.names[patchi], patch, patchi, boundary)
+            patchi, polyPatch::New(all.names[patchi], patch, patchi, boundary)
         );
     }
 
@@ -238,15 +220,10 @@ static void addPatches
 
 //- The cells of a zone of the far field in the mesh, where they follow those of
 //  the layers
-static labelList cellsOf
-(
-    const prismLayers& layers,
-    const cellZoneParts& zone
-)
+static labelList cellsOf(const prismLayers& layers, const cellZoneParts& zone)
 {
     const label n = layers.nLayers;
     DynamicList<label> cells(zone.frontFaces.size()*n + zone.cells.size());
-
     for (const label fronti : zone.frontFaces)
     {
         for (label i = 1; i <= n; ++i)
@@ -288,8 +265,7 @@ static void addZones
         (
             new cellZone
             (
-                zone.name, cellsOf(layers, zone), cells.size(),
-                mesh.cellZones()
+                zone.name, cellsOf(layers, zone), cells.size(), mesh.cellZones()
             )
         );
     }

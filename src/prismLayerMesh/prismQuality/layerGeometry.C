@@ -134,8 +134,7 @@ void stackHeights::compute(const label facei, const label nLayers)
 
         heights_[i - 1] = layerHeight
         (
-            lowerFace, upperFace,
-            volume3(lower_, upper_, lowerFace, upperFace)
+            lowerFace, upperFace, volume3(lower_, upper_, lowerFace, upperFace)
         );
 
         lowerFace = upperFace;

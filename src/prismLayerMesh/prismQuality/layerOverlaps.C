@@ -27,7 +27,6 @@ static boundBox boundsOf
 )
 {
     boundBox bounds(boundBox::invertedBox);
-
     for (const label c : layers.faces[facei])
     {
         for (label i = from; i <= to; ++i)
@@ -283,153 +282,211 @@ List<labelPair> findNestedBodies
 }
 
 
-// * * * * * * * * * * * * * *  Stack Exchange * * * * * * * * * * * * * * * //
-
-// * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * * //
-
-message stackExchange::facesFor
-(
-    const label p,
-    const message& boxesOf,
-    const labelUList& outerFaces
-)
+namespace
 {
-    messageReader reader(boxesOf);
-    const List<boundBox> boxes(reader.list<boundBox>());
-    const std::vector<boundBox> near(boxes.begin(), boxes.end());
-    const markedGrid grid(near);
-    DynamicList<labelledTriangle> triangles;
-    DynamicList<scalar> tallest;
 
-    for (const label facei : outerFaces)
+//- Outer faces of stacks that processes send each other, because they may
+//  intersect. A process that finds an intersection tells the process of the
+//  other stack.
+//
+//  Constructor and tell are collective. A team of one exchanges nothing.
+class stackExchange
+{
+    //- What a process is told of a stack that it has sent
+    struct reply
     {
-        if
-        (
-            near.size()
-         && grid.mayTouch(boxOf(layers_, facei, layers_.nLayers))
-        )
+        label place;
+        scalar tallest;
+    };
+
+    const prismLayers& layers_;
+    const scalarField& thickness_;
+    const columnTeam& team_;
+
+    //- By process, the faces that were sent to it
+    List<DynamicList<label>> sent_;
+
+    // By face that others have sent
+
+        //- The process that it is from, and its place in what this has sent
+        DynamicList<label> processes_;
+        DynamicList<label> places_;
+
+        DynamicList<scalar> tallest_;
+
+    std::vector<labelledTriangle> triangles_;
+    List<DynamicList<reply>> replies_;
+
+    //- Index of a face that another process has sent
+    label indexOf(const label facei) const
+    {
+        return facei - 2*layers_.faces.size();
+    }
+
+    //- Returns the outer faces near to the boxes of process p
+    message facesFor
+    (
+        const label p,
+        const message& boxesOf,
+        const labelUList& outerFaces
+    )
+    {
+        messageReader reader(boxesOf);
+        const List<boundBox> boxes(reader.list<boundBox>());
+        const std::vector<boundBox> near(boxes.begin(), boxes.end());
+        const markedGrid grid(near);
+        DynamicList<labelledTriangle> triangles;
+        DynamicList<scalar> tallest;
+        for (const label facei : outerFaces)
         {
-            for
+            if
             (
-                labelledTriangle& t
-              : trianglesOf(layers_, facei, layers_.nLayers, team_)
+                near.size()
+             && grid.mayTouch(boxOf(layers_, facei, layers_.nLayers))
             )
             {
-                t.facei = sent_[p].size();
-                triangles.append(t);
+                for
+                (
+                    labelledTriangle& t
+                  : trianglesOf(layers_, facei, layers_.nLayers, team_)
+                )
+                {
+                    t.facei = sent_[p].size();
+                    triangles.append(t);
+                }
+                sent_[p].append(facei);
+                tallest.append(tallestOf(layers_, facei, thickness_));
             }
-            sent_[p].append(facei);
-            tallest.append(tallestOf(layers_, facei, thickness_));
         }
+
+        message toOther;
+        toOther(triangles, tallest);
+
+        return toOther;
     }
 
-    message toOther;
-    toOther.addList(triangles);
-    toOther.addList(tallest);
-
-    return toOther;
-}
-
-
-void stackExchange::take(const label p, const message& faces)
-{
-    const label before = 2*layers_.faces.size() + places_.size();
-    messageReader reader(faces);
-    for (labelledTriangle& t : reader.list<labelledTriangle>())
+    //- Takes the outer faces that process p has sent
+    void take(const label p, const message& faces)
     {
-        t.facei += before;
-        triangles_.push_back(t);
-    }
-    const scalarList tallest(reader.list<scalar>());
-    forAll(tallest, place)
-    {
-        processes_.append(p);
-        places_.append(place);
-    }
-    tallest_.append(tallest);
-}
-
-
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-stackExchange::stackExchange
-(
-    const prismLayers& layers,
-    const labelUList& outerFaces,
-    const stackBoxes& groups,
-    const scalarField& thickness,
-    const columnTeam& team
-)
-:
-    layers_(layers),
-    thickness_(thickness),
-    team_(team),
-    sent_(team.size()),
-    replies_(team.size())
-{
-    if (team.isAlone())
-    {
-        return;
-    }
-
-    message noBoxes, ownBoxes;
-    noBoxes.addList(List<boundBox>());
-    ownBoxes.addList(groups.all());
-    const List<message> boxes
-    (
-        team.exchange(List<message>(team.size(), ownBoxes))
-    );
-
-    List<message> toOthers(team.size());
-    forAll(toOthers, p)
-    {
-        toOthers[p] =
-            facesFor(p, p == team.rank() ? noBoxes : boxes[p], outerFaces);
-    }
-
-    const List<message> fromOthers(team.exchange(toOthers));
-    forAll(fromOthers, p)
-    {
-        take(p, fromOthers[p]);
-    }
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void stackExchange::note(const label facei, const scalar tallest)
-{
-    const label i = indexOf(facei);
-    replies_[processes_[i]].append({places_[i], tallest});
-}
-
-
-List<overlappingStack> stackExchange::tell() const
-{
-    if (team_.isAlone())
-    {
-        return List<overlappingStack>();
-    }
-
-    List<message> toOthers(team_.size());
-    forAll(toOthers, p)
-    {
-        toOthers[p].addList(replies_[p]);
-    }
-
-    DynamicList<overlappingStack> told;
-    const List<message> fromOthers(team_.exchange(toOthers));
-    forAll(fromOthers, p)
-    {
-        messageReader reader(fromOthers[p]);
-        for (const reply& r : reader.list<reply>())
+        const label before = 2*layers_.faces.size() + places_.size();
+        messageReader reader(faces);
+        for (labelledTriangle& t : reader.list<labelledTriangle>())
         {
-            told.append({sent_[p][r.place], r.tallest});
+            t.facei += before;
+            triangles_.push_back(t);
+        }
+        const scalarList tallest(reader.list<scalar>());
+        forAll(tallest, place)
+        {
+            processes_.append(p);
+            places_.append(place);
+        }
+        tallest_.append(tallest);
+    }
+
+public:
+
+    //- Sends outer faces to the processes whose stacks they may touch.
+    //  References must outlive the object.
+    //  outerFaces: front faces that this process counts
+    //  groups: of all stacks of this process
+    //  thickness: of all columns [m]
+    stackExchange
+    (
+        const prismLayers& layers,
+        const labelUList& outerFaces,
+        const stackBoxes& groups,
+        const scalarField& thickness,
+        const columnTeam& team
+    )
+    :
+        layers_(layers),
+        thickness_(thickness),
+        team_(team),
+        sent_(team.size()),
+        replies_(team.size())
+    {
+        if (team.isAlone())
+        {
+            return;
+        }
+
+        message noBoxes, ownBoxes;
+        noBoxes(List<boundBox>());
+        ownBoxes(groups.all());
+        const List<message> boxes
+        (
+            team.exchange(List<message>(team.size(), ownBoxes))
+        );
+
+        List<message> toOthers(team.size());
+        forAll(toOthers, p)
+        {
+            toOthers[p] =
+                facesFor(p, p == team.rank() ? noBoxes : boxes[p], outerFaces);
+        }
+
+        const List<message> fromOthers(team.exchange(toOthers));
+        forAll(fromOthers, p)
+        {
+            take(p, fromOthers[p]);
         }
     }
 
-    return List<overlappingStack>(std::move(told));
-}
+    //- Returns the triangles that others have sent. The labels of their faces
+    //  count on from the front faces and outer faces of this process.
+    const std::vector<labelledTriangle>& triangles() const
+    {
+        return triangles_;
+    }
+
+    bool isForeign(const label facei) const { return indexOf(facei) >= 0; }
+
+    //- Returns the thickness [m] of the thickest column of a foreign face
+    scalar tallest(const label facei) const
+    {
+        return tallest_[indexOf(facei)];
+    }
+
+    //- Notes that a foreign face overlaps a stack of this process.
+    //  tallest: thickness [m] of the thickest column of both
+    void note(const label facei, const scalar tallest)
+    {
+        const label i = indexOf(facei);
+        replies_[processes_[i]].append({places_[i], tallest});
+    }
+
+    //- Tells the processes of foreign faces what was noted. Returns the stacks
+    //  of this process that others have noted.
+    List<overlappingStack> tell() const
+    {
+        if (team_.isAlone())
+        {
+            return List<overlappingStack>();
+        }
+
+        List<message> toOthers(team_.size());
+        forAll(toOthers, p)
+        {
+            toOthers[p](replies_[p]);
+        }
+
+        DynamicList<overlappingStack> told;
+        const List<message> fromOthers(team_.exchange(toOthers));
+        forAll(fromOthers, p)
+        {
+            messageReader reader(fromOthers[p]);
+            for (const reply& r : reader.list<reply>())
+            {
+                told.append({sent_[p][r.place], r.tallest});
+            }
+        }
+
+        return List<overlappingStack>(std::move(told));
+    }
+};
+
+} // End anonymous namespace
 
 
 // * * * * * * * * * * * * * *  Layer Overlaps * * * * * * * * * * * * * * * //

@@ -70,12 +70,7 @@ labelRange stackBoxes::faces(const label group) const
 }
 
 
-boundBox boxOf
-(
-    const prismLayers& layers,
-    const label facei,
-    const label level
-)
+boundBox boxOf(const prismLayers& layers, const label facei, const label level)
 {
     boundBox box(boundBox::invertedBox);
     for (const label c : layers.faces[facei])
@@ -142,11 +137,7 @@ static bool hasPositiveCorners(const layerCell& cell)
 
         const tetSigns positive(p, 6);
 
-        if
-        (
-            !positive(a, *p[1], *p[2], b)
-         || !positive(a, b, *p[4], *p[5])
-        )
+        if (!positive(a, *p[1], *p[2], b) || !positive(a, b, *p[4], *p[5]))
         {
             return false;
         }
@@ -215,11 +206,7 @@ static bool addTriangles
 {
     bool degenerate = false;
 
-    for
-    (
-        const labelledTriangle& t
-      : trianglesOf(layers, facei, level, team)
-    )
+    for (const labelledTriangle& t : trianglesOf(layers, facei, level, team))
     {
         if (t.degenerate())
         {
@@ -418,11 +405,7 @@ bool isPositiveStack(const prismLayers& layers, const label facei)
 }
 
 
-layerCertificate certify
-(
-    const prismLayers& layers,
-    const columnTeam& team
-)
+layerCertificate certify(const prismLayers& layers, const columnTeam& team)
 {
     const label nFaces = layers.faces.size();
     boolList outlying(nFaces, false);

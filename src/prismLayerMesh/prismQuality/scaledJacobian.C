@@ -34,11 +34,7 @@ struct levelCorner
         const scalar sqrLengths = sqrArea*sqrHeight;
 
         // Roots only of the few that are less
-        if
-        (
-            value > 0 && product > 0
-         && sqr(product) >= sqr(value)*sqrLengths
-        )
+        if (value > 0 && product > 0 && sqr(product) >= sqr(value)*sqrLengths)
         {
             return false;
         }
@@ -251,7 +247,6 @@ scalarField attainableJacobians
 )
 {
     scalarField jacobians(front.faces.size());
-
     forAll(jacobians, facei)
     {
         jacobians[facei] =

@@ -125,7 +125,13 @@ static labelList facesNear
 }
 
 
-labelList facesThroughPart
+//- Returns the front faces of a list whose outer faces intersect a side patch
+//  that is a part. On a curved part the sides of the layers of all processes,
+//  which are not quite on the part, count as parts of the side patch.
+//  Collective.
+//  s: index of the side patch in the border of the layers
+//  faces: front faces without columns on the side patch
+static labelList facesThroughPart
 (
     const prismLayers& layers,
     const label s,

@@ -51,7 +51,6 @@ static vectorField atPoints
 )
 {
     vectorField atPoints(surface.points().size(), vector::zero);
-
     forAll(surface, i)
     {
         const labelledTri& t = surface[i];
@@ -119,10 +118,7 @@ sideShape::sideShape(const pointField& points, const faceList& faces)
     surface_(trianglesOf(points, faces)),
     faceNormals_(outwardNormals(surface_)),
     pointNormals_(atPoints(surface_, faceNormals_)),
-    tree_
-    (
-        treeDataTriSurface(true, surface_, 0), searchBox(points), 12, 10, 3
-    )
+    tree_(treeDataTriSurface(true, surface_, 0), searchBox(points), 12, 10, 3)
 {
     // Made on demand otherwise, which threads must not do
     surface_.pointFaces();
@@ -176,10 +172,7 @@ static DynamicList<segment> segmentsOf(const sidePatch& part)
     DynamicList<segment> segments;
     for (const edge& e : outline(part.faces))
     {
-        segments.append
-        (
-            segment(part.points[e.start()], part.points[e.end()])
-        );
+        segments.append(segment(part.points[e.start()], part.points[e.end()]));
     }
 
     return segments;
@@ -195,7 +188,6 @@ static DynamicList<segment> commonSegments
     const scalar tolerance = 1e-9*boundBox(part.points, false).mag();
     const DynamicList<segment> others(segmentsOf(other));
     DynamicList<segment> common;
-
     for (const segment& s : segmentsOf(part))
     {
         if
@@ -370,6 +362,21 @@ void checkSides
 }
 
 
+wordList sidePatchNames(const wallBorder& border)
+{
+    DynamicList<word> names;
+    for (const sidePatch& side : border.sides)
+    {
+        if (!names.found(side.name))
+        {
+            names.append(side.name);
+        }
+    }
+
+    return wordList(std::move(names));
+}
+
+
 bool hasPlanes(const UList<sidePatch>& sides)
 {
     return anyOf(sides, [](const sidePatch& side) { return !side.isPart(); });
@@ -403,12 +410,7 @@ edgeList outline(const faceList& faces)
 }
 
 
-point onAll
-(
-    const UList<sidePatch>& sides,
-    const labelUList& some,
-    point x
-)
+point onAll(const UList<sidePatch>& sides, const labelUList& some, point x)
 {
     // In planes the second pass takes away the rounding of the first
     const bool isCurved =

@@ -49,7 +49,8 @@ static List<DynamicList<std::pair<label, bool>>> neighbours
 }
 
 
-void findDuplicateFaces
+//- Adds each face that has the same points as a face before it
+static void findDuplicateFaces
 (
     const wallSurface& wall,
     const wallSides& sides,
@@ -210,7 +211,8 @@ bitSet findTurnedFaces(const wallSides& sides, const label nFaces)
 }
 
 
-void findFlippedFaces
+//- Adds the faces that findTurnedFaces returns
+static void findFlippedFaces
 (
     const wallSurface& wall,
     const wallSides& sides,
@@ -247,8 +249,7 @@ labelList countFans(const wallSurface& wall, const wallSides& sides)
             {
                 corners.join
                 (
-                    starts[s.facei] + f.find(p),
-                    starts[t.facei] + g.find(p)
+                    starts[s.facei] + f.find(p), starts[t.facei] + g.find(p)
                 );
             }
         }
@@ -351,7 +352,6 @@ static bool isDegenerate(const wallSurface& wall, const face& f)
 static bitSet findDegenerateFaces(const wallSurface& wall, defectList& defects)
 {
     bitSet degenerate(wall.faces.size());
-
     forAll(wall.faces, facei)
     {
         if (isDegenerate(wall, wall.faces[facei]))
@@ -410,11 +410,7 @@ const char* wallDefect::advice() const
 }
 
 
-List<wallDefect> findWallDefects
-(
-    const wallSurface& wall,
-    const bool mayBeOpen
-)
+List<wallDefect> findWallDefects(const wallSurface& wall, const bool mayBeOpen)
 {
     const wallSides sides(makeWallSides(wall));
     defectList defects(wall);

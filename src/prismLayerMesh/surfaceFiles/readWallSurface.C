@@ -34,7 +34,6 @@ static labelList findRepresentatives
 
     const labelList order(sortedOrder(place));
     labelList representatives(points.size(), -1);
-
     forAll(order, i)
     {
         const label p = order[i];
@@ -75,7 +74,6 @@ static labelList findRepresentatives
 static label removeCollapsedFaces(wallSurface& wall)
 {
     bitSet kept(wall.faces.size());
-
     forAll(wall.faces, i)
     {
         kept.set(i, !hasRepeatedPoint(wall.faces[i]));
@@ -149,7 +147,9 @@ static bool isOrientable(const wallSurface& wall, const wallSides& sides)
 }
 
 
-void orientAlike(wallSurface& wall)
+//- Turns the faces that are not oriented as most of their component: the faces
+//  of one file need not be oriented as the faces of another file
+static void orientAlike(wallSurface& wall)
 {
     const wallSides sides(makeWallSides(wall));
 

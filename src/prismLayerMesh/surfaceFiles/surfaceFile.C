@@ -214,7 +214,9 @@ static void setPatches(const surfZoneList& zones, wallSurface& wall)
 }
 
 
-void readStlSurface(const fileName& file, wallSurface& wall)
+//- Reads a wall with three points for each facet; patches have the names of the
+//  solids. Errors: FatalError; the message does not name the file.
+static void readStlSurface(const fileName& file, wallSurface& wall)
 {
     fileFormats::STLReader reader(file, findFormat(file));
 
@@ -250,7 +252,9 @@ void readStlSurface(const fileName& file, wallSurface& wall)
 }
 
 
-void readMeshedSurface
+//- Reads a wall of any other format that OpenFOAM can read, by extension.
+//  Errors: FatalError; the message does not name the file
+static void readMeshedSurface
 (
     const fileName& file,
     const word& extension,
@@ -288,10 +292,7 @@ static fileName uncompressedName(const fileName& file)
 
     if (isFile(plain, false))
     {
-        failToRead
-        (
-            file, "OpenFOAM would read the file " + plain + " instead"
-        );
+        failToRead(file, "OpenFOAM would read the file " + plain + " instead");
     }
 
     return plain;

@@ -220,9 +220,7 @@ static bool isBlind(const UList<vector>& normals)
     const vector mean(sum(normals));
     const auto isBehind = [&](const vector& n) { return (n & mean) <= 0; };
 
-    return
-        std::any_of(normals.begin(), normals.end(), isBehind)
-     && makeVisibilityCone(normals).empty();
+    return anyOf(normals, isBehind) && makeVisibilityCone(normals).empty();
 }
 
 
@@ -401,8 +399,6 @@ bool changeGuard::mayReplace
     );
 }
 
-
-// * * * * * * * * * * * * * *  Change Journal * * * * * * * * * * * * * * * //
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 

@@ -252,8 +252,6 @@ labelList editedSurface::nearestFaces() const
 }
 
 
-// * * * * * * * * * * * *  Edited Surface Changes * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void editedSurface::divide(const Halfedge a, const Halfedge b)
@@ -277,10 +275,7 @@ void editedSurface::tie(const Face f)
     const FixedList<point, 3> x(pointsOf(f));
     point y;
     nearest_[f] =
-        given_.findFace
-        (
-            nearest_[f], (x[0] + x[1] + x[2])/3.0, reachOf(x), y
-        );
+        given_.findFace(nearest_[f], (x[0] + x[1] + x[2])/3.0, reachOf(x), y);
 }
 
 

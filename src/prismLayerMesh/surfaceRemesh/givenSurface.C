@@ -53,11 +53,7 @@ void givenSurface::setNormals(const wallSides& sides)
         {
             const wallSide& side = both[i];
             const face& f = faces[side.facei];
-            if
-            (
-                f.faceEdge(f.longestEdge(points))
-             == edge(side.low, side.high)
-            )
+            if (f.faceEdge(f.longestEdge(points)) == edge(side.low, side.high))
             {
                 across[side.facei] = both[1 - i].facei;
             }
@@ -243,7 +239,6 @@ scalarField givenSurface::lengths() const
 {
     const pointField& points = surface_.points;
     scalarField result(surface_.faces.size(), GREAT);
-
     forAll(result, facei)
     {
         for (label k = 0; k < 3; ++k)
@@ -278,8 +273,6 @@ scalarField givenSurface::lengths() const
 }
 
 
-// * * * * * * * * * * * * * * *  Given Lines  * * * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 void givenSurface::setLines(const wallSides& sides, const scalar minCos)
@@ -289,7 +282,6 @@ void givenSurface::setLines(const wallSides& sides, const scalar minCos)
     neighbours_ = List<FixedList<label, 3>>(faces.size(), none);
     DynamicList<edge> lines;
     DynamicList<scalar> cosines;
-
     for (label e = 0; e < sides.nEdges(); ++e)
     {
         const SubList<wallSide> all(sides.on(e));
@@ -407,10 +399,7 @@ bool isNear
     nearest = given.findFace(nearest, centre, reach, y);
 
     return
-        mag(centre - y) <= min
-        (
-            given.deviation(nearest), farFromTriangle*reach
-        )
+        mag(centre - y) <= min(given.deviation(nearest), farFromTriangle*reach)
      && (area & given.normals()[nearest]) > minCos*mag(area);
 }
 

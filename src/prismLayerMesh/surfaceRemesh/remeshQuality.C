@@ -92,7 +92,6 @@ remeshQuality qualityAwayFromFeatures
 
     remeshQuality result;
     boolList isOfFeatures(surface.faces.size());
-
     forAll(surface.faces, facei)
     {
         const face& f = surface.faces[facei];

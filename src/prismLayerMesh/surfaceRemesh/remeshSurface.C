@@ -9,12 +9,11 @@
 #include "cutSurface.H"
 #include "edgeHashes.H"
 #include "layerFront.H"
+#include "ranges.H"
 #include "remesher.H"
 #include "stageProgress.H"
 #include "triFace.H"
 #include "wallSides.H"
-
-#include <algorithm>
 
 namespace Foam
 {
@@ -33,7 +32,6 @@ static List<labelPair> facesAway
     labelList faces;
     other.find(from, nearest, faces);
     DynamicList<labelPair> away;
-
     forAll(surface.faces, facei)
     {
         labelList samples(surface.faces[facei]);
@@ -63,7 +61,6 @@ labelList withFacesWithoutRoom
     const vectorField normals(surface.faceNormals());
     const wallSides all(makeWallSides(surface));
     DynamicList<label> faults(faces);
-
     for (label e = 0; e < all.nEdges(); ++e)
     {
         const label first = all.on(e)[0].facei;
@@ -85,11 +82,10 @@ labelList withFacesWithoutRoom
     (
         surface.points.size(), pointsWithoutDirection(surface)
     );
+    const auto blind = [&](const label p) { return isBlind.test(p); };
     forAll(surface.faces, facei)
     {
-        const face& f = surface.faces[facei];
-        const auto blind = [&](const label p) { return isBlind.test(p); };
-        if (std::any_of(f.begin(), f.end(), blind))
+        if (anyOf(surface.faces[facei], blind))
         {
             faults.append(facei);
         }
@@ -198,7 +194,6 @@ static wallSurface trianglesOf
     wallSurface result(surface);
     DynamicList<face> faces;
     DynamicList<label> patchIDs;
-
     forAll(surface.faces, facei)
     {
         const face& f = surface.faces[facei];

@@ -36,8 +36,7 @@ void edgeBounds::applyRegions
                 distances[p] > 0
               ? min
                 (
-                    bounds[p],
-                    maxEdge + (controls_.growthRate - 1)*distances[p]
+                    bounds[p], maxEdge + (controls_.growthRate - 1)*distances[p]
                 )
               : maxEdge;
         }
@@ -121,7 +120,6 @@ edgeBounds::edgeBounds
 scalarField edgeBounds::atPoints(const wallSurface& surface) const
 {
     scalarField bounds(surface.points.size(), GREAT);
-
     forAll(surface.faces, facei)
     {
         for (const label p : surface.faces[facei])

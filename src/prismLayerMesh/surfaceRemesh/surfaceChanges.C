@@ -15,9 +15,11 @@ namespace Foam
 {
 
 typedef editedSurface::Mesh Mesh;
+typedef editedSurface::Vertex Vertex;
 typedef editedSurface::Halfedge Halfedge;
 typedef editedSurface::Edge Edge;
 typedef editedSurface::Face Face;
+typedef editedSurface::candidate candidate;
 
 //- Points that split edges are no further from the middle than this share of
 //  the length
@@ -37,12 +39,7 @@ static point middleOf(const editedSurface& surface, const Halfedge h)
 
 //- Returns the point of the given surface, or of an edge's line, that is
 //  nearest to the middle of the edge; sets the line, -1 for none
-static point newPointOf
-(
-    const editedSurface& surface,
-    const Edge e,
-    label& line
-)
+static point newPointOf(const editedSurface& surface, const Edge e, label& line)
 {
     const givenSurface& given = surface.given();
     const Halfedge h = surface.mesh().halfedge(e);
@@ -124,12 +121,6 @@ bool splitEdge(editedSurface& surface, const Edge e)
 
 
 // * * * * * * * * * * * * * * *  Collapse Edge  * * * * * * * * * * * * * * //
-
-typedef editedSurface::Mesh Mesh;
-typedef editedSurface::Vertex Vertex;
-typedef editedSurface::Halfedge Halfedge;
-typedef editedSurface::Face Face;
-typedef editedSurface::candidate candidate;
 
 //- Angles [degrees] below which a collapse may not go, unless there are
 //  smaller ones before
@@ -374,11 +365,6 @@ bool flipEdge(editedSurface& surface, const editedSurface::Edge e)
 
 // * * * * * * * * * * * * * * *  Move Vertex  * * * * * * * * * * * * * * * //
 
-typedef editedSurface::Mesh Mesh;
-typedef editedSurface::Vertex Vertex;
-typedef editedSurface::Halfedge Halfedge;
-typedef editedSurface::Face Face;
-
 //- Angle [degrees] below which smoothing may make no angle smaller
 static constexpr scalar enoughAngle = 30;
 
@@ -488,11 +474,7 @@ bool smoothVertex(editedSurface& surface, const Vertex v)
     }
     const scalar after = smallestAngleAt(surface, v, x);
     if
-    (
-        (
-            after < degToRad(enoughAngle)
-         && after <= surface.smallestAngle(v)
-        )
+    ((after < degToRad(enoughAngle) && after <= surface.smallestAngle(v))
      || (surface.guard() && !surface.guard()->mayMove(v, x))
     )
     {

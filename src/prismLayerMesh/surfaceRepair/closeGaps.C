@@ -62,10 +62,7 @@ surfaceBorders::surfaceBorders(const wallSurface& surface)
         }
     }
     std::sort(points.begin(), points.end());
-    points.setSize
-    (
-        std::unique(points.begin(), points.end()) - points.begin()
-    );
+    points.setSize(std::unique(points.begin(), points.end()) - points.begin());
 }
 
 
@@ -202,10 +199,8 @@ static std::vector<std::vector<label>> pointGroups
 
         for (const label p : a)
         {
-            allFit = allFit && std::all_of
-            (
-                b.begin(), b.end(), [&](const label q) { return fit(p, q); }
-            );
+            allFit =
+                allFit && allOf(b, [&](const label q) { return fit(p, q); });
         }
         if (allFit)
         {

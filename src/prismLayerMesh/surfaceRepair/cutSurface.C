@@ -164,11 +164,7 @@ static bitSet nearTheCut
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-scalarField distancesTo
-(
-    const sidePatch& plane,
-    const wallSurface& surface
-)
+scalarField distancesTo(const sidePatch& plane, const wallSurface& surface)
 {
     scalarField distances(surface.points.size());
     forAll(distances, p)
@@ -219,18 +215,14 @@ void removeFacesOn
 )
 {
     const scalarField distances(distancesTo(plane, surface));
+    const auto isOff = [&](const label p)
+    {
+        return mag(distances[p]) > tolerance;
+    };
     bitSet kept(surface.faces.size());
     forAll(surface.faces, facei)
     {
-        const face& f = surface.faces[facei];
-        kept.set
-        (
-            facei,
-            std::any_of(f.begin(), f.end(), [&](const label p)
-            {
-                return mag(distances[p]) > tolerance;
-            })
-        );
+        kept.set(facei, anyOf(surface.faces[facei], isOff));
     }
 
     keepFaces(kept, surface);

@@ -216,13 +216,11 @@ void joinBodies
     {
         addStep
         (
-            steps, "bodies united with others",
-            joiner.joinAll(uniteOverlapping)
+            steps, "bodies united with others", joiner.joinAll(uniteOverlapping)
         );
         addStep
         (
-            steps, "bodies cut out of the fluid",
-            joiner.joinAll(subtractWithin)
+            steps, "bodies cut out of the fluid", joiner.joinAll(subtractWithin)
         );
     }
 

@@ -26,7 +26,6 @@ static constexpr scalar flatCosine = 1 - 1e-9;
 static pointField centresOf(const wallSurface& surface)
 {
     pointField centres(surface.faces.size());
-
     forAll(centres, facei)
     {
         centres[facei] = surface.faces[facei].centre(surface.points);
@@ -54,7 +53,6 @@ static void unitePatches(const bitSet& faces, wallSurface& surface)
     const primitiveFacePatch patch(parts, surface.points);
     const vectorField& normals = patch.faceNormals();
     boolList isBorder(patch.nEdges());
-
     forAll(isBorder, e)
     {
         const labelList& both = patch.edgeFaces()[e];
@@ -81,8 +79,7 @@ static void unitePatches(const bitSet& faces, wallSurface& surface)
             const scalar most = ofPart[patchi];
             if
             (
-                area.val() > most
-             || (area.val() == most && area.key() < patchi)
+                area.val() > most || (area.val() == most && area.key() < patchi)
             )
             {
                 patchi = area.key();

@@ -16,7 +16,6 @@
 #include "wallSides.H"
 #include "wallVisibility.H"
 
-#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <set>
@@ -90,13 +89,7 @@ void addOctahedron(const point& x, const scalar radius, bodies& all)
 }
 
 
-void addPrism
-(
-    const point& a,
-    const point& b,
-    const scalar radius,
-    bodies& all
-)
+void addPrism(const point& a, const point& b, const scalar radius, bodies& all)
 {
     const vector axis = normalised(b - a);
     const vector across =
@@ -133,7 +126,6 @@ surfaceContacts findContacts(const wallSurface& surface)
     const wallSides sides(makeWallSides(surface.faces, nPoints));
     surfaceContacts contacts;
     bitSet isOnContact(nPoints);
-
     for (label e = 0; e < sides.nEdges(); ++e)
     {
         if (sides.on(e).size() > 2)
@@ -158,11 +150,7 @@ surfaceContacts findContacts(const wallSurface& surface)
 }
 
 
-void addContactFillers
-(
-    const surfaceContacts& contacts,
-    wallSurface& surface
-)
+void addContactFillers(const surfaceContacts& contacts, wallSurface& surface)
 {
     const label nPoints = surface.points.size();
     std::vector<scalar> lengths(nPoints, 0);
@@ -233,23 +221,138 @@ class sliverRemover
     //- Points around which something has changed in this sweep, or is fixed
     bitSet isTouched_;
 
-    void prepareSweep();
+    void prepareSweep()
+    {
+        facesOf_.assign(points_.size(), std::vector<label>());
+        forAll(faces_, facei)
+        {
+            for (const label p : faces_[facei])
+            {
+                facesOf_[p].push_back(facei);
+            }
+        }
+        isTouched_ = isFixed_;
+    }
 
     //- Faces that have both points
-    std::vector<label> facesOn(label p, label q) const;
+    std::vector<label> facesOn(const label p, const label q) const
+    {
+        std::vector<label> result;
+        std::copy_if
+        (
+            facesOf_[p].begin(), facesOf_[p].end(), std::back_inserter(result),
+            [&](const label facei) { return faces_[facei].found(q); }
+        );
+
+        return result;
+    }
 
     scalar height(const face& f) const { return smallestHeight(points_, f); }
 
-    std::set<label> neighbours(label p) const;
+    std::set<label> neighbours(const label p) const
+    {
+        std::set<label> result;
+        for (const label facei : facesOf_[p])
+        {
+            result.insert(faces_[facei].begin(), faces_[facei].end());
+        }
+        result.erase(p);
 
-    void touchAround(label p);
+        return result;
+    }
 
-    bool collapse(label from, label to);
+    void touchAround(const label p)
+    {
+        isTouched_.set(p);
+        for (const label q : neighbours(p))
+        {
+            isTouched_.set(q);
+        }
+    }
+
+    bool collapse(const label from, const label to)
+    {
+        const std::set<label> a(neighbours(from));
+        const std::set<label> b(neighbours(to));
+        const label nCommon =
+            countOf(a, [&](const label p) { return b.count(p) > 0; });
+        if (nCommon != 2)
+        {
+            return false;
+        }
+
+        for (const label facei : facesOf_[from])
+        {
+            const face& f = faces_[facei];
+            face g(f);
+            g[f.find(from)] = to;
+            if (!f.found(to) && height(f) > length_ && !isAlong(points_, f, g))
+            {
+                return false;
+            }
+        }
+
+        touchAround(from);
+        touchAround(to);
+        for (const label facei : facesOf_[from])
+        {
+            face& f = faces_[facei];
+            f[f.find(from)] = to;
+        }
+
+        return true;
+    }
 
     //- Removes a point of three faces that are all low, by a collapse
-    bool removeSpike(label p);
+    bool removeSpike(const label p)
+    {
+        const std::vector<label>& faces = facesOf_[p];
+        const auto isLow = [&](const label facei)
+        {
+            return height(faces_[facei]) < length_;
+        };
+        if (faces.size() != 3 || !allOf(faces, isLow))
+        {
+            return false;
+        }
 
-    bool flip(label facei);
+        const std::set<label> around(neighbours(p));
+
+        return anyOf(around, [&](const label q)
+        {
+            return !isTouched_.test(q) && collapse(p, q);
+        });
+    }
+
+    bool flip(const label facei)
+    {
+        const face& f = faces_[facei];
+        const edge e(f.faceEdge(f.longestEdge(points_)));
+        const std::vector<label> sides(facesOn(e[0], e[1]));
+        if (sides.size() != 2)
+        {
+            return false;
+        }
+
+        const label other = sides[0] == facei ? sides[1] : sides[0];
+        const edgeFlip flipped(f, faces_[other], e);
+        const edge& made = flipped.made;
+        if
+        (
+            made[0] == made[1] || isTouched_.test(made[1])
+         || !facesOn(made[0], made[1]).empty() || !flipped.isBetter(points_)
+        )
+        {
+            return false;
+        }
+
+        isTouched_.set(e);
+        isTouched_.set(made);
+        faces_[facei] = flipped.first;
+        faces_[other] = flipped.second;
+
+        return true;
+    }
 
 public:
 
@@ -267,192 +370,54 @@ public:
     {}
 
     //- Returns the number of changes
-    label sweep();
+    label sweep()
+    {
+        prepareSweep();
+        label nChanges = 0;
+
+        const wallSides sides(makeWallSides(faces_, points_.size()));
+        for (label e = 0; e < sides.nEdges(); ++e)
+        {
+            const label a = sides.on(e)[0].low;
+            const label b = sides.on(e)[0].high;
+            if
+            (
+                !isTouched_.test(a) && !isTouched_.test(b)
+             && mag(points_[a] - points_[b]) < length_
+            )
+            {
+                nChanges += collapse(b, a) || collapse(a, b);
+            }
+        }
+        forAll(facesOf_, p)
+        {
+            nChanges += !isTouched_.test(p) && removeSpike(p);
+        }
+        forAll(faces_, facei)
+        {
+            const face& f = faces_[facei];
+            if
+            (
+                !isTouched_.test(f[0]) && !isTouched_.test(f[1])
+             && !isTouched_.test(f[2]) && height(f) < length_
+            )
+            {
+                nChanges += flip(facei);
+            }
+        }
+
+        // Triangles that have collapsed have a point twice
+        faces_ = subsetList(faces_, [](const face& f)
+        {
+            return !hasRepeatedPoint(f);
+        });
+
+        return nChanges;
+    }
 
     const faceList& faces() const { return faces_; }
 };
 
-
-void sliverRemover::prepareSweep()
-{
-    facesOf_.assign(points_.size(), std::vector<label>());
-    forAll(faces_, facei)
-    {
-        for (const label p : faces_[facei])
-        {
-            facesOf_[p].push_back(facei);
-        }
-    }
-    isTouched_ = isFixed_;
-}
-
-
-std::vector<label> sliverRemover::facesOn(const label p, const label q) const
-{
-    std::vector<label> result;
-    std::copy_if
-    (
-        facesOf_[p].begin(), facesOf_[p].end(), std::back_inserter(result),
-        [&](const label facei) { return faces_[facei].found(q); }
-    );
-
-    return result;
-}
-
-
-std::set<label> sliverRemover::neighbours(const label p) const
-{
-    std::set<label> result;
-    for (const label facei : facesOf_[p])
-    {
-        result.insert(faces_[facei].begin(), faces_[facei].end());
-    }
-    result.erase(p);
-
-    return result;
-}
-
-
-void sliverRemover::touchAround(const label p)
-{
-    isTouched_.set(p);
-    for (const label q : neighbours(p))
-    {
-        isTouched_.set(q);
-    }
-}
-
-
-bool sliverRemover::collapse(const label from, const label to)
-{
-    const std::set<label> a(neighbours(from));
-    const std::set<label> b(neighbours(to));
-    const label nCommon =
-        countOf(a, [&](const label p) { return b.count(p) > 0; });
-    if (nCommon != 2)
-    {
-        return false;
-    }
-
-    for (const label facei : facesOf_[from])
-    {
-        const face& f = faces_[facei];
-        face g(f);
-        g[f.find(from)] = to;
-        if (!f.found(to) && height(f) > length_ && !isAlong(points_, f, g))
-        {
-            return false;
-        }
-    }
-
-    touchAround(from);
-    touchAround(to);
-    for (const label facei : facesOf_[from])
-    {
-        face& f = faces_[facei];
-        f[f.find(from)] = to;
-    }
-
-    return true;
-}
-
-
-bool sliverRemover::removeSpike(const label p)
-{
-    const std::vector<label>& faces = facesOf_[p];
-    const auto isLow = [&](const label facei)
-    {
-        return height(faces_[facei]) < length_;
-    };
-    if (faces.size() != 3 || !std::all_of(faces.begin(), faces.end(), isLow))
-    {
-        return false;
-    }
-
-    const std::set<label> around(neighbours(p));
-
-    return anyOf(around, [&](const label q)
-    {
-        return !isTouched_.test(q) && collapse(p, q);
-    });
-}
-
-
-bool sliverRemover::flip(const label facei)
-{
-    const face& f = faces_[facei];
-    const edge e(f.faceEdge(f.longestEdge(points_)));
-    const std::vector<label> sides(facesOn(e[0], e[1]));
-    if (sides.size() != 2)
-    {
-        return false;
-    }
-
-    const label other = sides[0] == facei ? sides[1] : sides[0];
-    const edgeFlip flipped(f, faces_[other], e);
-    const edge& made = flipped.made;
-    if
-    (
-        made[0] == made[1] || isTouched_.test(made[1])
-     || !facesOn(made[0], made[1]).empty() || !flipped.isBetter(points_)
-    )
-    {
-        return false;
-    }
-
-    isTouched_.set(e);
-    isTouched_.set(made);
-    faces_[facei] = flipped.first;
-    faces_[other] = flipped.second;
-
-    return true;
-}
-
-
-label sliverRemover::sweep()
-{
-    prepareSweep();
-    label nChanges = 0;
-
-    const wallSides sides(makeWallSides(faces_, points_.size()));
-    for (label e = 0; e < sides.nEdges(); ++e)
-    {
-        const label a = sides.on(e)[0].low;
-        const label b = sides.on(e)[0].high;
-        if
-        (
-            !isTouched_.test(a) && !isTouched_.test(b)
-         && mag(points_[a] - points_[b]) < length_
-        )
-        {
-            nChanges += collapse(b, a) || collapse(a, b);
-        }
-    }
-    forAll(facesOf_, p)
-    {
-        nChanges += !isTouched_.test(p) && removeSpike(p);
-    }
-    forAll(faces_, facei)
-    {
-        const face& f = faces_[facei];
-        if
-        (
-            !isTouched_.test(f[0]) && !isTouched_.test(f[1])
-         && !isTouched_.test(f[2]) && height(f) < length_
-        )
-        {
-            nChanges += flip(facei);
-        }
-    }
-
-    // Triangles that have collapsed have a point twice
-    faces_ = subsetList(faces_, [](const face& f)
-    {
-        return !hasRepeatedPoint(f);
-    });
-
-    return nChanges;
-}
 
 //- Marks the points of faces whose visibility cone is empty
 bitSet markEmptyCones(const wallSurface& surface)

@@ -55,12 +55,58 @@ class surfaceRepairer
     }
 
     //- Returns the faces of patches that are to have no layers
-    bitSet facesOnSides() const;
+    bitSet facesOnSides() const
+    {
+        bitSet onSides(original_.faces.size());
+        forAll(original_.faces, facei)
+        {
+            const word& name = original_.patchNames[original_.patchIDs[facei]];
+            onSides.set(facei, sidePatches_.found(name));
+        }
 
-    void wrap(const nearestSurface& nearest);
+        return onSides;
+    }
+
+    void wrap(const nearestSurface& nearest)
+    {
+        const scalar size = orShare(controls_.size, 0.01);
+        const scalar offset =
+            controls_.offset > 0 ? controls_.offset : 0.1*size;
+
+        wallSurface& surface = repaired_.surface;
+        surface = wrapSurface(original_, size, offset, controls_.seeds);
+        repairSteps& steps = repaired_.steps;
+        addStep(steps, "points of the wrap", surface.points.size());
+        const snapControls controls
+        {
+            2*offset, featureAngle, facesInside(original_, nearest, surface),
+            facesOnSides()
+        };
+        addLeaks(original_, controls.inside, size, steps);
+
+        const snapCounts counts
+        (
+            snapToSurface(original_, nearest, controls, surface)
+        );
+        addStep(steps, "points brought back to sharp edges", counts.nOnEdges);
+        addStep(steps, "points brought back to faces", counts.nOnFaces);
+        addStep(steps, "points brought half way", counts.nHalfWay);
+        addStep(steps, "points left at their distance", counts.nLeft);
+    }
 
     //- Sets the distances between both surfaces, in front of the side planes
-    void setDistances(const nearestSurface& nearest);
+    void setDistances(const nearestSurface& nearest)
+    {
+        wallSurface inFront(original_);
+        for (const sidePatch& plane : planes_)
+        {
+            cutOff(inFront, plane, distancesTo(plane, inFront));
+        }
+
+        const nearestSurface toRepaired(repaired_.surface);
+        repaired_.distance = distanceTo(nearest, repaired_.surface);
+        repaired_.distanceOfGiven = distanceTo(toRepaired, inFront);
+    }
 
 public:
 
@@ -89,118 +135,60 @@ public:
         }
     }
 
-    repairedSurface repair();
-};
-
-
-bitSet surfaceRepairer::facesOnSides() const
-{
-    bitSet onSides(original_.faces.size());
-
-    forAll(original_.faces, facei)
+    repairedSurface repair()
     {
-        const word& name = original_.patchNames[original_.patchIDs[facei]];
-        onSides.set(facei, sidePatches_.found(name));
-    }
+        typedef surfaceRepairControls::method method;
+        if (controls_.repair == method::none || isSound())
+        {
+            return repaired_;
+        }
 
-    return onSides;
-}
+        // CGAL's intervals may be infinite
+        const sigFpe::ignore untrapped;
+        const nearestSurface nearest(original_);
 
+        if (controls_.repair == surfaceRepairControls::method::stitch)
+        {
+            const stitchControls controls
+            {
+                orShare(controls_.gap, 1e-4), orShare(controls_.hole, 0.05),
+                fluidOutside_, planes_, tolerance_
+            };
+            stitchSurface(controls, repaired_.surface, repaired_.steps);
+        }
+        else
+        {
+            wrap(nearest);
+        }
 
-void surfaceRepairer::wrap(const nearestSurface& nearest)
-{
-    const scalar size = orShare(controls_.size, 0.01);
-    const scalar offset =
-        controls_.offset > 0 ? controls_.offset : 0.1*size;
+        wallSurface& surface = repaired_.surface;
+        bool isCut = false;
+        for (const sidePatch& plane : planes_)
+        {
+            if (isBeyond(plane, tolerance_, surface))
+            {
+                cutSurface(surface, plane, repaired_.steps);
+                isCut = true;
+            }
+        }
+        if (isCut && fluidOutside_)
+        {
+            addStep
+            (
+                repaired_.steps, "cavities removed that a side plane closes",
+                removeCavities(surface, planes_)
+            );
+        }
 
-    wallSurface& surface = repaired_.surface;
-    surface = wrapSurface(original_, size, offset, controls_.seeds);
-    repairSteps& steps = repaired_.steps;
-    addStep(steps, "points of the wrap", surface.points.size());
-    const snapControls controls
-    {
-        2*offset, featureAngle, facesInside(original_, nearest, surface),
-        facesOnSides()
-    };
-    addLeaks(original_, controls.inside, size, steps);
+        nearest.setPatches(surface, sidePatches_);
+        cutReflexFaces(surface);
+        orientWallSurface(surface, fluidOutside_);
 
-    const snapCounts counts
-    (
-        snapToSurface(original_, nearest, controls, surface)
-    );
-    addStep(steps, "points brought back to sharp edges", counts.nOnEdges);
-    addStep(steps, "points brought back to faces", counts.nOnFaces);
-    addStep(steps, "points brought half way", counts.nHalfWay);
-    addStep(steps, "points left at their distance", counts.nLeft);
-}
+        setDistances(nearest);
 
-
-void surfaceRepairer::setDistances(const nearestSurface& nearest)
-{
-    wallSurface inFront(original_);
-    for (const sidePatch& plane : planes_)
-    {
-        cutOff(inFront, plane, distancesTo(plane, inFront));
-    }
-
-    const nearestSurface toRepaired(repaired_.surface);
-    repaired_.distance = distanceTo(nearest, repaired_.surface);
-    repaired_.distanceOfGiven = distanceTo(toRepaired, inFront);
-}
-
-
-repairedSurface surfaceRepairer::repair()
-{
-    if (controls_.repair == surfaceRepairControls::method::none || isSound())
-    {
         return repaired_;
     }
-
-    // CGAL's intervals may be infinite
-    const sigFpe::ignore untrapped;
-    const nearestSurface nearest(original_);
-
-    if (controls_.repair == surfaceRepairControls::method::stitch)
-    {
-        const stitchControls controls
-        {
-            orShare(controls_.gap, 1e-4), orShare(controls_.hole, 0.05),
-            fluidOutside_, planes_, tolerance_
-        };
-        stitchSurface(controls, repaired_.surface, repaired_.steps);
-    }
-    else
-    {
-        wrap(nearest);
-    }
-
-    wallSurface& surface = repaired_.surface;
-    bool isCut = false;
-    for (const sidePatch& plane : planes_)
-    {
-        if (isBeyond(plane, tolerance_, surface))
-        {
-            cutSurface(surface, plane, repaired_.steps);
-            isCut = true;
-        }
-    }
-    if (isCut && fluidOutside_)
-    {
-        addStep
-        (
-            repaired_.steps, "cavities removed that a side plane closes",
-            removeCavities(surface, planes_)
-        );
-    }
-
-    nearest.setPatches(surface, sidePatches_);
-    cutReflexFaces(surface);
-    orientWallSurface(surface, fluidOutside_);
-
-    setDistances(nearest);
-
-    return repaired_;
-}
+};
 
 } // End anonymous namespace
 

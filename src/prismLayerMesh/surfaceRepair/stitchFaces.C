@@ -31,7 +31,6 @@ static void removeWithoutArea(wallSurface& surface, repairSteps& steps)
     const vectorField normals(surface.faceNormals());
     DynamicList<face> kept(surface.faces.size());
     DynamicList<point> places;
-
     forAll(normals, facei)
     {
         const face& f = surface.faces[facei];
@@ -119,8 +118,7 @@ void stitchFaces(wallSurface& surface, repairSteps& steps)
     const std::size_t nFaces = polygons.size();
     PMP::repair_polygon_soup
     (
-        points, polygons,
-        CGAL::parameters::require_same_orientation(false)
+        points, polygons, CGAL::parameters::require_same_orientation(false)
     );
     addStep
     (

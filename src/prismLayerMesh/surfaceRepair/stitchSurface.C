@@ -93,11 +93,7 @@ static bool takeExactUnion
 {
     mergeEqualPoints(united, unitedSteps);
 
-    if
-    (
-        !isBalanced(united)
-     || !uniteBalanced(united, gap, unitedSteps).empty()
-    )
+    if (!isBalanced(united) || !uniteBalanced(united, gap, unitedSteps).empty())
     {
         return false;
     }

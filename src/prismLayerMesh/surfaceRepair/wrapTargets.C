@@ -24,7 +24,6 @@ sharpLines::sharpLines(const wallSurface& surface, const scalar minCos)
     const wallSides sides(makeWallSides(surface));
     DynamicList<edge> sharp;
     DynamicList<Pair<vector>> both;
-
     for (label e = 0; e < sides.nEdges(); ++e)
     {
         const SubList<wallSide> all(sides.on(e));
@@ -340,8 +339,6 @@ pointField splitChamfers
 }
 
 
-// * * * * * * * * * * * * * * *  Wrap Targets * * * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 wrapTargets::wrapTargets
@@ -378,10 +375,7 @@ wrapTargets::wrapTargets
 
 void wrapTargets::setNearest(const label start)
 {
-    const pointField from
-    (
-        SubList<point>(from_, from_.size() - start, start)
-    );
+    const pointField from(SubList<point>(from_, from_.size() - start, start));
     pointField onFaces;
     labelList faces;
     nearest_.find(from, onFaces, faces);
@@ -441,7 +435,6 @@ edgeList wrapTargets::snapToEdges
 )
 {
     DynamicList<edge> chamfers;
-
     for (const face& f : wrap.faces)
     {
         for (const edge& e : f.edges())

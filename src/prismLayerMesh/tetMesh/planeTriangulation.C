@@ -232,7 +232,6 @@ DynamicList<edge> dividedEdges
 )
 {
     DynamicList<edge> divided(edges.size());
-
     for (const edge& e : edges)
     {
         const point& a = points[e.start()];
@@ -244,11 +243,7 @@ DynamicList<edge> dividedEdges
             const vector ap(points[p] - a);
             const scalar t = (ap & ab)/magSqr(ab);
 
-            if
-            (
-                !e.found(p) && t > 0 && t < 1
-             && mag(ap - t*ab) < tolerance
-            )
+            if (!e.found(p) && t > 0 && t < 1 && mag(ap - t*ab) < tolerance)
             {
                 along.insert({t, p});
             }

@@ -92,8 +92,7 @@ List<FixedList<label, 4>> tetNeighbours
         [&](const label k)
         {
             const tetCell& tet = tets[k/4];
-            label f[3] =
-                {tet[(k + 1) % 4], tet[(k + 2) % 4], tet[(k + 3) % 4]};
+            label f[3] = {tet[(k + 1) % 4], tet[(k + 2) % 4], tet[(k + 3) % 4]};
             std::sort(f, f + 3);
             return std::make_pair(f[0], twoPoints{f[1], f[2]});
         }
@@ -328,11 +327,7 @@ void splitTets
 
 //- Whether the order of the points p q r s of a tetrahedron is an even
 //  permutation of its own
-static bool isAlike
-(
-    const tetCell& tet,
-    const FixedList<label, 4>& points
-)
+static bool isAlike(const tetCell& tet, const FixedList<label, 4>& points)
 {
     bool even = true;
 
@@ -363,7 +358,6 @@ void tetEditor::connect
     // Faces that still look for their neighbours
     DynamicList<triFace, 64> faces(outerFaces);
     DynamicList<label, 64> neighbours(outerTets);
-
     for (const label t : tets)
     {
         for (label i = 0; i < 4; ++i)
@@ -513,15 +507,10 @@ void tetEditor::ring
 }
 
 
-labelList tetEditor::replace
-(
-    const labelUList& old,
-    const UList<tetCell>& made
-)
+labelList tetEditor::replace(const labelUList& old, const UList<tetCell>& made)
 {
     DynamicList<triFace, 64> outerFaces;
     DynamicList<label, 64> outerTets;
-
     for (const label t : old)
     {
         for (label i = 0; i < 4; ++i)
@@ -576,7 +565,6 @@ labelList tetEditor::replace
 tetCellList tetEditor::remaining() const
 {
     DynamicList<tetCell> tets(tets_.size());
-
     forAll(tets_, t)
     {
         if (!removed(t))

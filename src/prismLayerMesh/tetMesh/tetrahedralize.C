@@ -22,10 +22,6 @@ namespace Foam
 static constexpr scalar maxLength = 1.6;
 
 //- The points of a tetrahedron, as TetGen has them
-typedef FixedList<int, 4> corners;
-
-
-//- Corners of a tetrahedron of TetGen
 typedef FixedList<int, 4> tetgenCell;
 
 
@@ -41,6 +37,16 @@ struct tetSizing
 
 //- Global because TetGen asks with coordinates alone
 tetSizing sizing;
+
+
+struct tetgenOptions
+{
+    //- Switches of TetGen's command line
+    std::string switches;
+
+    //- Sizes [m] of tetrahedra; null if there are none
+    std::function<scalar(const point&)> size;
+};
 
 } // End anonymous namespace
 
@@ -105,12 +111,13 @@ static bool isLarge(REAL* a, REAL* b, REAL* c, REAL* d, REAL*, REAL)
 
     const point centre(0.25*(x[0] + x[1] + x[2] + x[3]));
 
-    return
-        longest > sqr(maxLength*sizing.size(centre & sizing.rotation));
+    return longest > sqr(maxLength*sizing.size(centre & sizing.rotation));
 }
 
 
-void runTetgen
+//- Runs TetGen on a domain whose coordinates are rotated, and sends the mesh.
+//  TetGen may end the process.
+static void runTetgen
 (
     const tetDomain& domain,
     const tetgenOptions& options,
@@ -152,7 +159,9 @@ void runTetgen
 }
 
 
-tetMesh readTetgen
+//- Returns the mesh that runTetgen has sent, turned back: the points of the
+//  domain are as they were
+static tetMesh readTetgen
 (
     const tetDomain& domain,
     const tensor& rotation,
@@ -226,10 +235,7 @@ const struct
 //  coordinates rarely again
 static tensor generalRotation(const label attempt)
 {
-    return quaternion
-    (
-        normalised(vector(0.37, 0.61, 0.29)), 1.13 + attempt
-    ).R();
+    return quaternion(normalised(vector(0.37, 0.61, 0.29)), 1.13 + attempt).R();
 }
 
 
@@ -239,7 +245,6 @@ static bool keepsFacets(const tetDomain& domain, const tetMesh& mesh)
 {
     const triangleIndex facets(makeTriangleIndex(domain.facets));
     boolList isFace(domain.facets.size(), false);
-
     for (const tetCell& tet : mesh.tets)
     {
         for (label i = 0; i < 4; ++i)

@@ -24,8 +24,7 @@ static scalar touchingHeight
 {
     const vector pq = q - p;
     const scalar along = d & pq;
-    const scalar discriminant =
-        sqr(along) - (1 - sqr(cosine))*magSqr(pq);
+    const scalar discriminant = sqr(along) - (1 - sqr(cosine))*magSqr(pq);
 
     return along > 0 && discriminant >= 0
       ? cosine*magSqr(pq)/(along + ::sqrt(discriminant))

@@ -55,7 +55,6 @@ bool sideSearch::putOnSides
 {
     sides = labelPair(-1, -1);
     DynamicList<label> near;
-
     forAll(sides_, s)
     {
         const sidePatch& side = sides_[s];
@@ -316,8 +315,6 @@ pointIndexHit triangleTree::nearest
 }
 
 
-// * * * * * * * * * * * * * * *  Wall Search  * * * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 wallSearch::wallSearch(const wallSurface& wall)
@@ -363,10 +360,7 @@ scalar wallSearch::longestEdgeAt(const point& x) const
 {
     const triPointRef tri
     (
-        surface_[nearest_.nearest(x, ROOTVGREAT).index()].tri
-        (
-            surface_.points()
-        )
+        surface_[nearest_.nearest(x, ROOTVGREAT).index()].tri(surface_.points())
     );
 
     return max
@@ -385,10 +379,7 @@ pointIndexHit wallSearch::nearestOpposite
     const scalar cosine
 ) const
 {
-    pointIndexHit nearest
-    (
-        nearest_.nearest(x, distance, direction, cosine)
-    );
+    pointIndexHit nearest(nearest_.nearest(x, distance, direction, cosine));
 
     // Labels of the triangles of images follow
     for (label s = 0; s < sides_.size(); ++s)
@@ -450,10 +441,7 @@ bool wallSearch::overlaps(const boundBox& box) const
 {
     // The nearest point answers for most boxes; all triangles in a box are many
     const point centre(box.midpoint());
-    const pointIndexHit nearest
-    (
-        nearest_.nearest(centre, 0.5*mag(box.span()))
-    );
+    const pointIndexHit nearest(nearest_.nearest(centre, 0.5*mag(box.span())));
 
     return nearest.hit()
      && (

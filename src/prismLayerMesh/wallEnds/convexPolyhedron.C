@@ -39,7 +39,6 @@ class boxCutter
     face behind(const face& f, const sidePatch& plane)
     {
         DynamicList<label> kept;
-
         forAll(f, k)
         {
             const point a(cut_.points[f[k]]);

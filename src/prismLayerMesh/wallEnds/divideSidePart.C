@@ -15,11 +15,7 @@ namespace Foam
 
 //- Returns a face in triangles without edges that have points; the face itself
 //  if it has no such edges
-static DynamicList<face> pieces
-(
-    const EdgeMap<label>& points,
-    const face& whole
-)
+static DynamicList<face> pieces(const EdgeMap<label>& points, const face& whole)
 {
     DynamicList<face> left;
     DynamicList<face> done;
@@ -56,7 +52,6 @@ labelList splitAtEdges(const EdgeMap<label>& points, wallSurface& surface)
 {
     DynamicList<face> added;
     DynamicList<label> from;
-
     forAll(surface.faces, facei)
     {
         const DynamicList<face> all(pieces(points, surface.faces[facei]));
@@ -221,8 +216,7 @@ struct partDivider
                 apart[findMax(scalarField(mag(apart - apart[0])))] - apart[0]
             );
             const vector e(normalised(along));
-            plane.normal =
-                normalised(plane.normal - (plane.normal & e)*e);
+            plane.normal = normalised(plane.normal - (plane.normal & e)*e);
             setDistances();
         }
 

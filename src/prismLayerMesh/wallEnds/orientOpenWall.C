@@ -177,8 +177,7 @@ scalar volumeOf(const UList<triPoints>& triangles)
     for (const triPoints& t : triangles)
     {
         const point& origin = triangles[0][0];
-        volume +=
-            ((t[0] - origin) ^ (t[1] - origin)) & (t[2] - origin);
+        volume += ((t[0] - origin) ^ (t[1] - origin)) & (t[2] - origin);
     }
 
     return volume/6;
@@ -210,11 +209,7 @@ bool isWithin(const UList<triPoints>& triangles, const point& x)
 // * * * * * * * * * * * * * *  Orient Open Wall * * * * * * * * * * * * * * //
 
 //- The centre of the largest of some faces
-static point centreOfLargest
-(
-    const wallSurface& surface,
-    const labelList& faces
-)
+static point centreOfLargest(const wallSurface& surface, const labelList& faces)
 {
     scalarField areas(faces.size());
     forAll(areas, i)

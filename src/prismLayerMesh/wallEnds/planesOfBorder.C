@@ -122,8 +122,7 @@ static List<sidePatch> meanPlanes
         part.centre += length*e.centre(points);
         // From the part's smallest point, near to it: less is lost to rounding
         const point& origin = points[parts.find(e.start())];
-        part.area +=
-            (points[e.start()] - origin) ^ (points[e.end()] - origin);
+        part.area += (points[e.start()] - origin) ^ (points[e.end()] - origin);
     }
 
     List<sidePatch> planes;

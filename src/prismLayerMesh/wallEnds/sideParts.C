@@ -188,11 +188,11 @@ class partFinder
     {
         const sidePatch side(planeThrough(faces));
 
-        return std::all_of(faces.begin(), faces.end(), [&](const label f)
+        return allOf(faces, [&](const label f)
         {
             const face& points = surface_.faces[f];
 
-            return std::all_of(points.begin(), points.end(), [&](const label p)
+            return allOf(points, [&](const label p)
             {
                 return mag(side.distance(surface_.points[p])) <= tolerance_;
             });
@@ -241,109 +241,101 @@ public:
         parts_{List<sidePatch>(), labelList(surface.faces.size(), -1)}
     {}
 
-    sideParts find();
+    sideParts find()
+    {
+        // All of a part that is joined at any angle, where it is plane
+        for (const labelList& part : faces_.joined(-2, parts_.sideOfFace))
+        {
+            if (isPlane(part))
+            {
+                addPart(part, planeThrough(part));
+            }
+        }
+
+        const List<DynamicList<label>> smooth
+        (
+            faces_.joined(samePlaneCosine, parts_.sideOfFace)
+        );
+        const List<DynamicList<label>> curved
+        (
+            faces_.joined(curvedCosine, parts_.sideOfFace)
+        );
+        labelList curvedOf(surface_.faces.size(), -1);
+        forAll(curved, i)
+        {
+            UIndirectList<label>(curvedOf, curved[i]) = i;
+        }
+
+        boolList isCurved(curved.size(), false);
+        for (const labelList& part : smooth)
+        {
+            if (!isPlane(part) || !faces_.touchWall(part))
+            {
+                isCurved[curvedOf[part[0]]] =
+                    !isPlane(curved[curvedOf[part[0]]]);
+            }
+        }
+
+        for (const labelList& part : smooth)
+        {
+            if (!isCurved[curvedOf[part[0]]])
+            {
+                addPart(part, planeThrough(part));
+            }
+        }
+        forAll(curved, i)
+        {
+            if (isCurved[i])
+            {
+                addPart(curved[i], curvedThrough(curved[i]));
+            }
+        }
+
+        return parts_;
+    }
 
     //- Returns for each curved part that is not wholly seen along its mean
     //  normal a face that is not seen
-    Map<label> unseen() const;
+    Map<label> unseen() const
+    {
+        Map<label> faces;
+
+        forAll(parts_.sideOfFace, facei)
+        {
+            const label s = parts_.sideOfFace[facei];
+
+            if
+            (
+                s >= 0 && parts_.sides[s].isCurved()
+             && (-parts_.sides[s].normal & faces_.normal(facei)) < leastSeen
+            )
+            {
+                faces.insert(s, facei);
+            }
+        }
+
+        return faces;
+    }
 
     //- Errors: FatalError if a part is not joined to the wall
-    void checkJoined() const;
+    void checkJoined() const
+    {
+        const bitSet joined(faces_.joinedToWall());
+
+        forAll(parts_.sideOfFace, facei)
+        {
+            const label s = parts_.sideOfFace[facei];
+
+            if (s >= 0 && !joined.test(facei))
+            {
+                FatalErrorInFunction
+                    << "The wall does not end on the side patch "
+                    << parts_.sides[s].name << " at " << parts_.sides[s].origin
+                    << exit(FatalError);
+            }
+        }
+    }
 };
-
-
-sideParts partFinder::find()
-{
-    // All of a part that is joined at any angle, where it is plane
-    for (const labelList& part : faces_.joined(-2, parts_.sideOfFace))
-    {
-        if (isPlane(part))
-        {
-            addPart(part, planeThrough(part));
-        }
-    }
-
-    const List<DynamicList<label>> smooth
-    (
-        faces_.joined(samePlaneCosine, parts_.sideOfFace)
-    );
-    const List<DynamicList<label>> curved
-    (
-        faces_.joined(curvedCosine, parts_.sideOfFace)
-    );
-    labelList curvedOf(surface_.faces.size(), -1);
-    forAll(curved, i)
-    {
-        UIndirectList<label>(curvedOf, curved[i]) = i;
-    }
-
-    boolList isCurved(curved.size(), false);
-    for (const labelList& part : smooth)
-    {
-        if (!isPlane(part) || !faces_.touchWall(part))
-        {
-            isCurved[curvedOf[part[0]]] = !isPlane(curved[curvedOf[part[0]]]);
-        }
-    }
-
-    for (const labelList& part : smooth)
-    {
-        if (!isCurved[curvedOf[part[0]]])
-        {
-            addPart(part, planeThrough(part));
-        }
-    }
-    forAll(curved, i)
-    {
-        if (isCurved[i])
-        {
-            addPart(curved[i], curvedThrough(curved[i]));
-        }
-    }
-
-    return parts_;
-}
-
-
-Map<label> partFinder::unseen() const
-{
-    Map<label> faces;
-
-    forAll(parts_.sideOfFace, facei)
-    {
-        const label s = parts_.sideOfFace[facei];
-
-        if
-        (
-            s >= 0 && parts_.sides[s].isCurved()
-         && (-parts_.sides[s].normal & faces_.normal(facei)) < leastSeen
-        )
-        {
-            faces.insert(s, facei);
-        }
-    }
-
-    return faces;
-}
-
-
-void partFinder::checkJoined() const
-{
-    const bitSet joined(faces_.joinedToWall());
-
-    forAll(parts_.sideOfFace, facei)
-    {
-        const label s = parts_.sideOfFace[facei];
-
-        if (s >= 0 && !joined.test(facei))
-        {
-            FatalErrorInFunction
-                << "The wall does not end on the side patch "
-                << parts_.sides[s].name << " at " << parts_.sides[s].origin
-                << exit(FatalError);
-        }
-    }
-}
 
 } // End anonymous namespace
 

@@ -97,7 +97,28 @@ struct borderFinder
 
     //- The side patch of the plane that is nearest to both ends of an edge, -1
     //  if none is near
-    label planeOf(const wallSide& edge) const;
+    label planeOf(const wallSide& edge) const
+    {
+        label nearest = -1;
+        scalar least = tolerance;
+
+        forAll(planes, i)
+        {
+            const scalar distance = max
+            (
+                mag(planes[i].distance(surface.points[edge.low])),
+                mag(planes[i].distance(surface.points[edge.high]))
+            );
+
+            if (distance <= least)
+            {
+                least = distance;
+                nearest = parts.sides.size() + i;
+            }
+        }
+
+        return nearest;
+    }
 
     void addPointSide(const label p, const label s)
     {
@@ -108,141 +129,101 @@ struct borderFinder
     }
 
     //- An edge of a face is on a side patch: a border if the face is the wall's
-    void addBorder(const wallSide& edge, const label side);
+    void addBorder(const wallSide& edge, const label side)
+    {
+        addPointSide(edge.low, side);
+        addPointSide(edge.high, side);
+
+        if (parts.sideOfFace[edge.facei] < 0)
+        {
+            borders.edges.append(edge.along());
+            borders.edgeSides.append(side);
+        }
+    }
 
     //- Adds the border on an edge, if there is one. Returns false if the edge
     //  has one face and is near no plane.
-    bool addBorders(const UList<wallSide>& onEdge);
+    bool addBorders(const UList<wallSide>& onEdge)
+    {
+        const wallSide& first = onEdge[0];
+
+        if (onEdge.size() == 1)
+        {
+            const label plane = planeOf(first);
+            if (plane >= 0)
+            {
+                addBorder(first, plane);
+            }
+            return plane >= 0;
+        }
+
+        const wallSide& second = onEdge[1];
+        const label side = parts.sideOfFace[first.facei];
+        const label other = parts.sideOfFace[second.facei];
+
+        if (side < 0 && other >= 0)
+        {
+            addBorder(first, other);
+        }
+        else if (side >= 0 && other < 0)
+        {
+            addBorder(second, side);
+        }
+
+        return true;
+    }
 
     //- Refuses borders at some places: no plane is near to them
-    void refuseFar(const UList<point>& places) const;
+    void refuseFar(const UList<point>& places) const
+    {
+        OStringStream bound;
+        bound << tolerance;
+        refuseAt
+        (
+            places,
+            "The surface is open and its border is further than " + bound.str()
+          + " m from all side planes"
+        );
+    }
 
     //- The points of faces on side patches are on these patches
-    void addPointsOfSides();
+    void addPointsOfSides()
+    {
+        forAll(parts.sideOfFace, facei)
+        {
+            const face& f = surface.faces[facei];
+            const label side = parts.sideOfFace[facei];
 
-    sideBorders find();
+            for (label k = 0; side >= 0 && k < f.size(); ++k)
+            {
+                addPointSide(f[k], side);
+            }
+        }
+    }
+
+    sideBorders find()
+    {
+        borders.pointSides.setSize(surface.points.size());
+        const wallSides edges(makeWallSides(surface));
+        DynamicList<point> lost;
+        for (label e = 0; e < edges.nEdges(); ++e)
+        {
+            if (!addBorders(edges.on(e)))
+            {
+                const wallSide& side = edges.on(e)[0];
+                lost.append
+                (
+                    0.5*(surface.points[side.low] + surface.points[side.high])
+                );
+            }
+        }
+
+        refuseFar(lost);
+        addPointsOfSides();
+
+        return borders;
+    }
 };
-
-
-label borderFinder::planeOf(const wallSide& edge) const
-{
-    label nearest = -1;
-    scalar least = tolerance;
-
-    forAll(planes, i)
-    {
-        const scalar distance = max
-        (
-            mag(planes[i].distance(surface.points[edge.low])),
-            mag(planes[i].distance(surface.points[edge.high]))
-        );
-
-        if (distance <= least)
-        {
-            least = distance;
-            nearest = parts.sides.size() + i;
-        }
-    }
-
-    return nearest;
-}
-
-
-void borderFinder::addBorder(const wallSide& edge, const label side)
-{
-    addPointSide(edge.low, side);
-    addPointSide(edge.high, side);
-
-    if (parts.sideOfFace[edge.facei] < 0)
-    {
-        borders.edges.append(edge.along());
-        borders.edgeSides.append(side);
-    }
-}
-
-
-bool borderFinder::addBorders(const UList<wallSide>& onEdge)
-{
-    const wallSide& first = onEdge[0];
-
-    if (onEdge.size() == 1)
-    {
-        const label plane = planeOf(first);
-        if (plane >= 0)
-        {
-            addBorder(first, plane);
-        }
-        return plane >= 0;
-    }
-
-    const wallSide& second = onEdge[1];
-    const label side = parts.sideOfFace[first.facei];
-    const label other = parts.sideOfFace[second.facei];
-
-    if (side < 0 && other >= 0)
-    {
-        addBorder(first, other);
-    }
-    else if (side >= 0 && other < 0)
-    {
-        addBorder(second, side);
-    }
-
-    return true;
-}
-
-
-void borderFinder::refuseFar(const UList<point>& places) const
-{
-    OStringStream bound;
-    bound << tolerance;
-    refuseAt
-    (
-        places,
-        "The surface is open and its border is further than " + bound.str()
-      + " m from all side planes"
-    );
-}
-
-
-void borderFinder::addPointsOfSides()
-{
-    forAll(parts.sideOfFace, facei)
-    {
-        const face& f = surface.faces[facei];
-        const label side = parts.sideOfFace[facei];
-
-        for (label k = 0; side >= 0 && k < f.size(); ++k)
-        {
-            addPointSide(f[k], side);
-        }
-    }
-}
-
-
-sideBorders borderFinder::find()
-{
-    borders.pointSides.setSize(surface.points.size());
-    const wallSides edges(makeWallSides(surface));
-    DynamicList<point> lost;
-
-    for (label e = 0; e < edges.nEdges(); ++e)
-    {
-        if (!addBorders(edges.on(e)))
-        {
-            const wallSide& side = edges.on(e)[0];
-            lost.append
-            (
-                0.5*(surface.points[side.low] + surface.points[side.high])
-            );
-        }
-    }
-
-    refuseFar(lost);
-    addPointsOfSides();
-
-    return borders;
-}
 
 } // End anonymous namespace
 
@@ -266,10 +247,7 @@ static void setShape(sidePatch& side)
 {
     if (side.isCurved())
     {
-        side.shape = std::make_shared<const sideShape>
-        (
-            side.points, side.faces
-        );
+        side.shape = std::make_shared<const sideShape>(side.points, side.faces);
     }
 }
 
@@ -310,114 +288,103 @@ struct wallSplitter
         return on;
     }
 
-    void checkSides() const;
-
-    void putOnPlanes(wallReading& reading);
-
-    void takeWall();
-
-    wallSurface split(wallReading& reading);
-};
-
-
-void wallSplitter::checkSides() const
-{
-    for (label s = nParts; s < sides.size(); ++s)
+    void checkSides() const
     {
-        if (!wall.border.edgeSides.found(s))
+        for (label s = nParts; s < sides.size(); ++s)
         {
-            FatalErrorInFunction
-                << "No border of the wall is on the side plane "
-                << sides[s].name << " at " << sides[s].origin
-                << exit(FatalError);
+            if (!wall.border.edgeSides.found(s))
+            {
+                FatalErrorInFunction
+                    << "No border of the wall is on the side plane "
+                    << sides[s].name << " at " << sides[s].origin
+                    << exit(FatalError);
+            }
+
+            checkInFront(surface, sides[s], pointsOn(s), tolerance);
         }
 
-        checkInFront(surface, sides[s], pointsOn(s), tolerance);
-    }
-
-    for (const edge& e : wall.border.edges)
-    {
-        if (borders.pointSides[e.start()].size() > 2)
+        for (const edge& e : wall.border.edges)
         {
-            FatalErrorInFunction
-                << "More than two side patches meet at the point "
-                << surface.points[e.start()] << " of the wall"
-                << exit(FatalError);
+            if (borders.pointSides[e.start()].size() > 2)
+            {
+                FatalErrorInFunction
+                    << "More than two side patches meet at the point "
+                    << surface.points[e.start()] << " of the wall"
+                    << exit(FatalError);
+            }
         }
     }
-}
 
-
-void wallSplitter::putOnPlanes(wallReading& reading)
-{
-    forAll(borders.pointSides, p)
+    void putOnPlanes(wallReading& reading)
     {
-        const point x = surface.points[p];
-
-        if (borders.pointSides[p].size())
+        forAll(borders.pointSides, p)
         {
-            surface.points[p] = onAll(sides, borders.pointSides[p], x);
+            const point x = surface.points[p];
 
-            const scalar distance = mag(surface.points[p] - x);
-            reading.pointsPutOnSides += distance > 0;
-            reading.largestMove = max(reading.largestMove, distance);
+            if (borders.pointSides[p].size())
+            {
+                surface.points[p] = onAll(sides, borders.pointSides[p], x);
+
+                const scalar distance = mag(surface.points[p] - x);
+                reading.pointsPutOnSides += distance > 0;
+                reading.largestMove = max(reading.largestMove, distance);
+            }
         }
     }
-}
 
-
-void wallSplitter::takeWall()
-{
-    forAll(sides, s)
+    void takeWall()
     {
-        const wallSurface part
+        forAll(sides, s)
+        {
+            const wallSurface part
+            (
+                makeSurfacePart(surface, findIndices(sideOfFace, s)).surface
+            );
+            sides[s].points = part.points;
+            sides[s].faces = part.faces;
+            setShape(sides[s]);
+        }
+
+        const surfacePart rest
         (
-            makeSurfacePart(surface, findIndices(sideOfFace, s)).surface
+            makeSurfacePart(surface, findIndices(sideOfFace, -1))
         );
-        sides[s].points = part.points;
-        sides[s].faces = part.faces;
-        setShape(sides[s]);
+        wallBorder border(wall.border);
+        const labelList local(invert(surface.points.size(), rest.points));
+        for (edge& e : border.edges)
+        {
+            inplaceRenumber(local, e);
+        }
+        wall = rest.surface;
+        wall.border = border;
+        wall.border.sides = sides;
+        mergePatches(wall);
     }
 
-    const surfacePart rest
-    (
-        makeSurfacePart(surface, findIndices(sideOfFace, -1))
-    );
-    wallBorder border(wall.border);
-    const labelList local(invert(surface.points.size(), rest.points));
-    for (edge& e : border.edges)
+    wallSurface split(wallReading& reading)
     {
-        inplaceRenumber(local, e);
+        reading.flippedFaces += orientOpenWall
+        (
+            surface, controls.sidePlanes, controls.fluidOutside
+        );
+
+        const sideParts parts(findSideParts(surface, layers, tolerance));
+        sideOfFace = parts.sideOfFace;
+        sides = parts.sides;
+        nParts = sides.size();
+        sides.append(controls.sidePlanes);
+
+        borders =
+            findSideBorders(surface, parts, controls.sidePlanes, tolerance);
+        wall.border.edges = borders.edges;
+        wall.border.edgeSides = borders.edgeSides;
+        checkSides();
+        putOnPlanes(reading);
+        takeWall();
+
+        return std::move(wall);
     }
-    wall = rest.surface;
-    wall.border = border;
-    wall.border.sides = sides;
-    mergePatches(wall);
-}
-
-
-wallSurface wallSplitter::split(wallReading& reading)
-{
-    reading.flippedFaces += orientOpenWall
-    (
-        surface, controls.sidePlanes, controls.fluidOutside
-    );
-
-    const sideParts parts(findSideParts(surface, layers, tolerance));
-    sideOfFace = parts.sideOfFace;
-    sides = parts.sides;
-    nParts = sides.size();
-    sides.append(controls.sidePlanes);
-
-    borders = findSideBorders(surface, parts, controls.sidePlanes, tolerance);
-    wall.border.edges = borders.edges;
-    wall.border.edgeSides = borders.edgeSides;
-    checkSides();
-    putOnPlanes(reading);
-    takeWall();
-
-    return std::move(wall);
-}
+};
 
 } // End anonymous namespace
 
@@ -425,7 +392,6 @@ wallSurface wallSplitter::split(wallReading& reading)
 static wordList patchTypes(const wordList& names, const layerControls& layers)
 {
     wordList types(names.size(), word("wall"));
-
     forAll(names, patchi)
     {
         const patchLayers* entry = layers.entryOf(names[patchi]);

@@ -86,10 +86,7 @@ scalar wallCosine
         return GREAT;
     }
 
-    const vector side
-    (
-        edge ^ (f.area/mag(f.area) + g.area/mag(g.area))
-    );
+    const vector side(edge ^ (f.area/mag(f.area) + g.area/mag(g.area)));
     const vector between(g.centre - f.centre);
     const scalar lengths = mag(side)*mag(between);
 

@@ -139,7 +139,6 @@ void mergePatches(wallSurface& wall)
 
     DynamicList<word> names, types;
     labelList numbers(used.size(), -1);
-
     for (const label i : used)
     {
         numbers[i] = names.find(wall.patchNames[i]);

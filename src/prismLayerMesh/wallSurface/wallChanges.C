@@ -82,7 +82,6 @@ label cutFaces(wallSurface& wall, const boolList& isCut)
 label cutReflexFaces(wallSurface& wall)
 {
     boolList isCut(wall.faces.size());
-
     forAll(isCut, facei)
     {
         const face& f = wall.faces[facei];
@@ -157,12 +156,7 @@ public:
 };
 
 
-bool capFlipper::flip
-(
-    const edge& e,
-    const label cap,
-    const label neighbour
-)
+bool capFlipper::flip(const edge& e, const label cap, const label neighbour)
 {
     face& f = wall_.faces[cap];
     face& g = wall_.faces[neighbour];

@@ -82,16 +82,12 @@ List<labelPair> findIntersectingFaces
     DynamicList<labelPair> trianglePairs;
     addIntersections
     (
-        labelledTriangles
-        (
-            faceList(triangles, kept), wall.points, kept
-        ),
+        labelledTriangles(faceList(triangles, kept), wall.points, kept),
         {},
         trianglePairs
     );
 
     DynamicList<labelPair> pairs;
-
     for (const labelPair& pair : trianglePairs)
     {
         const label i = pair.first();

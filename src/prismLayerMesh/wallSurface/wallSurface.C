@@ -64,7 +64,6 @@ wallSides makeWallSides(const faceList& faces, const label nPoints)
     visitSides(faces, [&](const wallSide& s) { sides[next[s.low]++] = s; });
 
     DynamicList<label> edgeStarts(sides.size()/2 + 1);
-
     for (label p = 0; p < nPoints; ++p)
     {
         UList<wallSide> run(byLow[p]);
@@ -136,14 +135,11 @@ label findComponents
 }
 
 
-// * * * * * * * * * * * * * * *  Wall Surface * * * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 vectorField wallSurface::faceNormals() const
 {
     vectorField normals(faces.size());
-
     forAll(faces, i)
     {
         const vector area(faces[i].areaNormal(points));
@@ -158,7 +154,6 @@ vectorField wallSurface::faceNormals() const
 scalarField meanEdges(const wallSurface& wall, const wallAddressing& addressing)
 {
     scalarField means(wall.points.size(), 0);
-
     forAll(means, p)
     {
         const labelList& neighbours = addressing.pointPoints[p];
@@ -202,7 +197,6 @@ labelList largestFaces(const wallSurface& wall)
 
     labelList largest(wall.points.size(), -1);
     scalarField areas(wall.points.size(), -1);
-
     forAll(wall.faces, facei)
     {
         const label component = components.find(wall.faces[facei][0]);
@@ -300,7 +294,6 @@ static wallCorners makeCorners(const wallSurface& wall)
 
     wallCorners corners(nCorners);
     labelList next(SubList<label>(corners.offsets(), nCorners.size()));
-
     forAll(wall.faces, facei)
     {
         const face& f = wall.faces[facei];
@@ -349,11 +342,7 @@ static label firstCorner
 
 //- Sorts corners so that each begins at the edge on which the one before ends.
 //  The first one does not depend on the labels of points and faces.
-static void sortByRotation
-(
-    UList<wallCorner>& corners,
-    const pointField& points
-)
+static void sortByRotation(UList<wallCorner>& corners, const pointField& points)
 {
     std::swap(corners[0], corners[firstCorner(corners, points)]);
 
@@ -390,7 +379,6 @@ static void setEdges(const wallCorners& corners, wallAddressing& addressing)
 {
     DynamicList<edge> edges(corners.m().size()/2);
     DynamicList<labelPair> edgeFaces(corners.m().size()/2);
-
     forAll(corners, a)
     {
         for (const wallCorner& corner : corners[a])

@@ -60,7 +60,6 @@ List<pointKind> kindsOfPoints
 )
 {
     List<pointKind> kinds(wall.points.size());
-
     forAll(kinds, p)
     {
         kinds[p] = kindOfPoint(wall, addressing, visibility, p);
@@ -95,7 +94,6 @@ static vectorField smoothedNormals
 )
 {
     vectorField normals(visibility.meanNormals);
-
     for (label pass = 0; pass < curvatureControls::nPasses; ++pass)
     {
         const vectorField old(normals);

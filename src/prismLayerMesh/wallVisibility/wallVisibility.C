@@ -12,8 +12,6 @@
 #include "sidePatch.H"
 #include "wallChanges.H"
 
-#include <algorithm>
-
 namespace Foam
 {
 
@@ -194,8 +192,6 @@ visibilityCone makeVisibilityCone(const UList<vector>& normals)
 }
 
 
-// * * * * * * * * * * * * * *  Wall Visibility  * * * * * * * * * * * * * * //
-
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void wallVisibility::setCone(const label p)
@@ -218,7 +214,6 @@ void wallVisibility::setCone(const label p)
 vectorField wallVisibility::axes() const
 {
     vectorField axes(cones.size());
-
     forAll(axes, p)
     {
         axes[p] = cones[p].axis;
@@ -231,11 +226,9 @@ vectorField wallVisibility::axes() const
 boolList wallVisibility::narrowCones(const scalar smallestAngle) const
 {
     boolList narrow(cones.size());
-
     forAll(narrow, p)
     {
-        narrow[p] =
-            cones[p].empty() || cones[p].cosine < ::sin(smallestAngle);
+        narrow[p] = cones[p].empty() || cones[p].cosine < ::sin(smallestAngle);
     }
 
     return narrow;
@@ -504,14 +497,11 @@ static boolList polygonsAt(const wallSurface& wall, const labelUList& points)
     boolList isAsked(wall.points.size(), false);
     UIndirectList<bool>(isAsked, points) = true;
     boolList result(wall.faces.size());
-
     forAll(wall.faces, facei)
     {
         const face& f = wall.faces[facei];
-        result[facei] = f.size() > 3 && std::any_of
-        (
-            f.begin(), f.end(), [&](const label p) { return isAsked[p]; }
-        );
+        result[facei] = f.size() > 3
+         && anyOf(f, [&](const label p) { return isAsked[p]; });
     }
 
     return result;

@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallSurface/wallSurface.C"
-#include "wallSurface/packedFaces.C"
 #include "wallSurface/surfaceMeasures.C"
 #include "wallSurface/wallChanges.C"
 #include "wallSurface/surfacePart.C"

@@ -3,7 +3,6 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "wallSurface/packedFacesTest.C"
 #include "wallSurface/cutReflexFacesTest.C"
 #include "wallSurface/flipCapsTest.C"
 #include "wallSurface/renumberWallTest.C"
