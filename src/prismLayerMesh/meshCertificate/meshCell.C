@@ -255,10 +255,33 @@ bool meshCell::asBox(const label celli, bool& positive) const
 }
 
 
+point meshCell::centreOf(const label celli) const
+{
+    const cell faces(mesh_.cellFaces(celli));
+    point middle(Zero);
+    for (const label facei : faces)
+    {
+        middle += mesh_.faces()[facei].centre(mesh_.points())/faces.size();
+    }
+
+    scalar volume = 0;
+    vector sum(Zero);
+    for (const label facei : faces)
+    {
+        const scalar v = mesh_.pyramidVolume(facei, celli, middle);
+        const point centre(mesh_.faces()[facei].centre(mesh_.points()));
+        volume += v;
+        sum += v*(0.75*centre + 0.25*middle);
+    }
+
+    return volume > VSMALL ? sum/volume : middle;
+}
+
+
 bool meshCell::hasPositivePyramids(const label celli) const
 {
     const cell faces(mesh_.cellFaces(celli));
-    const point centre(faces.centre(mesh_.points(), mesh_.faces()));
+    const point centre(centreOf(celli));
 
     return allOf(faces, [&](const label facei)
     {
@@ -294,13 +317,18 @@ meshCellVerdict meshCell::cornersVerdict(const label celli)
     }
 
     // As merged tetrahedra, of which corners say too little
-    if (!corners.simple && nTriangles_ == nFaces())
+    bool positiveBox = false;
+    if (!corners.simple && mesh_.isOfTriangles(celli))
     {
-        return {meshCellShape::polyhedron, hasPositivePyramids(celli)};
+        return asBox(celli, positiveBox)
+          ? meshCellVerdict{meshCellShape::box, positiveBox}
+          : meshCellVerdict
+            {
+                meshCellShape::polyhedron, hasPositivePyramids(celli)
+            };
     }
 
     // Only a cell with more points, or points within its edges, may be refined
-    bool positiveBox = false;
     if (!corners.positive && (corners.within || corners.nPoints > 8))
     {
         return asBox(celli, positiveBox)

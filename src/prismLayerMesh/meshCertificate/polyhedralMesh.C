@@ -76,9 +76,26 @@ label polyhedralMesh::across(const label facei, const label celli) const
 }
 
 
+bool polyhedralMesh::isOfTriangles(const label celli) const
+{
+    label nTriangles = 0;
+    for (const label facei : cellFaces(celli))
+    {
+        nTriangles += faces_[facei].size() == 3;
+    }
+    const label n = cellFaces(celli).size();
+
+    return n > 5 && 2*nTriangles > n;
+}
+
+
 labelList polyhedralMesh::apart(const label facei, const label celli) const
 {
     DynamicList<label> found;
+    if (isOfTriangles(celli))
+    {
+        return found;
+    }
     for (const label other : cellFaces(celli))
     {
         const face& f = faces_[other];
