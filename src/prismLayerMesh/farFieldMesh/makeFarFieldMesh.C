@@ -464,18 +464,31 @@ static void dropEmptySides(const UList<sidePatch>& sides, farFieldMesh& far)
 }
 
 
-//- The hexahedra come after the tetrahedra
-static void addHexCoreZone
+//- Names the hexahedra of a core, which come after the tetrahedra, and merges
+//  tetrahedra
+static void finish
 (
+    const prismLayers& layers,
+    const farFieldControls& controls,
     const label nTets,
-    const label nHexahedra,
     farFieldMesh& far
 )
 {
-    far.cellZones.append
-    (
-        cellZoneParts(hexCoreName, identity(nHexahedra, nTets))
-    );
+    if (controls.type == farFieldType::hexCore)
+    {
+        dropEmptySides(layers.border.sides, far);
+        far.cellZones.append
+        (
+            cellZoneParts(hexCoreName, identity(far.nCells - nTets, nTets))
+        );
+    }
+    if (controls.polyhedra)
+    {
+        mergeCells
+        (
+            layers, frontAddressing(layers), nTets, mergeControls(), far
+        );
+    }
 }
 
 
@@ -529,19 +542,7 @@ farFieldMesh makeFarFieldMesh
 
     farFieldMesh made(joinCells(mesh, domain.core, cut));
     made.notes = coreNotes(domain.core, cut, made, std::cref(fromLayers));
-    if (controls.type == farFieldType::hexCore)
-    {
-        dropEmptySides(layers.border.sides, made);
-        addHexCoreZone(mesh.tets.size(), cut.cells.size(), made);
-    }
-    if (controls.polyhedra)
-    {
-        mergeCells
-        (
-            layers, frontAddressing(layers), mesh.tets.size(), mergeControls(),
-            made
-        );
-    }
+    finish(layers, controls, mesh.tets.size(), made);
 
     return made;
 }

@@ -4,12 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "mergeCells.H"
-#include "cellGain.H"
-#include "bitSet.H"
 #include "HashSet.H"
 #include "ListOps.H"
-#include "cellPredicates.H"
-#include "unitConversion.H"
+#include "mergingMesh.H"
 
 #include <algorithm>
 
@@ -20,431 +17,6 @@ namespace Foam
 
 namespace
 {
-
-//- Layers below the outer surface whose cells take part in the gains
-static const label nContextLayers = 3;
-
-
-typedef DynamicList<label, 64> fewLabels;
-
-
-//- Appends a label that is not in the list
-static void appendNew(const label i, fewLabels& list)
-{
-    if (list.find(i) < 0)
-    {
-        list.append(i);
-    }
-}
-
-
-//- A mesh whose cells merge: the far field, and the last layers below
-class mergingMesh
-{
-    typedef DynamicList<label, 8> faceLabels;
-
-    struct mergingFace
-    {
-        //- -1: beyond the boundary, or between parts of one cell
-        label owner;
-        label neighbour;
-        vector area;
-        point centre;
-
-        //- Points of a triangle of the far field, in far.points; or -1
-        label far = -1;
-    };
-
-    struct mergingCell
-    {
-        faceLabels faces;
-        point centre = Zero;
-        scalar volume = 0;
-
-        //- Number of tetrahedra, 0 if the cell is none
-        label nTets = 0;
-    };
-
-    const farFieldMesh& far_;
-    DynamicList<mergingFace> faces_;
-    List<mergingCell> cells_;
-
-    //- The cell that each cell is part of
-    labelList partOf_;
-
-    void addFace(const mergingFace& f)
-    {
-        cells_[f.owner].faces.append(faces_.size());
-        if (f.neighbour >= 0)
-        {
-            cells_[f.neighbour].faces.append(faces_.size());
-        }
-        faces_.append(f);
-    }
-
-    void addFace
-    (
-        const label owner,
-        const label neighbour,
-        const pointField& points
-    )
-    {
-        const face f(identity(points.size()));
-        addFace
-        (
-            mergingFace
-            {
-                owner, neighbour, f.areaNormal(points), f.centre(points), -1
-            }
-        );
-    }
-
-    void addFarFaces(const label nContext);
-    void addLayerFaces
-    (
-        const prismLayers& layers,
-        const wallAddressing& addressing,
-        const label nContext
-    );
-    void setCentre(mergingCell& c, const label celli);
-
-public:
-
-    //- What a merge has changed
-    struct change
-    {
-        label a;
-        label b;
-        mergingCell cellA;
-        mergingCell cellB;
-        DynamicList<std::pair<label, mergingFace>, 16> faces;
-    };
-
-    mergingMesh
-    (
-        const prismLayers& layers,
-        const wallAddressing& addressing,
-        const label nTets,
-        const farFieldMesh& far
-    );
-
-    label nCells() const { return cells_.size(); }
-
-    label nTets(const label c) const { return cells_[c].nTets; }
-
-    label partOf(label c) const
-    {
-        while (partOf_[c] != c)
-        {
-            c = partOf_[c];
-        }
-
-        return c;
-    }
-
-    //- The explicit gain of a cell; seen is for work
-    scalar gain(const label c, DynamicList<schemeFace>& seen) const;
-
-    //- Whether the centre of a polyhedron is behind all faces, exactly
-    bool isStar(const label c) const;
-
-    //- Appends the cells across the faces of a cell that are not in the list
-    void appendNeighbours(const label c, fewLabels& cells) const;
-
-    //- Merges cell b into a
-    change merge(const label a, const label b);
-
-    void undo(const change& made);
-
-    //- Sum of the excess of the faces of two cells beyond bounds
-    scalar excessOfFaces
-    (
-        const label a,
-        const label b,
-        const mergeControls& controls
-    ) const;
-};
-
-
-mergingMesh::mergingMesh
-(
-    const prismLayers& layers,
-    const wallAddressing& addressing,
-    const label nTets,
-    const farFieldMesh& far
-)
-:
-    far_(far)
-{
-    const label nContext = min(nContextLayers, layers.nLayers);
-    cells_.setSize(far.nCells + nContext*layers.faces.size());
-    partOf_ = identity(cells_.size());
-    faces_.reserve(2*cells_.size() + far.topology.faces.size());
-    addFarFaces(nContext);
-    addLayerFaces(layers, addressing, nContext);
-    forAll(cells_, c)
-    {
-        setCentre(cells_[c], c);
-        cells_[c].nTets = c < nTets;
-    }
-}
-
-
-void mergingMesh::addFarFaces(const label nContext)
-{
-    const polyMeshTopology& t = far_.topology;
-    const label nInternal = t.neighbour.size();
-
-    forAll(t.faces, f)
-    {
-        const label k = f - t.patchStarts[0];
-        const label across =
-            f < nInternal ? t.neighbour[f]
-          : k < t.patchSizes[0] && nContext
-          ? far_.nCells + nContext*far_.frontFaces[k] : -1;
-        const face& points = t.faces[f];
-        addFace
-        (
-            mergingFace
-            {
-                t.owner[f], across, points.areaNormal(far_.points),
-                points.centre(far_.points), f
-            }
-        );
-    }
-}
-
-
-void mergingMesh::addLayerFaces
-(
-    const prismLayers& layers,
-    const wallAddressing& addressing,
-    const label nContext
-)
-{
-    const auto cellOf = [&](const label front, const label j)
-    {
-        return far_.nCells + nContext*front + j;
-    };
-
-    for (label j = 0; j < nContext; ++j)
-    {
-        const label high = layers.nLayers - j;
-        forAll(layers.faces, front)
-        {
-            const face& f = layers.faces[front];
-            pointField points(f.size());
-            forAll(points, k)
-            {
-                points[k] = layers(f[f.size() - 1 - k], high - 1);
-            }
-            addFace
-            (
-                cellOf(front, j), j + 1 < nContext ? cellOf(front, j + 1) : -1,
-                points
-            );
-        }
-        forAll(addressing.edges, e)
-        {
-            const labelPair& fronts = addressing.edgeFaces[e];
-            const edge& ends = addressing.edges[e];
-            const label direction =
-                layers.faces[fronts.first()].edgeDirection(ends);
-            const label a = direction > 0 ? ends.start() : ends.end();
-            const label b = ends.otherVertex(a);
-            addFace
-            (
-                cellOf(fronts.first(), j),
-                fronts.second() < 0 ? -1 : cellOf(fronts.second(), j),
-                pointField
-                ({
-                    layers(a, high - 1), layers(b, high - 1), layers(b, high),
-                    layers(a, high)
-                })
-            );
-        }
-    }
-}
-
-
-//- As OpenFOAM: pyramids from the mean of the centres of the faces
-void mergingMesh::setCentre(mergingCell& c, const label celli)
-{
-    point middle = Zero;
-    for (const label f : c.faces)
-    {
-        middle += faces_[f].centre/c.faces.size();
-    }
-
-    for (const label f : c.faces)
-    {
-        const mergingFace& g = faces_[f];
-        const scalar height = g.area & (g.centre - middle);
-        const scalar volume = (g.owner == celli ? height : -height)/3;
-        c.volume += volume;
-        c.centre += volume*(0.75*g.centre + 0.25*middle);
-    }
-    c.centre = mag(c.volume) > VSMALL ? c.centre/c.volume : middle;
-}
-
-
-scalar mergingMesh::gain(const label c, DynamicList<schemeFace>& seen) const
-{
-    const point& own = cells_[c].centre;
-    seen.clear();
-    for (const label f : cells_[c].faces)
-    {
-        const mergingFace& g = faces_[f];
-        const bool owns = g.owner == c;
-        const label other = owns ? g.neighbour : g.owner;
-        const vector area(owns ? g.area : -g.area);
-        seen.append
-        (
-            seenFace
-            (
-                area, g.centre, own, other < 0 ? nullptr : &cells_[other].centre
-            )
-        );
-    }
-
-    return cellGain(seen, cells_[c].volume);
-}
-
-
-bool mergingMesh::isStar(const label c) const
-{
-    for (const label f : cells_[c].faces)
-    {
-        const face& points = far_.topology.faces[faces_[f].far];
-        const int side = faces_[f].owner == c ? 1 : -1;
-
-        for (label k = 1; k + 1 < points.size(); ++k)
-        {
-            // The normal of a face points away from its owner
-            if
-            (
-                side*orientation
-                (
-                    far_.points[points[0]], far_.points[points[k]],
-                    far_.points[points[k + 1]], cells_[c].centre
-                ) >= 0
-            )
-            {
-                return false;
-            }
-        }
-    }
-
-    return true;
-}
-
-
-void mergingMesh::appendNeighbours(const label c, fewLabels& cells) const
-{
-    for (const label f : cells_[c].faces)
-    {
-        if (faces_[f].neighbour >= 0)
-        {
-            appendNew
-            (
-                faces_[f].owner == c ? faces_[f].neighbour : faces_[f].owner,
-                cells
-            );
-        }
-    }
-}
-
-
-mergingMesh::change mergingMesh::merge(const label a, const label b)
-{
-    change made{a, b, cells_[a], cells_[b], {}};
-    mergingCell& into = cells_[a];
-    mergingCell& from = cells_[b];
-    const scalar volume = into.volume + from.volume;
-    into.centre = (into.volume*into.centre + from.volume*from.centre)/volume;
-    into.volume = volume;
-    into.nTets += from.nTets;
-
-    into.faces.clear();
-    for (const label f : made.cellA.faces)
-    {
-        if (faces_[f].owner != b && faces_[f].neighbour != b)
-        {
-            into.faces.append(f);
-        }
-    }
-    for (const label f : from.faces)
-    {
-        mergingFace& g = faces_[f];
-        if (g.owner == a || g.neighbour == a)
-        {
-            continue;
-        }
-        made.faces.append(std::make_pair(f, g));
-        (g.owner == b ? g.owner : g.neighbour) = a;
-        into.faces.append(f);
-    }
-    from.faces.clear();
-    partOf_[b] = a;
-
-    return made;
-}
-
-
-void mergingMesh::undo(const change& made)
-{
-    for (const auto& f : made.faces)
-    {
-        faces_[f.first] = f.second;
-    }
-    cells_[made.a] = made.cellA;
-    cells_[made.b] = made.cellB;
-    partOf_[made.b] = made.b;
-}
-
-
-scalar mergingMesh::excessOfFaces
-(
-    const label a,
-    const label b,
-    const mergeControls& controls
-) const
-{
-    const scalar least = Foam::cos(degToRad(controls.maxNonOrtho));
-    scalar sum = 0;
-    const auto add = [&](const label f)
-    {
-        const mergingFace& g = faces_[f];
-        if (g.neighbour < 0)
-        {
-            return;
-        }
-        const vector d(cells_[g.neighbour].centre - cells_[g.owner].centre);
-        const scalar cosine = (g.area & d)/max(mag(g.area)*mag(d), VSMALL);
-        const scalar toOwner =
-            mag(g.area & (g.centre - cells_[g.owner].centre));
-        const scalar toNeighbour =
-            mag(g.area & (cells_[g.neighbour].centre - g.centre));
-        const scalar weight =
-            min(toOwner, toNeighbour)/max(toOwner + toNeighbour, VSMALL);
-        sum += max(least - cosine, scalar(0))/least
-          + max(controls.minWeight - weight, scalar(0))/controls.minWeight;
-    };
-    for (const label f : cells_[a].faces)
-    {
-        add(f);
-    }
-    for (const label f : cells_[b].faces)
-    {
-        if (faces_[f].owner != a && faces_[f].neighbour != a)
-        {
-            add(f);
-        }
-    }
-
-    return sum;
-}
-
 
 //- Merges the tetrahedra around cells with large gains
 class gainMerger
@@ -462,8 +34,10 @@ class gainMerger
         return sqr(max(gain - controls_.gain, scalar(0)));
     }
 
-    //- The cells with a gain that a merge of two cells changes
-    fewLabels cellsAround(const labelPair& pair) const;
+    //- Some cells, and the cells across their faces
+    fewLabels withNeighbours(const labelUList& cells) const;
+
+    scalar largestGain(const labelUList& cells);
 
     //- The pairs of tetrahedra, or polyhedra of them, at a cell
     DynamicList<labelPair> pairsAt(const label c) const;
@@ -479,6 +53,11 @@ public:
 
     gainMerger(mergingMesh& mesh, const mergeControls& controls);
 
+    //- Makes the triangles on a polygon of the outer surface one face of one
+    //  polyhedron, unless that makes gains larger. Its points are seen from the
+    //  polyhedron.
+    void mergeOnPolygon(const labelUList& triangles, const face& polygon);
+
     //- Merges at all cells with large gains
     void mergeAll();
 };
@@ -489,29 +68,112 @@ gainMerger::gainMerger(mergingMesh& mesh, const mergeControls& controls)
     mesh_(mesh),
     controls_(controls),
     gains_(mesh.nCells())
-{
-    #pragma omp parallel
-    {
-        DynamicList<schemeFace> seen;
+{}
 
-        #pragma omp for schedule(static)
-        forAll(gains_, c)
+
+//- Tetrahedra on triangles of a polygon, and those between them around the
+//  edges within it. Empty if other cells are between.
+static labelList cellsOnPolygon
+(
+    const mergingMesh& mesh,
+    const labelUList& triangles
+)
+{
+    const faceList& faces = mesh.far().topology.faces;
+    labelHashSet cells;
+    forAll(triangles, i)
+    {
+        for (const edge& e : faces[triangles[i]].edges())
         {
-            gains_[c] = mesh_.gain(c, seen);
+            for (label j = i + 1; j < triangles.size(); ++j)
+            {
+                if (faces[triangles[j]].edgeDirection(e) == 0)
+                {
+                    continue;
+                }
+                const labelList fan
+                (
+                    mesh.fanOf(e, triangles[i], triangles[j])
+                );
+                if (fan.empty())
+                {
+                    return labelList();
+                }
+                cells.insert(fan);
+            }
         }
+    }
+
+    return cells.sortedToc();
+}
+
+
+void gainMerger::mergeOnPolygon
+(
+    const labelUList& triangles,
+    const face& polygon
+)
+{
+    const labelList cells(cellsOnPolygon(mesh_, triangles));
+    if (cells.empty() || cells.size() > controls_.maxTets)
+    {
+        return;
+    }
+    const label stack = mesh_.neighbour(triangles[0]);
+    fewLabels changed(cells);
+    changed.append(stack);
+    const fewLabels around(withNeighbours(changed));
+    const scalar before = largestGain(around);
+
+    const mergingMesh::state state(mesh_.stateOf(changed));
+    for (label k = 1; k < cells.size(); ++k)
+    {
+        mesh_.merge(cells[0], cells[k]);
+    }
+    mesh_.unite(triangles, polygon);
+
+    fewLabels left;
+    for (const label c : around)
+    {
+        if (mesh_.partOf(c) == c)
+        {
+            left.append(c);
+        }
+    }
+    if
+    (
+        !mesh_.isStar(cells[0])
+     || largestGain(left) > max(before, controls_.gain)
+    )
+    {
+        mesh_.separate(triangles);
+        mesh_.restore(state);
     }
 }
 
 
-fewLabels gainMerger::cellsAround(const labelPair& pair) const
+fewLabels gainMerger::withNeighbours(const labelUList& cells) const
 {
     fewLabels around;
-    around.append(pair.first());
-    around.append(pair.second());
-    mesh_.appendNeighbours(pair.first(), around);
-    mesh_.appendNeighbours(pair.second(), around);
+    around.append(cells);
+    for (const label c : cells)
+    {
+        mesh_.appendNeighbours(c, around);
+    }
 
     return around;
+}
+
+
+scalar gainMerger::largestGain(const labelUList& cells)
+{
+    scalar largest = 0;
+    for (const label c : cells)
+    {
+        largest = max(largest, mesh_.gain(c, seen_));
+    }
+
+    return largest;
 }
 
 
@@ -554,7 +216,8 @@ DynamicList<labelPair> gainMerger::pairsAt(const label c) const
 scalar gainMerger::dropOf(const labelPair& pair)
 {
     const label a = pair.first();
-    const fewLabels around(cellsAround(pair));
+    const labelList both({a, pair.second()});
+    const fewLabels around(withNeighbours(both));
     scalar before = 0;
     scalar largest = 0;
     for (const label c : around)
@@ -562,13 +225,13 @@ scalar gainMerger::dropOf(const labelPair& pair)
         before += excess(gains_[c]);
         largest = max(largest, gains_[c]);
     }
-    const scalar faces = mesh_.excessOfFaces(a, pair.second(), controls_);
+    before += mesh_.excessOfFaces(a, pair.second(), controls_);
 
-    const mergingMesh::change made(mesh_.merge(a, pair.second()));
+    const mergingMesh::state state(mesh_.stateOf(both));
+    mesh_.merge(a, pair.second());
     const scalar allowed = (1 - controls_.leastDrop)*before;
-    bool better =
-        mesh_.isStar(a) && mesh_.excessOfFaces(a, a, controls_) <= faces;
-    scalar after = 0;
+    scalar after = mesh_.excessOfFaces(a, a, controls_);
+    bool better = after < allowed && mesh_.isStar(a);
     for (label k = 0; better && k < around.size(); ++k)
     {
         if (around[k] != pair.second())
@@ -578,7 +241,7 @@ scalar gainMerger::dropOf(const labelPair& pair)
             better = gain <= largest && after < allowed;
         }
     }
-    mesh_.undo(made);
+    mesh_.restore(state);
 
     return better ? before - after : 0;
 }
@@ -617,6 +280,17 @@ fewLabels gainMerger::mergeAt(const label c)
 
 void gainMerger::mergeAll()
 {
+    #pragma omp parallel
+    {
+        DynamicList<schemeFace> seen;
+
+        #pragma omp for schedule(static)
+        forAll(gains_, c)
+        {
+            gains_[c] = mesh_.partOf(c) == c ? mesh_.gain(c, seen) : 0;
+        }
+    }
+
     labelList wanted(identity(gains_.size()));
     while (wanted.size())
     {
@@ -651,94 +325,130 @@ void gainMerger::mergeAll()
 }
 
 
-} // End anonymous namespace
-
-
-//- Gives the cells and faces of a mesh whose cells are parts of cells new
-//  labels
-static void renumberCells(const labelUList& newCells, farFieldMesh& far)
+//- Faces of a far field whose cells merge
+class mergedFaces
 {
-    const polyMeshTopology old(far.topology);
-    const label nInternal = old.neighbour.size();
-    const auto cellsOf = [&](const label f)
-    {
-        return labelPair(newCells[old.owner[f]], newCells[old.neighbour[f]]);
-    };
+    const mergingMesh& mesh_;
+    const polyMeshTopology& old_;
 
-    DynamicList<label> kept(nInternal);
-    for (label f = 0; f < nInternal; ++f)
-    {
-        const labelPair cells(cellsOf(f));
-        if (cells.first() != cells.second())
-        {
-            kept.append(f);
-        }
-    }
-    std::stable_sort(kept.begin(), kept.end(), [&](const label a, const label b)
-    {
-        labelPair x(cellsOf(a));
-        labelPair y(cellsOf(b));
-        x.sort();
-        y.sort();
+    //- The new cell of each cell
+    const labelList& cells_;
 
-        return x.first() != y.first()
-          ? x.first() < y.first() : x.second() < y.second();
-    });
+    //- The new face of each face, -1 if it is gone, and whether it is reversed
+    labelList faces_;
+    boolList flipped_;
 
-    labelList newFaces(old.faces.size(), -1);
-    boolList flipped(old.faces.size(), false);
-    polyMeshTopology& t = far.topology;
-    t = polyMeshTopology();
-    t.reserve(old.faces.size(), kept.size());
-    for (const label f : kept)
+    labelPair cellsOf(const label f) const
     {
-        labelPair cells(cellsOf(f));
-        flipped[f] = cells.first() > cells.second();
+        labelPair cells(cells_[old_.owner[f]], cells_[old_.neighbour[f]]);
         cells.sort();
-        newFaces[f] = t.faces.size();
-        t.append
-        (
-            flipped[f] ? old.faces[f].reverseFace() : face(old.faces[f]),
-            cells.first(), cells.second()
-        );
+
+        return cells;
     }
-    forAll(old.patchStarts, patchi)
+
+    void addInternalFaces(polyMeshTopology& t)
     {
-        t.startPatch();
-        const label end = old.patchStarts[patchi] + old.patchSizes[patchi];
-        for (label f = old.patchStarts[patchi]; f < end; ++f)
+        DynamicList<label> kept(old_.neighbour.size());
+        forAll(old_.neighbour, f)
         {
-            newFaces[f] = t.faces.size();
-            t.append(face(old.faces[f]), newCells[old.owner[f]]);
+            const labelPair cells(cellsOf(f));
+            if (cells.first() != cells.second())
+            {
+                kept.append(f);
+            }
+        }
+        std::stable_sort
+        (
+            kept.begin(), kept.end(), [&](const label a, const label b)
+            {
+                return cellsOf(a) < cellsOf(b);
+            }
+        );
+        t.reserve(old_.faces.size(), kept.size());
+        for (const label f : kept)
+        {
+            const labelPair cells(cellsOf(f));
+            flipped_[f] = cells.first() != cells_[old_.owner[f]];
+            faces_[f] = t.faces.size();
+            t.append
+            (
+                flipped_[f] ? old_.faces[f].reverseFace() : face(old_.faces[f]),
+                cells.first(), cells.second()
+            );
         }
     }
 
-    for (cellZoneParts& zone : far.cellZones)
+    void addPatches(polyMeshTopology& t)
+    {
+        forAll(old_.patchStarts, patchi)
+        {
+            t.startPatch();
+            const label start = old_.patchStarts[patchi];
+            for (label k = 0; k < old_.patchSizes[patchi]; ++k)
+            {
+                const label f = start + k;
+                if (!mesh_.gone().test(f))
+                {
+                    const auto polygon = mesh_.polygons().cfind(f);
+                    faces_[f] = t.faces.size();
+                    t.append
+                    (
+                        face(polygon.good() ? *polygon : old_.faces[f]),
+                        cells_[old_.owner[f]]
+                    );
+                }
+            }
+        }
+    }
+
+public:
+
+    mergedFaces
+    (
+        const mergingMesh& mesh,
+        const labelList& newCells,
+        polyMeshTopology& t
+    )
+    :
+        mesh_(mesh),
+        old_(mesh.far().topology),
+        cells_(newCells),
+        faces_(old_.faces.size(), -1),
+        flipped_(old_.faces.size(), false)
+    {
+        addInternalFaces(t);
+        addPatches(t);
+    }
+
+    void update(cellZoneParts& zone) const
     {
         labelHashSet cells;
         for (const label c : zone.cells)
         {
-            cells.insert(newCells[c]);
+            cells.insert(cells_[c]);
         }
         zone.cells = cells.sortedToc();
     }
-    for (faceZoneParts& zone : far.faceZones)
+
+    void update(faceZoneParts& zone) const
     {
         DynamicList<label> faces;
         DynamicList<bool> flips;
         forAll(zone.faces, k)
         {
             const label f = zone.faces[k];
-            if (newFaces[f] >= 0)
+            if (faces_[f] >= 0)
             {
-                faces.append(newFaces[f]);
-                flips.append(zone.flips[k] != flipped[f]);
+                faces.append(faces_[f]);
+                flips.append(zone.flips[k] != flipped_[f]);
             }
         }
         zone.faces = faces;
         zone.flips = flips;
     }
-}
+};
+
+} // End anonymous namespace
 
 
 //- Points inside of polyhedra go
@@ -764,6 +474,53 @@ static void dropUnusedPoints(farFieldMesh& far)
 }
 
 
+//- Keeps polygons of the outer surface whole
+static void mergeOnPolygons
+(
+    const prismLayers& layers,
+    const farFieldMesh& far,
+    gainMerger& merger
+)
+{
+    const label start = far.topology.patchStarts[0];
+    const label n = far.frontFaces.size();
+    for (label k = 0, next = 0; k < n; k = next)
+    {
+        const label front = far.frontFaces[k];
+        while (next < n && far.frontFaces[next] == front)
+        {
+            ++next;
+        }
+        if (next - k > 1)
+        {
+            merger.mergeOnPolygon
+            (
+                identity(next - k, start + k),
+                layers.faces[front].reverseFace()
+            );
+        }
+    }
+}
+
+
+//- The new cell of each cell of the far field. Returns the number of new ones.
+static label numberCells(const mergingMesh& mesh, labelList& newCells)
+{
+    label nNew = 0;
+    forAll(newCells, c)
+    {
+        const label root = mesh.partOf(c);
+        if (newCells[root] < 0)
+        {
+            newCells[root] = nNew++;
+        }
+        newCells[c] = newCells[root];
+    }
+
+    return nNew;
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 void mergeCells
@@ -776,20 +533,32 @@ void mergeCells
 )
 {
     mergingMesh mesh(layers, frontAddressing, nTets, far);
-    gainMerger(mesh, controls).mergeAll();
+    gainMerger merger(mesh, controls);
+    mergeOnPolygons(layers, far, merger);
+    merger.mergeAll();
 
     labelList newCells(far.nCells, -1);
-    label nNew = 0;
-    forAll(newCells, c)
+    const label nNew = numberCells(mesh, newCells);
+    polyMeshTopology topology;
+    const mergedFaces faces(mesh, newCells, topology);
+    for (cellZoneParts& zone : far.cellZones)
     {
-        const label root = mesh.partOf(c);
-        if (newCells[root] < 0)
-        {
-            newCells[root] = nNew++;
-        }
-        newCells[c] = newCells[root];
+        faces.update(zone);
     }
-    renumberCells(newCells, far);
+    for (faceZoneParts& zone : far.faceZones)
+    {
+        faces.update(zone);
+    }
+    DynamicList<label> fronts;
+    forAll(far.frontFaces, k)
+    {
+        if (!mesh.gone().test(far.topology.patchStarts[0] + k))
+        {
+            fronts.append(far.frontFaces[k]);
+        }
+    }
+    far.frontFaces = fronts;
+    far.topology = std::move(topology);
     far.nCells = nNew;
     dropUnusedPoints(far);
 }

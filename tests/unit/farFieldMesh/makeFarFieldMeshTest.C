@@ -108,7 +108,10 @@ TEST(makeFarFieldMesh, takesQuadsAndSeveralBodies)
     );
     const memoryMesh memory(c.layers, c.mesh);
     expectSound(memory());
-    EXPECT_EQ(c.mesh.frontFaces.size(), 2*(96 + 54));
+
+    // Nearly all quadrilaterals stay one face
+    EXPECT_GE(c.mesh.frontFaces.size(), 96 + 54);
+    EXPECT_LT(c.mesh.frontFaces.size(), 1.2*(96 + 54));
 }
 
 

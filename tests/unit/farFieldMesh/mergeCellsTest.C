@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "explicitGains.H"
+#include "ListOps.H"
 #include "memoryMesh.H"
 #include "mergeCells.H"
 #include "soundMesh.H"
@@ -109,11 +110,26 @@ TEST(mergeCells, theMeshIsSoundAndHasTheSameBoundary)
 }
 
 
-TEST(mergeCells, soundTetrahedraStay)
+TEST(mergeCells, quadrilateralsAreWholeOrCut)
 {
     creaseCase c;
-    c.run = testSurfaces::layeredMesh(testSurfaces::sphere(5), 3, 0.02);
-    EXPECT_EQ(c.far(true).nCells, c.far(false).nCells);
+    c.run = testSurfaces::layeredMesh(testSurfaces::quadSphere(4), 3, 0.1);
+    const label nFaces = c.run.made.layers.faces.size();
+    EXPECT_EQ(c.far(false).frontFaces.size(), 2*nFaces);
+
+    const farFieldMesh merged(c.far(true));
+    for (label k = 0; k < merged.frontFaces.size(); ++k)
+    {
+        const label front = merged.frontFaces[k];
+        const bool isWhole =
+            findIndices(merged.frontFaces, front).size() == 1;
+        EXPECT_EQ
+        (
+            merged.topology.faces[merged.topology.patchStarts[0] + k].size(),
+            isWhole ? 4 : 3
+        );
+    }
+    EXPECT_LT(merged.frontFaces.size(), 1.2*nFaces);
 }
 
 // ************************************************************************* //

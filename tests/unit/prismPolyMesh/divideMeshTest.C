@@ -56,6 +56,7 @@ static farFieldMesh tetsAround(const prismLayerMesh& run, const scalar low = -4)
 {
     farFieldControls controls;
     controls.type = farFieldType::tet;
+    controls.polyhedra = false;
     controls.maxCells = 1000000;
     controls.boundary.type = farBoundaryType::box;
     controls.boundary.box = boundBox(point(-4, -4, low), point::uniform(4));

@@ -15,6 +15,7 @@
 #include "farFieldMesh/improveTets.C"
 #include "farFieldMesh/tetImprover.C"
 #include "farFieldMesh/coreBoundary.C"
+#include "farFieldMesh/mergingMesh.C"
 #include "farFieldMesh/mergeCells.C"
 #include "farFieldMesh/makeFarFieldMesh.C"
 #include "farFieldMesh/farFieldSizes.C"

@@ -6,6 +6,7 @@
 #include "layerMoves/layerEditor.C"
 #include "layerMoves/retreatColumns.C"
 #include "layerMoves/leanColumns.C"
+#include "layerMoves/columnStack.C"
 #include "layerMoves/columnCells.C"
 #include "layerMoves/bendColumns.C"
 #include "layerMoves/improveLayers.C"

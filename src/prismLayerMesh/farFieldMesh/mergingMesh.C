@@ -1,0 +1,475 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "mergingMesh.H"
+#include "cellPredicates.H"
+#include "faceQuality.H"
+#include "UIndirectList.H"
+#include "unitConversion.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * * Static Data * * * * * * * * * * * * * * * //
+
+//- Layers below the outer surface whose cells take part in the gains
+static const label nContextLayers = 2;
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void mergingMesh::addFace(const mergingFace& f)
+{
+    cells_[f.owner].faces.append(faces_.size());
+    if (f.neighbour >= 0)
+    {
+        cells_[f.neighbour].faces.append(faces_.size());
+    }
+    faces_.append(f);
+}
+
+
+void mergingMesh::addFarFaces(const label nContext)
+{
+    const polyMeshTopology& t = far_.topology;
+    const label nInternal = t.neighbour.size();
+
+    forAll(t.faces, f)
+    {
+        const label k = f - t.patchStarts[0];
+        const label neighbour =
+            f < nInternal ? t.neighbour[f]
+          : k < t.patchSizes[0] && nContext
+          ? far_.nCells + nContext*far_.frontFaces[k] : -1;
+        const face& points = t.faces[f];
+        addFace
+        (
+            mergingFace
+            {
+                t.owner[f], neighbour, points.areaNormal(far_.points),
+                points.centre(far_.points)
+            }
+        );
+    }
+}
+
+
+void mergingMesh::addLowerFaces
+(
+    const prismLayers& layers,
+    const label nContext,
+    const label j
+)
+{
+    const label level = layers.nLayers - j - 1;
+    forAll(layers.faces, front)
+    {
+        const face& columns = layers.faces[front];
+        pointField points(columns.size());
+        forAll(points, k)
+        {
+            points[k] = layers(columns[k], level);
+        }
+        const face f(identity(points.size()));
+        const label c = far_.nCells + nContext*front + j;
+        addFace
+        (
+            mergingFace
+            {
+                c, j + 1 < nContext ? c + 1 : -1, -f.areaNormal(points),
+                f.centre(points)
+            }
+        );
+    }
+}
+
+
+void mergingMesh::addSides
+(
+    const prismLayers& layers,
+    const wallAddressing& addressing,
+    const label nContext,
+    const label j
+)
+{
+    const label high = layers.nLayers - j;
+    forAll(addressing.edges, e)
+    {
+        const labelPair& fronts = addressing.edgeFaces[e];
+        const edge& ends = addressing.edges[e];
+        const face& first = layers.faces[fronts.first()];
+        const bool forward = first.edgeDirection(ends) > 0;
+        const label a = forward ? ends.start() : ends.end();
+        const label b = forward ? ends.end() : ends.start();
+        const pointField points
+        ({
+            layers(a, high - 1), layers(b, high - 1), layers(b, high),
+            layers(a, high)
+        });
+        const face f(identity(4));
+        const label c = far_.nCells + nContext*fronts.first() + j;
+        addFace
+        (
+            mergingFace
+            {
+                c,
+                fronts.second() < 0
+              ? -1 : far_.nCells + nContext*fronts.second() + j,
+                f.areaNormal(points), f.centre(points)
+            }
+        );
+    }
+}
+
+
+//- As OpenFOAM: pyramids from the mean of the centres of the faces
+void mergingMesh::setCentre(const label celli)
+{
+    mergingCell& c = cells_[celli];
+    point middle = Zero;
+    for (const label f : c.faces)
+    {
+        middle += faces_[f].centre/c.faces.size();
+    }
+
+    for (const label f : c.faces)
+    {
+        const mergingFace& g = faces_[f];
+        const scalar height = g.area & (g.centre - middle);
+        const scalar volume = (g.owner == celli ? height : -height)/3;
+        c.volume += volume;
+        c.centre += volume*(0.75*g.centre + 0.25*middle);
+    }
+    c.centre = mag(c.volume) > VSMALL ? c.centre/c.volume : middle;
+}
+
+
+const UIndirectList<point> mergingMesh::pointsOf(const label f) const
+{
+    const auto found = polygons_.cfind(f);
+
+    return UIndirectList<point>
+    (
+        far_.points, found.good() ? *found : far_.topology.faces[f]
+    );
+}
+
+
+bool mergingMesh::isBehind
+(
+    const point& x,
+    const label f,
+    const bool fromOwner
+) const
+{
+    const auto points(pointsOf(f));
+    const label n = points.size();
+
+    // The normal of a face points away from its owner
+    const int behind = fromOwner ? -1 : 1;
+    for (label first = 0; first < min(n - 2, label(2)); ++first)
+    {
+        for (label k = first + 1; k + 1 < first + n; ++k)
+        {
+            const int sign = orientation
+            (
+                points[first], points[k % n], points[(k + 1) % n], x
+            );
+            if (sign != behind)
+            {
+                return false;
+            }
+        }
+    }
+
+    return true;
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+mergingMesh::mergingMesh
+(
+    const prismLayers& layers,
+    const wallAddressing& addressing,
+    const label nTets,
+    const farFieldMesh& far
+)
+:
+    far_(far),
+    gone_(far.topology.faces.size())
+{
+    const label nContext = min(nContextLayers, layers.nLayers);
+    cells_.setSize(far.nCells + nContext*layers.faces.size());
+    partOf_ = identity(cells_.size());
+    faces_.reserve
+    (
+        far.topology.faces.size()
+      + nContext*(layers.faces.size() + addressing.edges.size())
+    );
+    addFarFaces(nContext);
+    for (label j = 0; j < nContext; ++j)
+    {
+        addLowerFaces(layers, nContext, j);
+        addSides(layers, addressing, nContext, j);
+    }
+
+    #pragma omp parallel for schedule(static)
+    forAll(cells_, c)
+    {
+        setCentre(c);
+        cells_[c].nTets = c < nTets;
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+label mergingMesh::partOf(label c) const
+{
+    while (partOf_[c] != c)
+    {
+        c = partOf_[c];
+    }
+
+    return c;
+}
+
+
+scalar mergingMesh::gain(const label c, DynamicList<schemeFace>& seen) const
+{
+    const point& own = cells_[c].centre;
+    seen.clear();
+    for (const label f : cells_[c].faces)
+    {
+        const mergingFace& g = faces_[f];
+        const label other = across(f, c);
+        seen.append
+        (
+            seenFace
+            (
+                g.owner == c ? g.area : -g.area, g.centre, own,
+                other < 0 ? nullptr : &cells_[other].centre
+            )
+        );
+    }
+
+    return cellGain(seen, cells_[c].volume);
+}
+
+
+bool mergingMesh::isStar(const label c) const
+{
+    for (const label f : cells_[c].faces)
+    {
+        if (!isBehind(cells_[c].centre, f, faces_[f].owner == c))
+        {
+            return false;
+        }
+    }
+
+    return true;
+}
+
+
+void mergingMesh::appendNeighbours(const label c, fewLabels& cells) const
+{
+    for (const label f : cells_[c].faces)
+    {
+        const label other = across(f, c);
+        if (other >= 0 && cells.find(other) < 0)
+        {
+            cells.append(other);
+        }
+    }
+}
+
+
+labelList mergingMesh::fanOf
+(
+    const edge& e,
+    const label from,
+    const label to
+) const
+{
+    const auto has = [&](const label f)
+    {
+        const face& points = far_.topology.faces[f];
+
+        return points.found(e.start()) && points.found(e.end());
+    };
+
+    DynamicList<label> fan;
+    label f = from;
+    label c = faces_[from].owner;
+    while (c >= 0 && cells_[c].nTets == 1)
+    {
+        fan.append(c);
+        label next = -1;
+        for (const label g : cells_[c].faces)
+        {
+            next = g != f && has(g) ? g : next;
+        }
+        if (next == to)
+        {
+            return labelList(std::move(fan));
+        }
+        f = next;
+        c = across(f, c);
+    }
+
+    return labelList();
+}
+
+
+mergingMesh::state mergingMesh::stateOf(const labelUList& cells) const
+{
+    state now;
+    for (const label c : cells)
+    {
+        now.cells.append(std::make_pair(c, cells_[c]));
+        for (const label f : cells_[c].faces)
+        {
+            now.faces.append(std::make_pair(f, faces_[f]));
+        }
+    }
+
+    return now;
+}
+
+
+void mergingMesh::restore(const state& before)
+{
+    for (const auto& c : before.cells)
+    {
+        cells_[c.first] = c.second;
+        partOf_[c.first] = c.first;
+    }
+    for (const auto& f : before.faces)
+    {
+        faces_[f.first] = f.second;
+    }
+}
+
+
+void mergingMesh::merge(const label a, const label b)
+{
+    mergingCell& into = cells_[a];
+    mergingCell& from = cells_[b];
+    const scalar volume = into.volume + from.volume;
+    into.centre = (into.volume*into.centre + from.volume*from.centre)/volume;
+    into.volume = volume;
+    into.nTets += from.nTets;
+
+    faceLabels faces;
+    for (const label f : into.faces)
+    {
+        if (across(f, a) != b)
+        {
+            faces.append(f);
+        }
+    }
+    for (const label f : from.faces)
+    {
+        mergingFace& g = faces_[f];
+        if (across(f, b) != a)
+        {
+            (g.owner == b ? g.owner : g.neighbour) = a;
+            faces.append(f);
+        }
+    }
+    into.faces.transfer(faces);
+    from.faces.clear();
+    partOf_[b] = a;
+}
+
+
+void mergingMesh::unite(const labelUList& triangles, const face& polygon)
+{
+    const label first = triangles[0];
+    mergingFace& f = faces_[first];
+    for (const label c : {f.owner, f.neighbour})
+    {
+        faceLabels kept;
+        for (const label g : cells_[c].faces)
+        {
+            if (g == first || !triangles.found(g))
+            {
+                kept.append(g);
+            }
+        }
+        cells_[c].faces = kept;
+    }
+    for (const label g : triangles)
+    {
+        gone_.set(g, g != first);
+    }
+    polygons_.insert(first, polygon);
+    f.area = polygon.areaNormal(far_.points);
+    f.centre = polygon.centre(far_.points);
+}
+
+
+void mergingMesh::separate(const labelUList& triangles)
+{
+    polygons_.erase(triangles[0]);
+    gone_.unset(triangles);
+}
+
+
+scalar mergingMesh::excessOfFaces
+(
+    const label a,
+    const label b,
+    const mergeControls& controls
+) const
+{
+    const scalar least = Foam::cos(degToRad(controls.maxNonOrtho));
+    scalar sum = 0;
+    const auto add = [&](const label f)
+    {
+        const mergingFace& g = faces_[f];
+        if (g.neighbour < 0)
+        {
+            return;
+        }
+        const point& own = cells_[g.owner].centre;
+        const point& other = cells_[g.neighbour].centre;
+        const vector d(other - own);
+        const scalar cosine = (g.area & d)/max(mag(g.area)*mag(d), VSMALL);
+        const scalar toOwn = mag(g.area & (g.centre - own));
+        const scalar toOther = mag(g.area & (other - g.centre));
+        const scalar weight =
+            min(toOwn, toOther)/max(toOwn + toOther, VSMALL);
+        scalar excess = max(least - cosine, scalar(0))
+          + max(controls.minWeight - weight, scalar(0))/controls.minWeight;
+        if (f < far_.topology.faces.size())
+        {
+            excess += skewnessViolation
+            (
+                faceGeometry(pointsOf(f)), pointsOf(f), own, other,
+                controls.maxSkewness
+            );
+        }
+        sum += controls.faceWeight*excess;
+    };
+    for (const label f : cells_[a].faces)
+    {
+        add(f);
+    }
+    for (const label f : cells_[b].faces)
+    {
+        if (b != a && across(f, b) != a)
+        {
+            add(f);
+        }
+    }
+
+    return sum;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
