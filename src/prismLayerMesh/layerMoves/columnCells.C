@@ -42,7 +42,7 @@ void columnCells::addSides
             stacks_[j].outwards[k] = true;
             sides_.append
             (
-                side
+                columnSide
                 {
                     a, b, a == column || b == column, j, other,
                     g < 0 || other >= 0
@@ -61,21 +61,21 @@ void columnCells::addSides
 
 void columnCells::updateLevel(const label stacki, const label i)
 {
-    stack& s = stacks_[stacki];
+    columnStack& s = stacks_[stacki];
     s.levels[i] = faceGeometry(levelPoints{layers_, s.columns, i});
 }
 
 
 void columnCells::updateSide(const label sidei, const label i)
 {
-    side& s = sides_[sidei];
+    columnSide& s = sides_[sidei];
     s.faces[i - 1] = faceGeometry(sidePoints{layers_, s.a, s.b, i});
 }
 
 
 void columnCells::updateCell(const label stacki, const label i)
 {
-    stack& s = stacks_[stacki];
+    columnStack& s = stacks_[stacki];
     cellFaces_.clear();
     cellFaces_.append(s.levels[i - 1]);
     cellFaces_[0].area *= -1;
@@ -113,20 +113,6 @@ void columnCells::update()
 }
 
 
-void columnCells::setHeights(stack& s) const
-{
-    s.thickness = 0;
-
-    forAll(s.volumes3, i)
-    {
-        const scalar height =
-            layerHeight(s.levels[i], s.levels[i + 1], s.volumes3[i]);
-        s.thickness += height;
-        s.firstHeight = i == 0 ? height : s.firstHeight;
-    }
-}
-
-
 scalar columnCells::heightError(const scalar height, const scalar kept) const
 {
     const scalar error = height/kept - 1;
@@ -138,7 +124,7 @@ scalar columnCells::heightError(const scalar height, const scalar kept) const
 
 FixedList<scalar, 2> columnCells::heightResiduals
 (
-    const stack& s,
+    const columnStack& s,
     const scalar firstHeight,
     const scalar thickness
 ) const
@@ -210,50 +196,63 @@ scalar columnCells::sumOfFaces()
 }
 
 
-scalar columnCells::jacobianResidual(const stack& s, const label i) const
+scalar columnCells::jacobianResidual(const columnStack& s, const label i) const
 {
     return controls_.jacobianWeight
        *jacobianViolation(layers_, s.columns, i, targets_.jacobian(s.facei));
 }
 
 
-scalar columnCells::gainResidual(const stack& s, const label i)
+scalar columnCells::gainResidual(const labelPair& cell) const
 {
-    const point& own = s.centres[i - 1];
-    const auto add = [&](const faceGeometry& f, scalar sign, const point* other)
-    {
-        seenFaces_.append(seenFace(sign*f.area, f.centre, own, other));
-    };
-    seenFaces_.clear();
-    add(s.levels[i - 1], -1, i > 1 ? &s.centres[i - 2] : nullptr);
-    add(s.levels[i], 1, i < layers_.nLayers ? &s.centres[i] : nullptr);
-    forAll(s.sides, k)
-    {
-        const side& t = sides_[s.sides[k]];
-        const UList<point>& other =
-            !s.outwards[k] ? stacks_[t.first].centres
-          : t.second < 0 ? t.fixedCentres : stacks_[t.second].centres;
-        add
-        (
-            t.faces[i - 1], s.outwards[k] ? 1 : -1,
-            other.size() ? &other[i - 1] : nullptr
-        );
-    }
-    const scalar gain = cellGain(seenFaces_, s.volumes3[i - 1]/3);
+    const scalar gain = gainOf(stacks_, sides_, cell);
 
     return controls_.gainWeight*gainViolation(gain, targets_.gain);
+}
+
+
+scalar columnCells::sumOfGains()
+{
+    missedGains_.clear();
+    for (label stacki = 0; !watches_ && stacki < stacks_.size(); ++stacki)
+    {
+        // The lower a layer, the less the gains
+        labelPair cell(stacki, layers_.nLayers);
+        while
+        (
+            cell.second() > 0
+         && gainOf(stacks_, sides_, cell) > 0.5*targets_.gain
+        )
+        {
+            watchedGains_.append(cell);
+            --cell.second();
+        }
+    }
+    watches_ = true;
+
+    scalar sum = 0;
+    for (const labelPair& cell : watchedGains_)
+    {
+        const scalar residual = gainResidual(cell);
+        if (residual > 0)
+        {
+            missedGains_.append(cell);
+            sum += sqr(residual);
+        }
+    }
+
+    return sum;
 }
 
 
 scalar columnCells::sumOfCells()
 {
     missedCells_.clear();
-    missedGains_.clear();
     scalar sum = 0;
 
     forAll(stacks_, stacki)
     {
-        const stack& s = stacks_[stacki];
+        const columnStack& s = stacks_[stacki];
         const bool misses = targets_.missesJacobian(layers_, s.facei);
 
         for (label i = 1; misses && i <= layers_.nLayers; ++i)
@@ -262,16 +261,6 @@ scalar columnCells::sumOfCells()
             if (residual > 0)
             {
                 missedCells_.append(labelPair(stacki, i));
-                sum += sqr(residual);
-            }
-        }
-
-        for (label i = 1; targets_.gain < GREAT && i <= layers_.nLayers; ++i)
-        {
-            const scalar residual = gainResidual(s, i);
-            if (residual > 0)
-            {
-                missedGains_.append(labelPair(stacki, i));
                 sum += sqr(residual);
             }
         }
@@ -319,7 +308,7 @@ columnCells::columnCells
         const face& f = layers_.faces[facei];
         stacks_.append
         (
-            stack
+            columnStack
             {
                 facei, f, targets.heights[facei],
                 labelList(f.size()), boolList(f.size()),
@@ -339,8 +328,9 @@ scalar columnCells::evaluate()
 {
     update();
     scalar sum = sumOfFaces() + sumOfCells();
+    sum += targets_.gain < GREAT ? sumOfGains() : 0;
 
-    for (stack& s : stacks_)
+    for (columnStack& s : stacks_)
     {
         if (s.keptHeights.size())
         {
@@ -361,67 +351,41 @@ scalar columnCells::evaluate()
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void columnCells::setGradients(stack& s) const
+void columnCells::findMoved()
 {
-    const label k = s.columns.find(column_);
-    const label before = s.columns.rcIndex(k);
-    s.gradients.setSize(layers_.nLayers);
-    s.gradients = Zero;
-
-    // Three times the volume changes by three times the area of each face times
-    // the mean displacement of its points
-    const scalar share = 3.0/s.columns.size();
-    vector areaBelow(Zero);
-
-    forAll(s.volumes3, i)
+    movedLevels_.clear();
+    movedSides_.clear();
+    for (const labelPair& cell : movedCells_)
     {
-        const faceGeometry& lower = s.levels[i];
-        const faceGeometry& upper = s.levels[i + 1];
-        const vector across
-        (
-            layers_(s.columns[before], i + 1)
-          - layers_(s.columns[s.columns.fcIndex(k)], i + 1)
-        );
-        const vector along(normalised(upper.area));
-        const vector area(0.5*(along ^ across));
-        vector sides(Zero);
-        for (const label j : {before, k})
+        const label i = cell.second();
+        movedLevels_.append(cell);
+        if (i > 1)
         {
-            sides += (s.outwards[j] ? 0.75 : -0.75)
-               *sides_[s.sides[j]].faces[i].area;
+            movedLevels_.append(labelPair(cell.first(), i - 1));
         }
-
-        const scalar height = layerHeight(lower, upper, s.volumes3[i]);
-        const scalar areas = max(mag(lower.area) + mag(upper.area), VSMALL);
-        s.gradients[i] +=
-            (2.0/3.0*(sides + share*upper.area) - height*area)/areas;
-
-        if (i == 0)
+        for (const label sidei : stacks_[cell.first()].sides)
         {
-            s.firstGradient = s.gradients[0];
+            if (sides_[sidei].moves)
+            {
+                movedSides_.append(labelPair(sidei, i));
+            }
         }
-        else
-        {
-            s.gradients[i - 1] +=
-                (2.0/3.0*(sides - share*lower.area) - height*areaBelow)/areas;
-        }
-        areaBelow = area;
     }
+    inplaceUniqueSort(movedLevels_);
+    inplaceUniqueSort(movedSides_);
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void columnCells::linearise()
 {
     const label n = layers_.nLayers;
     linearAt_ = SubList<point>(layers_.points, n, layers_.index(column_, 1));
 
-    for (stack& s : stacks_)
+    for (columnStack& s : stacks_)
     {
         if (s.keptHeights.size())
         {
-            setGradients(s);
+            setGradients(layers_, sides_, column_, s);
         }
     }
 
@@ -436,7 +400,7 @@ void columnCells::linearise()
     }
     for (const labelPair& missed : missedSides_)
     {
-        const side& s = sides_[missed.first()];
+        const columnSide& s = sides_[missed.first()];
         movedCells_.append(labelPair(s.first, missed.second()));
         if (s.second >= 0)
         {
@@ -460,27 +424,7 @@ void columnCells::linearise()
         }
     }
     inplaceUniqueSort(movedCells_);
-
-    movedLevels_.clear();
-    movedSides_.clear();
-    for (const labelPair& cell : movedCells_)
-    {
-        const label i = cell.second();
-        movedLevels_.append(cell);
-        if (i > 1)
-        {
-            movedLevels_.append(labelPair(cell.first(), i - 1));
-        }
-        for (const label sidei : stacks_[cell.first()].sides)
-        {
-            if (sides_[sidei].moves)
-            {
-                movedSides_.append(labelPair(sidei, i));
-            }
-        }
-    }
-    inplaceUniqueSort(movedLevels_);
-    inplaceUniqueSort(movedSides_);
+    findMoved();
 }
 
 
@@ -506,7 +450,7 @@ void columnCells::residuals(DynamicList<scalar>& all)
     updateMoved();
 
     all.clear();
-    for (const stack& s : stacks_)
+    for (const columnStack& s : stacks_)
     {
         if (s.keptHeights.size())
         {
@@ -551,7 +495,7 @@ void columnCells::residuals(DynamicList<scalar>& all)
     }
     for (const labelPair& cell : missedGains_)
     {
-        all.append(gainResidual(stacks_[cell.first()], cell.second()));
+        all.append(gainResidual(cell));
     }
     for (const vector& d : displacements())
     {

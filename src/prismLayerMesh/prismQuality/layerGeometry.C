@@ -290,29 +290,37 @@ scalar layerGeometry::gainViolations
     DynamicList<schemeFace> seen(f.size() + 2);
     scalar sum = 0;
 
-    visitCells
-    (
-        layers_, f,
-        [&](const label i, const UList<faceGeometry>& faces)
+    // The lower a layer, the less the gains
+    scalar gain = GREAT;
+    for (label i = layers_.nLayers; i > 0 && gain > 0.5*target; --i)
+    {
+        const auto add = [&](const faceGeometry& g, scalar sign, const point* x)
         {
-            const auto add = [&](const faceGeometry& g, const point* other)
-            {
-                seen.append(seenFace(g.area, g.centre, own[i - 1], other));
-            };
-            seen.clear();
-            add(faces[0], i > 1 ? &own[i - 2] : nullptr);
-            add(faces[1], i < layers_.nLayers ? &own[i] : nullptr);
-            forAll(f, k)
-            {
-                const label g = across(facei, k);
-                add(faces[2 + k], g < 0 ? nullptr : &centres(g)[i - 1]);
-            }
-            const scalar gain = cellGain(seen, volume3(facei, i)/3);
-            sum += sqr(gainViolation(gain, target));
-
-            return true;
+            seen.append(seenFace(sign*g.area, g.centre, own[i - 1], x));
+        };
+        seen.clear();
+        add
+        (
+            faceGeometry(levelPoints{layers_, f, i - 1}), -1,
+            i > 1 ? &own[i - 2] : nullptr
+        );
+        add
+        (
+            faceGeometry(levelPoints{layers_, f, i}), 1,
+            i < layers_.nLayers ? &own[i] : nullptr
+        );
+        forAll(f, k)
+        {
+            const label g = across(facei, k);
+            add
+            (
+                faceGeometry(sidePoints{layers_, f[k], f[f.fcIndex(k)], i}), 1,
+                g < 0 ? nullptr : &centres(g)[i - 1]
+            );
         }
-    );
+        gain = cellGain(seen, volume3(facei, i)/3);
+        sum += sqr(gainViolation(gain, target));
+    }
 
     return sum;
 }

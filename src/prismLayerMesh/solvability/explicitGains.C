@@ -106,12 +106,11 @@ scalar cellGain(const UList<schemeFace>& faces, const scalar volume)
 }
 
 
-scalarField explicitGains(const finiteVolumes& mesh)
+//- Faces of all cells, one cell after the other. starts has the first face of
+//  each cell in the list, and the number of all.
+static labelList facesByCell(const finiteVolumes& mesh, labelList& starts)
 {
     const label nInternal = mesh.neighbour.size();
-
-    // First face of each cell in the list of faces, and the number of all
-    labelList starts(mesh.cellVolumes.size() + 1, Zero);
     labelList faces(mesh.owner.size() + nInternal);
     const auto visitFaces = [&](const auto& visit)
     {
@@ -132,6 +131,15 @@ scalarField explicitGains(const finiteVolumes& mesh)
     labelList next(starts);
     visitFaces([&](const label c, const label f) { faces[next[c]++] = f; });
 
+    return faces;
+}
+
+
+scalarField explicitGains(const finiteVolumes& mesh)
+{
+    const label nInternal = mesh.neighbour.size();
+    labelList starts(mesh.cellVolumes.size() + 1, Zero);
+    const labelList faces(facesByCell(mesh, starts));
     scalarField gains(mesh.cellVolumes.size());
 
     #pragma omp parallel

@@ -122,7 +122,7 @@ TEST(explicitGains, areNearToTheRowsOfTheMatricesOfTheScheme)
         const scalarField rows(gainsByColumns(mesh()));
         const scalarField gains(explicitGains(volumesOf(mesh())));
 
-        ASSERT_GT(max(rows), 0.01);
+        ASSERT_GT(max(rows), 0.001);
         forAll(gains, celli)
         {
             EXPECT_NEAR(gains[celli], rows[celli], 0.25*max(rows));
