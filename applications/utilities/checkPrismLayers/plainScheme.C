@@ -112,8 +112,8 @@ static scalar iterate(const label nIterations, volScalarField& T)
     (
         parsed
         (
-            "solver PCG; preconditioner DIC; tolerance 1e-14; relTol 1e-3;"
-            " minIter 1;"
+            "solver GAMG; smoother DICGaussSeidel; tolerance 1e-14;"
+            " relTol 0.01; minIter 1; nCellsInCoarsestLevel 100;"
         )
     );
     lduMatrix::debug = 0;
