@@ -6,6 +6,8 @@
 #include "farFieldFaults.H"
 #include "faultText.H"
 #include "planeDomain.H"
+#include "ranges.H"
+#include "surfaceMeasures.H"
 #include "tetBoundary.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -20,6 +22,9 @@ class domainJudge : madeFarField
 {
     //- Of the domain
     const scalar size_;
+
+    //- Whether the outer face on a front face is one face of the mesh
+    bool isWhole(label fronti) const;
 
     //- Of the space that the layers leave, from their outer surface
     scalar volumeLeft() const;
@@ -50,6 +55,24 @@ public:
 } // End anonymous namespace
 
 
+bool domainJudge::isWhole(const label fronti) const
+{
+    const face& columns = layers.faces[fronti];
+    const label top = (fronti + 1)*layers.nLayers - 1;
+
+    return anyOf(mesh.cells()[top], [&](const label facei)
+    {
+        const face& f = mesh.faces()[facei];
+
+        return f.size() == columns.size()
+         && allOf(columns, [&](const label c)
+            {
+                return f.found(layers.pointLabel(c, layers.nLayers));
+            });
+    });
+}
+
+
 scalar domainJudge::volumeLeft() const
 {
     wallSurface outer;
@@ -65,7 +88,26 @@ scalar domainJudge::volumeLeft() const
     (
         SubList<sidePlane>(asked.planes, layers.border.sides.size())
     );
-    const scalar within = volumeOf(surface, sides);
+    scalar within = volumeOf(surface, sides);
+
+    // A polygon that stays whole is no pair of triangles, if it is warped
+    forAll(triangles, i)
+    {
+        const label fronti = triangleFace[i];
+        if (layers.faces[fronti].size() > 3 && isWhole(fronti))
+        {
+            const UIndirectList<point> points(outer.points, triangles[i]);
+            within -= faceGeometry(points).pyramid3(Zero)/3;
+            if (i == 0 || triangleFace[i - 1] != fronti)
+            {
+                const UIndirectList<point> whole
+                (
+                    outer.points, layers.faces[fronti]
+                );
+                within += faceGeometry(whole).pyramid3(Zero)/3;
+            }
+        }
+    }
 
     return asked.fluidInside ? -within : volumeOf(asked.planes) - within;
 }
