@@ -230,7 +230,7 @@ static bool bend
     columnCells cells(editor, geometry, targets, c);
     const scalar sum = cells.evaluate();
 
-    if (sum <= controls.bendSlack)
+    if (sum <= 0)
     {
         return false;
     }
