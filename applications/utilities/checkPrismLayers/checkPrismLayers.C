@@ -149,8 +149,9 @@ static void solve(const polyMesh& mesh)
         (
             finiteVolumes
             {
-                mesh.faceOwner(), mesh.faceNeighbour(), mesh.faceAreas(),
-                mesh.faceCentres(), mesh.cellCentres(), mesh.cellVolumes()
+                mesh.faceOwner(), mesh.faceNeighbour(), mesh.cells(),
+                mesh.faceAreas(), mesh.faceCentres(), mesh.cellCentres(),
+                mesh.cellVolumes()
             }
         )
     );

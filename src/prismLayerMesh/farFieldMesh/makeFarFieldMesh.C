@@ -464,8 +464,8 @@ static void dropEmptySides(const UList<sidePatch>& sides, farFieldMesh& far)
 }
 
 
-//- Names the hexahedra of a core, which come after the tetrahedra, and merges
-//  tetrahedra
+//- Names the hexahedra of a core. They come after the tetrahedra. Then merges
+//  tetrahedra if the controls ask for polyhedra.
 static void finish
 (
     const prismLayers& layers,

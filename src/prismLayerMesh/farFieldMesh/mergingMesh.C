@@ -6,6 +6,7 @@
 #include "mergingMesh.H"
 #include "cellPredicates.H"
 #include "faceQuality.H"
+#include "layerGeometry.H"
 #include "UIndirectList.H"
 #include "unitConversion.H"
 
@@ -43,15 +44,7 @@ void mergingMesh::addFarFaces(const label nContext)
             f < nInternal ? t.neighbour[f]
           : k < t.patchSizes[0] && nContext
           ? far_.nCells + nContext*far_.frontFaces[k] : -1;
-        const face& points = t.faces[f];
-        addFace
-        (
-            mergingFace
-            {
-                t.owner[f], neighbour, points.areaNormal(far_.points),
-                points.centre(far_.points)
-            }
-        );
+        addFace(mergingFace{t.owner[f], neighbour, faceGeometry(pointsOf(f))});
     }
 }
 
@@ -66,22 +59,10 @@ void mergingMesh::addLowerFaces
     const label level = layers.nLayers - j - 1;
     forAll(layers.faces, front)
     {
-        const face& columns = layers.faces[front];
-        pointField points(columns.size());
-        forAll(points, k)
-        {
-            points[k] = layers(columns[k], level);
-        }
-        const face f(identity(points.size()));
         const label c = far_.nCells + nContext*front + j;
-        addFace
-        (
-            mergingFace
-            {
-                c, j + 1 < nContext ? c + 1 : -1, -f.areaNormal(points),
-                f.centre(points)
-            }
-        );
+        faceGeometry f(levelPoints{layers, layers.faces[front], level});
+        f.area *= -1;
+        addFace(mergingFace{c, j + 1 < nContext ? c + 1 : -1, f});
     }
 }
 
@@ -103,46 +84,32 @@ void mergingMesh::addSides
         const bool forward = first.edgeDirection(ends) > 0;
         const label a = forward ? ends.start() : ends.end();
         const label b = forward ? ends.end() : ends.start();
-        const pointField points
-        ({
-            layers(a, high - 1), layers(b, high - 1), layers(b, high),
-            layers(a, high)
-        });
-        const face f(identity(4));
-        const label c = far_.nCells + nContext*fronts.first() + j;
+        const label neighbour = fronts.second() < 0
+          ? -1 : far_.nCells + nContext*fronts.second() + j;
         addFace
         (
             mergingFace
             {
-                c,
-                fronts.second() < 0
-              ? -1 : far_.nCells + nContext*fronts.second() + j,
-                f.areaNormal(points), f.centre(points)
+                far_.nCells + nContext*fronts.first() + j, neighbour,
+                faceGeometry(sidePoints{layers, a, b, high})
             }
         );
     }
 }
 
 
-//- As OpenFOAM: pyramids from the mean of the centres of the faces
 void mergingMesh::setCentre(const label celli)
 {
     mergingCell& c = cells_[celli];
-    point middle = Zero;
+    DynamicList<faceGeometry> faces(c.faces.size());
     for (const label f : c.faces)
     {
-        middle += faces_[f].centre/c.faces.size();
+        faces.append(faces_[f].geometry);
+        faces.last().area *= faces_[f].owner == celli ? 1 : -1;
     }
-
-    for (const label f : c.faces)
-    {
-        const mergingFace& g = faces_[f];
-        const scalar height = g.area & (g.centre - middle);
-        const scalar volume = (g.owner == celli ? height : -height)/3;
-        c.volume += volume;
-        c.centre += volume*(0.75*g.centre + 0.25*middle);
-    }
-    c.centre = mag(c.volume) > VSMALL ? c.centre/c.volume : middle;
+    const cellGeometry cell(faces);
+    c.centre = cell.centre;
+    c.volume = cell.volume3/3;
 }
 
 
@@ -250,7 +217,7 @@ scalar mergingMesh::gain(const label c, DynamicList<schemeFace>& seen) const
         (
             seenFace
             (
-                g.owner == c ? g.area : -g.area, g.centre, own,
+                (g.owner == c ? 1 : -1)*g.geometry.area, g.geometry.centre, own,
                 other < 0 ? nullptr : &cells_[other].centre
             )
         );
@@ -389,8 +356,7 @@ void mergingMesh::merge(const label a, const label b)
 void mergingMesh::unite(const labelUList& triangles, const face& polygon)
 {
     const label first = triangles[0];
-    mergingFace& f = faces_[first];
-    for (const label c : {f.owner, f.neighbour})
+    for (const label c : {faces_[first].owner, faces_[first].neighbour})
     {
         faceLabels kept;
         for (const label g : cells_[c].faces)
@@ -407,8 +373,7 @@ void mergingMesh::unite(const labelUList& triangles, const face& polygon)
         gone_.set(g, g != first);
     }
     polygons_.insert(first, polygon);
-    f.area = polygon.areaNormal(far_.points);
-    f.centre = polygon.centre(far_.points);
+    faces_[first].geometry = faceGeometry(pointsOf(first));
 }
 
 
@@ -437,20 +402,18 @@ scalar mergingMesh::excessOfFaces
         }
         const point& own = cells_[g.owner].centre;
         const point& other = cells_[g.neighbour].centre;
-        const vector d(other - own);
-        const scalar cosine = (g.area & d)/max(mag(g.area)*mag(d), VSMALL);
-        const scalar toOwn = mag(g.area & (g.centre - own));
-        const scalar toOther = mag(g.area & (other - g.centre));
+        const vector& area = g.geometry.area;
+        const scalar toOwn = mag(area & (g.geometry.centre - own));
+        const scalar toOther = mag(area & (other - g.geometry.centre));
         const scalar weight =
             min(toOwn, toOther)/max(toOwn + toOther, VSMALL);
-        scalar excess = max(least - cosine, scalar(0))
+        scalar excess = nonOrthoViolation(area, other - own, least)
           + max(controls.minWeight - weight, scalar(0))/controls.minWeight;
         if (f < far_.topology.faces.size())
         {
             excess += skewnessViolation
             (
-                faceGeometry(pointsOf(f)), pointsOf(f), own, other,
-                controls.maxSkewness
+                g.geometry, pointsOf(f), own, other, controls.maxSkewness
             );
         }
         sum += controls.faceWeight*excess;

@@ -6,6 +6,7 @@
 #include "meshCell.H"
 #include "cell.H"
 #include "cellPredicates.H"
+#include "layerGeometry.H"
 #include "ranges.H"
 
 #include <algorithm>
@@ -257,24 +258,18 @@ bool meshCell::asBox(const label celli, bool& positive) const
 
 point meshCell::centreOf(const label celli) const
 {
-    const cell faces(mesh_.cellFaces(celli));
-    point middle(Zero);
-    for (const label facei : faces)
+    DynamicList<faceGeometry> faces;
+    for (const label facei : mesh_.cellFaces(celli))
     {
-        middle += mesh_.faces()[facei].centre(mesh_.points())/faces.size();
+        const face& f = mesh_.faces()[facei];
+        faces.append
+        (
+            faceGeometry(UIndirectList<point>(mesh_.points(), f))
+        );
+        faces.last().area *= mesh_.owner(facei) == celli ? 1 : -1;
     }
 
-    scalar volume = 0;
-    vector sum(Zero);
-    for (const label facei : faces)
-    {
-        const scalar v = mesh_.pyramidVolume(facei, celli, middle);
-        const point centre(mesh_.faces()[facei].centre(mesh_.points()));
-        volume += v;
-        sum += v*(0.75*centre + 0.25*middle);
-    }
-
-    return volume > VSMALL ? sum/volume : middle;
+    return cellGeometry(faces).centre;
 }
 
 

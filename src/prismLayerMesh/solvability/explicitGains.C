@@ -106,40 +106,9 @@ scalar cellGain(const UList<schemeFace>& faces, const scalar volume)
 }
 
 
-//- Faces of all cells, one cell after the other. starts has the first face of
-//  each cell in the list, and the number of all.
-static labelList facesByCell(const finiteVolumes& mesh, labelList& starts)
-{
-    const label nInternal = mesh.neighbour.size();
-    labelList faces(mesh.owner.size() + nInternal);
-    const auto visitFaces = [&](const auto& visit)
-    {
-        forAll(mesh.owner, f)
-        {
-            visit(mesh.owner[f], f);
-            if (f < nInternal)
-            {
-                visit(mesh.neighbour[f], f);
-            }
-        }
-    };
-    visitFaces([&](const label c, label) { ++starts[c + 1]; });
-    for (label c = 1; c < starts.size(); ++c)
-    {
-        starts[c] += starts[c - 1];
-    }
-    labelList next(starts);
-    visitFaces([&](const label c, const label f) { faces[next[c]++] = f; });
-
-    return faces;
-}
-
-
 scalarField explicitGains(const finiteVolumes& mesh)
 {
     const label nInternal = mesh.neighbour.size();
-    labelList starts(mesh.cellVolumes.size() + 1, Zero);
-    const labelList faces(facesByCell(mesh, starts));
     scalarField gains(mesh.cellVolumes.size());
 
     #pragma omp parallel
@@ -150,9 +119,8 @@ scalarField explicitGains(const finiteVolumes& mesh)
         forAll(gains, c)
         {
             seen.clear();
-            for (label k = starts[c]; k < starts[c + 1]; ++k)
+            for (const label f : mesh.cells[c])
             {
-                const label f = faces[k];
                 const bool owns = mesh.owner[f] == c;
                 const vector area((owns ? 1 : -1)*mesh.faceAreas[f]);
                 const point& centre = mesh.faceCentres[f];

@@ -47,8 +47,9 @@ static scalarField gainsOf(const polyMesh& mesh)
     (
         finiteVolumes
         {
-            mesh.faceOwner(), mesh.faceNeighbour(), mesh.faceAreas(),
-            mesh.faceCentres(), mesh.cellCentres(), mesh.cellVolumes()
+            mesh.faceOwner(), mesh.faceNeighbour(), mesh.cells(),
+            mesh.faceAreas(), mesh.faceCentres(), mesh.cellCentres(),
+            mesh.cellVolumes()
         }
     );
 }

@@ -21,8 +21,9 @@ static finiteVolumes volumesOf(const polyMesh& mesh)
 {
     return finiteVolumes
     {
-        mesh.faceOwner(), mesh.faceNeighbour(), mesh.faceAreas(),
-        mesh.faceCentres(), mesh.cellCentres(), mesh.cellVolumes()
+        mesh.faceOwner(), mesh.faceNeighbour(), mesh.cells(),
+        mesh.faceAreas(), mesh.faceCentres(), mesh.cellCentres(),
+        mesh.cellVolumes()
     };
 }
 
@@ -143,8 +144,8 @@ TEST(explicitGains, nameCellsOnWhichNoSchemeWorks)
         (
             finiteVolumes
             {
-                good.owner, good.neighbour, good.faceAreas, good.faceCentres,
-                centres, good.cellVolumes
+                good.owner, good.neighbour, good.cells, good.faceAreas,
+                good.faceCentres, centres, good.cellVolumes
             }
         )
     );
