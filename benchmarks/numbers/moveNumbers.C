@@ -145,6 +145,8 @@ static const std::initializer_list<tunedNumber> numbers =
     {"jacobianWeight", &tuned::jacobianWeight},
     {"targetGain", &tuned::targetGain},
     {"gainWeight", &tuned::gainWeight},
+    {"maxGain", &tuned::maxGain},
+    {"largeGainWeight", &tuned::largeGainWeight},
     {"firstHeightWeight", &tuned::firstHeightWeight},
     {"thicknessWeight", &tuned::thicknessWeight},
     {"heightSlack", &tuned::heightSlack},

@@ -33,6 +33,7 @@ bendTargets bendTargets::withMargins
     targets.jacobians =
         min(controls.targetJacobian, controls.jacobianShare*attainable);
     targets.gain = controls.targetGain;
+    targets.gainWeight = controls.gainWeight;
     targets.firstHeightWeight = controls.firstHeightWeight;
     targets.thicknessWeight = controls.thicknessWeight;
 

@@ -207,7 +207,7 @@ scalar columnCells::gainResidual(const labelPair& cell) const
 {
     const scalar gain = gainOf(stacks_, sides_, cell);
 
-    return controls_.gainWeight*gainViolation(gain, targets_.gain);
+    return targets_.gainWeight*gainViolation(gain, targets_.gain);
 }
 
 

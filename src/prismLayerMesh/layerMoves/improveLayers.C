@@ -387,15 +387,24 @@ struct improvement
         (
             editor.team().withOwn(identity(faces.size()), faces)
         );
+        bendTargets bounds(targets);
+        bounds.gain = GREAT;
         labelList stacks
         (
-            stacksMissingTargets(editor.layers(), geometry.now(), all, targets)
+            stacksMissingTargets(editor.layers(), geometry.now(), all, bounds)
         );
-        bendTo(targets, targets, geometry, stacks);
+        bendTo(bounds, targets, geometry, stacks);
+
+        // Large gains count more than faces, but few columns bend for them
+        bounds = bendTargets();
+        bounds.gain = controls.maxGain;
+        targets.gainWeight = controls.largeGainWeight;
+        bendTo(bounds, targets, geometry, all);
+        targets.gainWeight = controls.gainWeight;
 
         if (quality.priority == qualityControls::priorities::quality)
         {
-            bendTargets bounds;
+            bounds.gain = GREAT;
             bounds.faces = faceTargets
             {
                 Foam::cos(degToRad(quality.maxNonOrtho)),
