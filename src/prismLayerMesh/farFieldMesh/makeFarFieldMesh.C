@@ -465,7 +465,7 @@ static void dropEmptySides(const UList<sidePatch>& sides, farFieldMesh& far)
 
 
 //- Names the hexahedra of a core. They come after the tetrahedra. Then merges
-//  tetrahedra if the controls ask for polyhedra.
+//  tetrahedra, if the controls ask for polyhedra, and sets the grade.
 static void finish
 (
     const prismLayers& layers,
@@ -482,13 +482,9 @@ static void finish
             cellZoneParts(hexCoreName, identity(far.nCells - nTets, nTets))
         );
     }
-    if (controls.polyhedra)
-    {
-        mergeCells
-        (
-            layers, frontAddressing(layers), nTets, mergeControls(), far
-        );
-    }
+    mergeControls merges;
+    merges.maxTets = controls.polyhedra ? merges.maxTets : 1;
+    mergeCells(layers, frontAddressing(layers), nTets, merges, far);
 }
 
 

@@ -60,6 +60,8 @@ public:
 
     //- Merges at all cells with large gains
     void mergeAll();
+
+    schemeGrade grade() const { return gradeOf(mesh_, gains_); }
 };
 
 
@@ -170,7 +172,7 @@ scalar gainMerger::largestGain(const labelUList& cells)
     scalar largest = 0;
     for (const label c : cells)
     {
-        largest = max(largest, mesh_.gain(c, seen_));
+        largest = max(largest, gainOf(mesh_, c, seen_));
     }
 
     return largest;
@@ -236,7 +238,7 @@ scalar gainMerger::dropOf(const labelPair& pair)
     {
         if (around[k] != pair.second())
         {
-            const scalar gain = mesh_.gain(around[k], seen_);
+            const scalar gain = gainOf(mesh_, around[k], seen_);
             after += excess(gain);
             better = gain <= largest && after < allowed;
         }
@@ -270,7 +272,7 @@ fewLabels gainMerger::mergeAt(const label c)
         mesh_.appendNeighbours(best.first(), around);
         for (const label r : around)
         {
-            gains_[r] = mesh_.gain(r, seen_);
+            gains_[r] = gainOf(mesh_, r, seen_);
         }
     }
 
@@ -287,7 +289,7 @@ void gainMerger::mergeAll()
         #pragma omp for schedule(static)
         forAll(gains_, c)
         {
-            gains_[c] = mesh_.partOf(c) == c ? mesh_.gain(c, seen) : 0;
+            gains_[c] = mesh_.partOf(c) == c ? gainOf(mesh_, c, seen) : 0;
         }
     }
 
@@ -536,6 +538,7 @@ void mergeCells
     gainMerger merger(mesh, controls);
     mergeOnPolygons(layers, far, merger);
     merger.mergeAll();
+    far.grade = merger.grade();
 
     labelList newCells(far.nCells, -1);
     const label nNew = numberCells(mesh, newCells);

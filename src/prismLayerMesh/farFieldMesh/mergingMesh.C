@@ -16,7 +16,7 @@ namespace Foam
 // * * * * * * * * * * * * * * * * Static Data * * * * * * * * * * * * * * * //
 
 //- Layers below the outer surface whose cells take part in the gains
-static const label nContextLayers = 2;
+static const label nContextLayers = 4;
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
@@ -202,28 +202,6 @@ label mergingMesh::partOf(label c) const
     }
 
     return c;
-}
-
-
-scalar mergingMesh::gain(const label c, DynamicList<schemeFace>& seen) const
-{
-    const point& own = cells_[c].centre;
-    seen.clear();
-    for (const label f : cells_[c].faces)
-    {
-        const mergingFace& g = faces_[f];
-        const label other = across(f, c);
-        seen.append
-        (
-            seenFace
-            (
-                (g.owner == c ? 1 : -1)*g.geometry.area, g.geometry.centre, own,
-                other < 0 ? nullptr : &cells_[other].centre
-            )
-        );
-    }
-
-    return cellGain(seen, cells_[c].volume);
 }
 
 

@@ -13,6 +13,7 @@
 #include "polyhedralMesh.H"
 #include "UIndirectList.H"
 
+#include <iomanip>
 #include <sstream>
 
 namespace Foam
@@ -196,8 +197,57 @@ farFieldReport makeFarFieldReport
     faces.addPatches();
     faces.report.nCells = far.nCells;
     faces.report.nTets = nTets;
+    faces.report.grade = far.grade;
 
     return faces.report;
+}
+
+
+static dictionary toDictionary(const schemeGrade& grade)
+{
+    dictionary dict;
+    dict.add("cellsWithLargeGains", grade.nLargeGains);
+    dict.add("factor", grade.factor);
+    dict.add("place", grade.place);
+
+    return dict;
+}
+
+
+//- Which schemes the mesh bears. For how near the factor is to that of the
+//  whole mesh, see benchmarks/solvable.md.
+static void write(Ostream& os, const schemeGrade& grade)
+{
+    std::ostringstream text;
+    text.precision(2);
+    if (grade.factor < 0.7)
+    {
+        text<< "Plain schemes converge";
+    }
+    else if (grade.factor < 0.9)
+    {
+        text<< "Plain schemes probably converge";
+    }
+    else
+    {
+        text<< "Limit the correction of non-orthogonality (limited corrected"
+            << " 0.5): plain schemes "
+            << (grade.factor < 1.1 ? "may diverge" : "diverge");
+    }
+
+    if (grade.nLargeGains)
+    {
+        text<< ", factor about " << grade.factor << " on the "
+            << grade.nLargeGains << " cells with explicit gains above "
+            << schemeGrade::largeGain << "; slowest at ("
+            << std::setprecision(6) << grade.place.x() << ' '
+            << grade.place.y() << ' ' << grade.place.z() << ')';
+    }
+    else
+    {
+        text<< ": no explicit gain is above " << schemeGrade::largeGain;
+    }
+    os  << text.str().c_str() << nl;
 }
 
 
@@ -221,6 +271,7 @@ dictionary toDictionary(const farFieldReport& report)
         dict.add("core", toDictionary(report.core));
     }
     dict.add("volumeRatio", toDictionary(report.volumeRatio));
+    dict.add("plainScheme", toDictionary(report.grade));
 
     return dict;
 }
@@ -244,6 +295,7 @@ void write(Ostream& os, const farFieldReport& report)
         write(os, "between tetrahedra and cells that stay", report.cut);
         write(os, "between cells that stay", report.core);
     }
+    write(os, report.grade);
 }
 
 } // End namespace Foam

@@ -108,7 +108,6 @@ scalar cellGain(const UList<schemeFace>& faces, const scalar volume)
 
 scalarField explicitGains(const finiteVolumes& mesh)
 {
-    const label nInternal = mesh.neighbour.size();
     scalarField gains(mesh.cellVolumes.size());
 
     #pragma omp parallel
@@ -118,26 +117,7 @@ scalarField explicitGains(const finiteVolumes& mesh)
         #pragma omp for schedule(static)
         forAll(gains, c)
         {
-            seen.clear();
-            for (const label f : mesh.cells[c])
-            {
-                const bool owns = mesh.owner[f] == c;
-                const vector area((owns ? 1 : -1)*mesh.faceAreas[f]);
-                const point& centre = mesh.faceCentres[f];
-                const point& own = mesh.cellCentres[c];
-                const label other =
-                    f >= nInternal ? -1
-                  : owns ? mesh.neighbour[f] : mesh.owner[f];
-                seen.append
-                (
-                    seenFace
-                    (
-                        area, centre, own,
-                        other < 0 ? nullptr : &mesh.cellCentres[other]
-                    )
-                );
-            }
-            gains[c] = cellGain(seen, mesh.cellVolumes[c]);
+            gains[c] = gainOf(mesh, c, seen);
         }
     }
 

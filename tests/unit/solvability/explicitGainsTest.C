@@ -8,6 +8,7 @@
 #include "testLayers.H"
 #include "testSurfaces.H"
 
+#include <Eigen/Dense>
 #include <gtest/gtest.h>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -50,17 +51,33 @@ static vectorField gradientsOfOne(const polyMesh& mesh, const label one)
 }
 
 
-//- The gains from the definition: a column of the explicit matrix is the
-//  corrections that the field of one cell makes
-static scalarField gainsByColumns(const polyMesh& mesh)
+//- The implicit and the explicit matrix of the scheme, from the definition
+struct schemeMatrices
 {
-    scalarField sums(mesh.nCells(), Zero);
-    scalarField diagonal(mesh.nCells(), Zero);
+    Eigen::MatrixXd implicit;
+    Eigen::MatrixXd explicitly;
 
-    for (label one = 0; one < mesh.nCells(); ++one)
+    explicit schemeMatrices(const polyMesh& mesh)
+    :
+        implicit(Eigen::MatrixXd::Zero(mesh.nCells(), mesh.nCells())),
+        explicitly(implicit)
     {
-        const vectorField gradients(gradientsOfOne(mesh, one));
-        scalarField column(mesh.nCells(), Zero);
+        // A column of the explicit matrix is the corrections that the field
+        // of one cell makes
+        for (label one = 0; one < mesh.nCells(); ++one)
+        {
+            addCorrections(mesh, gradientsOfOne(mesh, one), one);
+        }
+        addImplicit(mesh);
+    }
+
+    void addCorrections
+    (
+        const polyMesh& mesh,
+        const vectorField& gradients,
+        const label one
+    )
+    {
         forAll(mesh.faceNeighbour(), facei)
         {
             const label own = mesh.faceOwner()[facei];
@@ -78,27 +95,49 @@ static scalarField gainsByColumns(const polyMesh& mesh)
                 share*gradients[own] + (1 - share)*gradients[other]
             );
             const scalar flux = (area - mag(area)*d/along) & gradient;
-            column[own] += flux;
-            column[other] -= flux;
-            if (one == 0)
+            explicitly(own, one) += flux;
+            explicitly(other, one) -= flux;
+        }
+    }
+
+    void addImplicit(const polyMesh& mesh)
+    {
+        forAll(mesh.faces(), f)
+        {
+            const label own = mesh.faceOwner()[f];
+            const bool isInside = f < mesh.nInternalFaces();
+            const label other = isInside ? mesh.faceNeighbour()[f] : own;
+            const point& end =
+                isInside ? mesh.cellCentres()[other] : mesh.faceCentres()[f];
+            const vector& area = mesh.faceAreas()[f];
+            const scalar coefficient =
+                magSqr(area)/(area & (end - mesh.cellCentres()[own]));
+            implicit(own, own) += coefficient;
+            if (isInside)
             {
-                diagonal[own] += mag(area)/along;
-                diagonal[other] += mag(area)/along;
+                implicit(other, other) += coefficient;
+                implicit(own, other) -= coefficient;
+                implicit(other, own) -= coefficient;
             }
         }
-        sums += mag(column);
     }
 
-    for (label f = mesh.nInternalFaces(); f < mesh.nFaces(); ++f)
+    //- Sum of the magnitudes of each explicit row over the implicit diagonal
+    Eigen::VectorXd gains() const
     {
-        const label own = mesh.faceOwner()[f];
-        const vector& area = mesh.faceAreas()[f];
-        diagonal[own] += magSqr(area)
-           /(area & (mesh.faceCentres()[f] - mesh.cellCentres()[own]));
+        return explicitly.cwiseAbs().rowwise().sum().cwiseQuotient
+        (
+            implicit.diagonal()
+        );
     }
 
-    return sums/diagonal;
-}
+    //- The largest magnitude of an eigenvalue of an iteration
+    scalar factor() const
+    {
+        return implicit.ldlt().solve(explicitly).eigenvalues()
+            .cwiseAbs().maxCoeff();
+    }
+};
 
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
@@ -120,13 +159,13 @@ TEST(explicitGains, areNearToTheRowsOfTheMatricesOfTheScheme)
         {testSurfaces::cube(2), testSurfaces::sphere(2)})
     {
         const memoryMesh mesh(testSurfaces::straightLayers(wall, layerHeights));
-        const scalarField rows(gainsByColumns(mesh()));
+        const Eigen::VectorXd rows(schemeMatrices(mesh()).gains());
         const scalarField gains(explicitGains(volumesOf(mesh())));
 
-        ASSERT_GT(max(rows), 0.001);
+        ASSERT_GT(rows.maxCoeff(), 0.001);
         forAll(gains, celli)
         {
-            EXPECT_NEAR(gains[celli], rows[celli], 0.25*max(rows));
+            EXPECT_NEAR(gains[celli], rows[celli], 0.25*rows.maxCoeff());
         }
     }
 }
@@ -152,6 +191,55 @@ TEST(explicitGains, nameCellsOnWhichNoSchemeWorks)
 
     EXPECT_LT(gains[0], invalidGain);
     EXPECT_EQ(gains[1], invalidGain);
+}
+
+
+TEST(localScheme, factorOnAllCellsIsThatOfTheMatrices)
+{
+    for (const wallSurface& wall :
+        {testSurfaces::cube(2), testSurfaces::sphere(2)})
+    {
+        const memoryMesh mesh(testSurfaces::straightLayers(wall, layerHeights));
+        const schemeMode mode
+        (
+            slowestModeOn(volumesOf(mesh()), identity(mesh().nCells()))
+        );
+        const scalar factor = schemeMatrices(mesh()).factor();
+
+        ASSERT_GT(factor, 1e-4);
+        EXPECT_NEAR(mode.factor, factor, 0.1*factor);
+        EXPECT_NEAR(sumSqr(mode.values), 1, 1e-9);
+    }
+}
+
+
+TEST(localScheme, cellsAroundAreThoseAcrossFaces)
+{
+    const memoryMesh mesh(testSurfaces::onePolygon(4, layerHeights));
+    const finiteVolumes cells(volumesOf(mesh()));
+
+    EXPECT_EQ(cellsAround(cells, labelList({0}), 0).size(), 1);
+    EXPECT_EQ(cellsAround(cells, labelList({0}), 1).size(), 2);
+    EXPECT_EQ(cellsAround(cells, labelList({0}), 5).size(), 3);
+}
+
+
+TEST(schemeGrade, isOfTheCellsWithLargeGains)
+{
+    const memoryMesh mesh
+    (
+        testSurfaces::straightLayers(testSurfaces::sphere(2), layerHeights)
+    );
+    const finiteVolumes cells(volumesOf(mesh()));
+    scalarField gains(mesh().nCells(), 0);
+    EXPECT_EQ(gradeOf(cells, gains).nLargeGains, 0);
+    EXPECT_EQ(gradeOf(cells, gains).factor, 0);
+
+    gains[3] = 1;
+    const schemeGrade grade(gradeOf(cells, gains));
+    EXPECT_EQ(grade.nLargeGains, 1);
+    EXPECT_GT(grade.factor, 0);
+    EXPECT_LE(grade.factor, 1.1*schemeMatrices(mesh()).factor());
 }
 
 
