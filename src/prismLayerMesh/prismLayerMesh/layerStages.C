@@ -84,6 +84,7 @@ static shareOfWall makeWhole
 {
     observer.begin("wallVisibility");
     wallAddressing addressing(makeWallAddressing(wall));
+    checkSidesOf(wall, addressing);
     wallVisibility visibility(makeWallVisibility(wall, addressing));
     shareOfWall whole;
     whole.kinds = kindsOfPoints(wall, addressing, visibility);

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallPointsError.H"
+#include "HashSet.H"
 #include "HashTable.H"
 #include "unitConversion.H"
 
@@ -17,6 +18,11 @@ static constexpr scalar flushCosine = 0.95;
 //- The same of a side patch on which layers cannot end well: the wall meets it
 //  at 135 degrees in the fluid
 static constexpr scalar obtuseCosine = 0.7072;
+
+
+//- The same of a side patch that continues the wall but for rounding: cos(3
+//  degrees). Heights beside it would be smaller by the sine of the angle.
+static constexpr scalar planeCosine = 0.9986;
 
 
 //- Returns the largest product of the normals, into the fluid, of each side
@@ -47,6 +53,42 @@ static HashTable<scalar> sideCosines
     }
 
     return cosines;
+}
+
+
+void checkSidesOf(const wallSurface& wall, const wallAddressing& addressing)
+{
+    labelHashSet points;
+    forAll(wall.border.edges, k)
+    {
+        const edge& e = wall.border.edges[k];
+        const sidePatch& side = wall.border.sides[wall.border.edgeSides[k]];
+        const vector inward(-side.planeAt(wall.points[e.first()]).normal);
+        for (const label facei : addressing.pointFaces[e.first()])
+        {
+            const face& f = wall.faces[facei];
+            if
+            (
+                f.edgeDirection(e) != 0
+             && (f.unitNormal(wall.points) & inward) > planeCosine
+            )
+            {
+                points.insert(e.first());
+                points.insert(e.second());
+            }
+        }
+    }
+
+    if (points.size())
+    {
+        const labelList all(points.sortedToc());
+        throw wallPointsError
+        (
+            wall, all,
+            "are where the wall meets a side patch at more than 177 degrees",
+            adviceOnPoints(wall, addressing, all)
+        );
+    }
 }
 
 

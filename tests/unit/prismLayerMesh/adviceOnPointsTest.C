@@ -13,11 +13,16 @@ using namespace Foam;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- The advice on all points of a room whose vent is in the middle of its
-//  ceiling, or all of it
-static std::string adviceOnRoom(const scalar width)
+//- A room, and the vent in the middle of its ceiling, or all of it. Points
+//  inside of the vent are that far above the ceiling.
+static wallSurface roomWithVent
+(
+    const label nSquares,
+    const scalar width,
+    const scalar above = 0
+)
 {
-    wallSurface room(testSurfaces::reversed(testSurfaces::cube(3)));
+    wallSurface room(testSurfaces::reversed(testSurfaces::cube(nSquares)));
     room.patchNames = wordList({"room", "vent"});
     room.patchIDs.setSize(room.faces.size());
 
@@ -29,7 +34,23 @@ static std::string adviceOnRoom(const scalar width)
          && mag(c.x() - 0.5) < 0.5*width && mag(c.y() - 0.5) < 0.5*width;
     }
 
-    const wallSurface wall(testSurfaces::endedOn(room, {"vent"}));
+    for (point& x : room.points)
+    {
+        const bool isInVent = mag(x.x() - 0.5) < 0.1 && mag(x.y() - 0.5) < 0.1;
+        if (x.z() > 1 - SMALL && isInVent)
+        {
+            x.z() += above;
+        }
+    }
+
+    return testSurfaces::endedOn(room, {"vent"});
+}
+
+
+//- The advice on all points of such a room
+static std::string adviceOnRoom(const scalar width)
+{
+    const wallSurface wall(roomWithVent(3, width));
 
     return adviceOnPoints
     (
@@ -47,6 +68,29 @@ TEST(adviceOnPoints, namesPatchesThatAreFlushWithTheWall)
         adviceOnRoom(0.34).find("layers.patches { vent { type patch; } }"),
         std::string::npos
     );
+}
+
+
+TEST(checkSidesOf, refusesSidesThatContinueTheWall)
+{
+    const wallSurface wall(roomWithVent(3, 0.34));
+    EXPECT_THROW(checkSidesOf(wall, makeWallAddressing(wall)), wallPointsError);
+
+    const wallSurface ceiling(roomWithVent(3, 1));
+    EXPECT_NO_THROW(checkSidesOf(ceiling, makeWallAddressing(ceiling)));
+}
+
+
+TEST(checkSidesOf, refusesSidesThatContinueTheWallButForRounding)
+{
+    for (const scalar above : {1e-12, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3})
+    {
+        const wallSurface wall(roomWithVent(4, 0.5, above));
+        EXPECT_THROW
+        (
+            checkSidesOf(wall, makeWallAddressing(wall)), wallPointsError
+        ) << above;
+    }
 }
 
 
@@ -79,6 +123,7 @@ TEST(adviceOnPoints, namesTheSidePatchThatTheWallMeetsAtAnObtuseAngle)
     }
 
     const wallSurface wall(testSurfaces::endedOn(room, {"vent"}));
+    EXPECT_NO_THROW(checkSidesOf(wall, makeWallAddressing(wall)));
     const std::string advice
     (
         adviceOnPoints
