@@ -483,7 +483,7 @@ static void finish
         );
     }
     mergeControls merges;
-    merges.maxTets = controls.polyhedra ? merges.maxTets : 1;
+    merges.maxTets = controls.polyhedra ? merges.maxTets : 0;
     mergeCells(layers, frontAddressing(layers), nTets, merges, far);
 }
 
