@@ -143,18 +143,8 @@ static void writeSet
 //- Tests the plain scheme, and logs the result
 static void solve(const polyMesh& mesh)
 {
-    const scalarField gains
-    (
-        explicitGains
-        (
-            finiteVolumes
-            {
-                mesh.faceOwner(), mesh.faceNeighbour(), mesh.cells(),
-                mesh.faceAreas(), mesh.faceCentres(), mesh.cellCentres(),
-                mesh.cellVolumes()
-            }
-        )
-    );
+    const scalarField gains(explicitGains(volumesOf(mesh)));
+    const scalar large = schemeGrade::largeGain;
     const plainScheme tested(testPlainScheme(mesh, nPlainIterations));
     const labelList cells(tested.cellsOfMode(0.5));
 
@@ -165,7 +155,8 @@ static void solve(const polyMesh& mesh)
         << " cells, first at " << mesh.cellCentres()[cells[0]] << nl
         << "    explicit gains: largest " << max(gains) << " at "
         << mesh.cellCentres()[findMax(gains)] << ", above 1 "
-        << count(gains, 1) << ", above 0.8 " << count(gains, 0.8)
+        << count(gains, 1) << ", above " << name(large) << ' '
+        << count(gains, large)
         << " cells; there " << gains[cells[0]] << endl;
 
     writeSet(mesh, "plainSchemeMode", cells);

@@ -214,8 +214,8 @@ static dictionary toDictionary(const schemeGrade& grade)
 }
 
 
-//- Which schemes the mesh bears. For how near the factor is to that of the
-//  whole mesh, see benchmarks/solvable.md.
+//- Writes which schemes the mesh bears. benchmarks/solvable.md compares the
+//  factor with the factor of the whole mesh.
 static void write(Ostream& os, const schemeGrade& grade)
 {
     std::ostringstream text;

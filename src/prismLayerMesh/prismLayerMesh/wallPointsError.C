@@ -25,6 +25,21 @@ static constexpr scalar obtuseCosine = 0.7072;
 static constexpr scalar planeCosine = 0.9986;
 
 
+//- Product of the normals, into the fluid, of a face and of a side patch at a
+//  point
+static scalar sideCosine
+(
+    const wallSurface& wall,
+    const label facei,
+    const sidePatch& side,
+    const label p
+)
+{
+    return wall.faces[facei].unitNormal(wall.points)
+      & -side.planeAt(wall.points[p]).normal;
+}
+
+
 //- Returns the largest product of the normals, into the fluid, of each side
 //  patch and of the faces at some points on it
 static HashTable<scalar> sideCosines
@@ -41,13 +56,10 @@ static HashTable<scalar> sideCosines
         for (const label s : addressing.sidesOf(p))
         {
             const sidePatch& side = wall.border.sides[s];
-            const vector inward(-side.planeAt(wall.points[p]).normal);
-
             for (const label facei : addressing.pointFaces[p])
             {
-                const vector normal(wall.faces[facei].unitNormal(wall.points));
                 scalar& largest = cosines(side.name, -1);
-                largest = max(largest, inward & normal);
+                largest = max(largest, sideCosine(wall, facei, side, p));
             }
         }
     }
@@ -63,14 +75,12 @@ void checkSidesOf(const wallSurface& wall, const wallAddressing& addressing)
     {
         const edge& e = wall.border.edges[k];
         const sidePatch& side = wall.border.sides[wall.border.edgeSides[k]];
-        const vector inward(-side.planeAt(wall.points[e.first()]).normal);
         for (const label facei : addressing.pointFaces[e.first()])
         {
-            const face& f = wall.faces[facei];
             if
             (
-                f.edgeDirection(e) != 0
-             && (f.unitNormal(wall.points) & inward) > planeCosine
+                wall.faces[facei].edgeDirection(e) != 0
+             && sideCosine(wall, facei, side, e.first()) > planeCosine
             )
             {
                 points.insert(e.first());

@@ -13,8 +13,8 @@ using namespace Foam;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- A room, and the vent in the middle of its ceiling, or all of it. Points
-//  inside of the vent are that far above the ceiling.
+//- A room with a vent. The vent is the middle of the ceiling, or the whole
+//  ceiling. The points inside of the vent lie above the ceiling.
 static wallSurface roomWithVent
 (
     const label nSquares,

@@ -18,17 +18,6 @@ using namespace Foam;
 static const scalarList layerHeights({0, 0.01, 0.03, 0.07});
 
 
-static finiteVolumes volumesOf(const polyMesh& mesh)
-{
-    return finiteVolumes
-    {
-        mesh.faceOwner(), mesh.faceNeighbour(), mesh.cells(),
-        mesh.faceAreas(), mesh.faceCentres(), mesh.cellCentres(),
-        mesh.cellVolumes()
-    };
-}
-
-
 //- Gradients by Gauss of the field that is 1 in one cell, and 0 in others
 static vectorField gradientsOfOne(const polyMesh& mesh, const label one)
 {
