@@ -6,13 +6,102 @@
 #include "improveTets.H"
 #include "edgeHashes.H"
 #include "farFieldMeshControls.H"
+#include "labelPair.H"
+#include "ListOps.H"
 #include "stageProgress.H"
 #include "tetEditor.H"
 #include "tetImprover.H"
 #include "triangleIndex.H"
+#include "UIndirectList.H"
 
 namespace Foam
 {
+
+bool isFlat(const UList<point>& x, const tetCell& tet)
+{
+    scalar longestSqr = 0;
+    for (label i = 0; i < 6; ++i)
+    {
+        longestSqr = max(longestSqr, magSqr(tet.tetEdge(i).vec(x)));
+    }
+
+    return mag(tet.tet(x).mag()) < 1e-9*pow(longestSqr, 1.5);
+}
+
+
+//- Returns the numbers of the points opposite to the two triangles of one patch
+//  that a flat cell has; {-1, -1} of other cells
+static labelPair flatCorners
+(
+    const farFieldTets& mesh,
+    const triangleIndex& triangles,
+    const tetCell& tet
+)
+{
+    labelPair found(-1, -1);
+    label patchi = -1;
+    label n = 0;
+    for (label i = 0; i < 4; ++i)
+    {
+        const label trianglei = triangles.lookup(triFace(tet.face(i)), -1);
+        if (trianglei < 0)
+        {
+            continue;
+        }
+        if (++n > 2 || (n == 2 && mesh.patchIDs[trianglei] != patchi))
+        {
+            return labelPair(-1, -1);
+        }
+        patchi = mesh.patchIDs[trianglei];
+        found[n - 1] = i;
+    }
+
+    return n == 2 && isFlat(mesh.points, tet) ? found : labelPair(-1, -1);
+}
+
+
+void removeFlatCells(farFieldTets& mesh)
+{
+    triangleIndex triangles(makeTriangleIndex(mesh.boundaryTriangles));
+    boolList flat(mesh.tets.size(), false);
+    for (bool more = true; more;)
+    {
+        more = false;
+        forAll(mesh.tets, t)
+        {
+            const tetCell& tet = mesh.tets[t];
+            const labelPair pair
+            (
+                flat[t] ? labelPair(-1, -1)
+              : flatCorners(mesh, triangles, tet)
+            );
+            if (pair[0] < 0)
+            {
+                continue;
+            }
+
+            // The triangles opposite to the two points of the common edge
+            label k = 0;
+            for (const label i : pair)
+            {
+                const triFace old(tet.face(i));
+                while (k == pair[0] || k == pair[1])
+                {
+                    ++k;
+                }
+                const triFace made(tet.face(k++));
+                const label trianglei = triangles[old];
+                triangles.erase(old);
+                triangles.insert(made, trianglei);
+                mesh.boundaryTriangles[trianglei] = face(made);
+            }
+            flat[t] = more = true;
+        }
+    }
+
+    mesh.tets = UIndirectList<tetCell>(mesh.tets, findIndices(flat, false))();
+}
+
 
 //- What cells may not be split at, or are to be split for
 struct cornerBounds

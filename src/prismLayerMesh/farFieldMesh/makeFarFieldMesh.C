@@ -350,6 +350,7 @@ static void improve
     farFieldTets& mesh
 )
 {
+    removeFlatCells(mesh);
     splitCornerCells(mesh);
 
     neighbourCells neighbours;

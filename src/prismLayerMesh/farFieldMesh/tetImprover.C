@@ -118,7 +118,8 @@ bool tetImprover::replace
     const label newPoint
 )
 {
-    if (!allPositive(points_, made))
+    const auto flat = [&](const tetCell& tet) { return isFlat(points_, tet); };
+    if (!allPositive(points_, made) || anyOf(made, flat))
     {
         return false;
     }

@@ -80,18 +80,12 @@ static boolList pointsOf(const polyhedralMesh& mesh, const labelUList& faces)
 
 static void addVolumes(const polyhedralMesh& mesh, meshCertificate& certificate)
 {
-    // Apices nearby: differences of large volumes are not precise
-    const point middle(boundBox(mesh.points(), false).midpoint());
-
     for (label celli = 0; celli < mesh.nCells(); ++celli)
     {
-        const UList<label> faces(mesh.cellFaces(celli));
-        const point& own = mesh.points()[mesh.faces()[faces[0]][0]];
-        for (const label facei : faces)
-        {
-            certificate.cellVolume += mesh.pyramidVolume(facei, celli, own);
-        }
+        certificate.cellVolume += mesh.volume(celli);
     }
+
+    const point middle(boundBox(mesh.points(), false).midpoint());
 
     forAll(mesh.faces(), facei)
     {
@@ -149,6 +143,7 @@ List<labelPair> findDoubleFaces(const faceList& faces)
 //- The shapes of all cells, and whether they are positive
 static void judgeCells
 (
+    const polyhedralMesh& mesh,
     meshCell& cell,
     boolList& positive,
     List<meshCellShape>& shapes
@@ -158,7 +153,7 @@ static void judgeCells
     {
         const meshCellVerdict verdict(cell(celli));
         shapes[celli] = verdict.shape;
-        positive[celli] = verdict.positive;
+        positive[celli] = verdict.positive && mesh.hasVolume(celli);
     }
 }
 
@@ -177,7 +172,7 @@ meshCertificate certifyMesh
     meshCell cell(mesh, onWall);
     boolList positive(mesh.nCells());
     List<meshCellShape> shapes(mesh.nCells());
-    judgeCells(cell, positive, shapes);
+    judgeCells(mesh, cell, positive, shapes);
 
     labelHashSet inLayers;
     certificate.nLayers = countLayers(mesh, wallFaces, positive, inLayers);

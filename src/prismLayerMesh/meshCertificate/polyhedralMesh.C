@@ -156,6 +156,36 @@ scalar polyhedralMesh::pyramidVolume
 }
 
 
+scalar polyhedralMesh::volume(const label celli) const
+{
+    const point apex(centre(celli));
+    scalar sum = 0;
+    for (const label facei : cellFaces(celli))
+    {
+        sum += pyramidVolume(facei, celli, apex);
+    }
+
+    return sum;
+}
+
+
+bool polyhedralMesh::hasVolume(const label celli) const
+{
+    scalar area = 0;
+    scalar largest = 0;
+    for (const label facei : cellFaces(celli))
+    {
+        area += mag(outwardArea(facei, celli));
+        for (const label p : faces_[facei])
+        {
+            largest = max(largest, cmptMax(cmptMag(points_[p])));
+        }
+    }
+
+    return volume(celli) > SMALL*largest*area;
+}
+
+
 point polyhedralMesh::centre(const label celli) const
 {
     labelHashSet labels;

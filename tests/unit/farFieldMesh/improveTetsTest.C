@@ -132,6 +132,51 @@ static labelPair boundaryFaces(const farFieldTets& mesh)
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
+TEST(removeFlatCells, patchGetsTheOtherDiagonal)
+{
+    // A pyramid on a square that is flat but for rounding. The patch has one
+    // diagonal of the square, the cells below the apex have the other.
+    farFieldTets mesh;
+    mesh.points = pointField
+    ({{0, 0, 0}, {1, 0, 0}, {1, 1, -1e-17}, {0, 1, 0}, {0.5, 0.5, 1}});
+    mesh.tets = tetCellList
+    ({tetCell(0, 1, 2, 3), tetCell(0, 1, 3, 4), tetCell(1, 2, 3, 4)});
+    mesh.nBoundaryPoints = 5;
+    mesh.boundaryTriangles = faceList
+    ({
+        face({0, 1, 2}), face({0, 2, 3}), face({0, 4, 1}), face({1, 4, 2}),
+        face({2, 4, 3}), face({3, 4, 0})
+    });
+    mesh.patchIDs = labelList({0, 0, 1, 1, 1, 1});
+    turnPositive(mesh);
+    EXPECT_TRUE(isFlat(mesh.points, mesh.tets[0]));
+
+    removeFlatCells(mesh);
+    EXPECT_EQ(mesh.tets.size(), 2);
+    EXPECT_EQ(boundaryFaces(mesh).second(), 6);
+    EXPECT_NEAR(volumeOf(mesh), 1.0/3, 1e-12);
+    for (const label i : {0, 1})
+    {
+        const triFace f(mesh.boundaryTriangles[i]);
+        EXPECT_TRUE(f.found(1) && f.found(3));
+        EXPECT_GT(f.areaNormal(mesh.points).z(), 0);
+    }
+}
+
+
+TEST(removeFlatCells, keepsFlatCellsBetweenTwoPatches)
+{
+    farFieldTets mesh;
+    mesh.points = pointField({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1e-17}});
+    mesh.tets = tetCellList({tetCell(0, 1, 2, 3)});
+    mesh.boundaryTriangles = faceList({face({0, 1, 2}), face({1, 3, 2})});
+    mesh.patchIDs = labelList({0, 1});
+
+    removeFlatCells(mesh);
+    EXPECT_EQ(mesh.tets.size(), 1);
+}
+
+
 TEST(splitCornerCells, leavesOneFaceOnTheBoundary)
 {
     farFieldTets mesh(filledCube(3));

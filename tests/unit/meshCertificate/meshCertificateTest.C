@@ -322,6 +322,26 @@ TEST(meshCertificate, cellsFillTheBoundary)
 }
 
 
+TEST(certifyMesh, cellsThatRoundingAloneKeepsFromBeingFlat)
+{
+    // A tetrahedron with an exactly positive volume
+    const faceList faces
+    ({face({0, 2, 1}), face({0, 1, 3}), face({1, 2, 3}), face({0, 3, 2})});
+    const labelList owner(4, 0);
+    const labelList none;
+    for (const scalar height : {1e-9, 1e-17})
+    {
+        const pointField points
+        ({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, height}});
+        const meshCertificate certificate
+        (
+            certifyMesh(polyhedralMesh(points, faces, owner, none), none, none)
+        );
+        EXPECT_EQ(sum(certificate.nInvalid), height > SMALL ? 0 : 1);
+    }
+}
+
+
 TEST(meshCertificate, doubleFacesAreFound)
 {
     const faceList faces
