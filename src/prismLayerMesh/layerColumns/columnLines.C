@@ -477,7 +477,7 @@ columnLines makeColumnLines
     const backgroundMesh& mesh,
     const scalarField& isotropic,
     const columnStarts& starts,
-    const lineDirections weighting
+    const linesFor use
 )
 {
     return columnLines
@@ -485,7 +485,7 @@ columnLines makeColumnLines
         makeGradientLines
         (
             mesh, isotropic, starts.wallPoints, starts.directions,
-            requestedHeights(starts.spacing), weighting
+            requestedHeights(starts.spacing), use
         ),
         scalarField(mag(scaledGradients(mesh, isotropic)), starts.wallPoints),
         boolList(starts.wallPoints.size(), true)

@@ -7,6 +7,7 @@
 #include "columnControls.H"
 #include "ListOps.H"
 #include "harmonicField.H"
+#include "ranges.H"
 #include "stageProgress.H"
 
 namespace Foam
@@ -40,18 +41,34 @@ struct walker
 {
     const backgroundMesh& mesh;
 
+    //- Whether the point stays on a side patch that it would cross
+    bool staysOnSides;
+
     label tet;
     barycentrics l;
 
+    //- Whether the face opposite to a point of the tetrahedron is on a side
+    //  patch: a face on the wall has points of the wall alone, a face beyond
+    //  the envelope has no point inside
+    bool isOnSide(const label opposite) const
+    {
+        const triFace f(mesh.tets[tet].face(opposite));
+
+        return mesh.neighbours[tet][opposite] < 0
+         && anyOf(f, [&](const label p) { return mesh.inside(p); })
+         && anyOf(f, [&](const label p) { return !mesh.onWall(p); });
+    }
+
     //- Go to x, from the tetrahedron where it is. False where the boundary is
-    //  on the way.
-    bool moveTo(const point& x)
+    //  on the way. If the point stays on side patches, x goes back to them.
+    bool moveTo(point& x)
     {
         bool isThere = false;
+        label low = -1;
         const auto enterNext = [&]()
         {
             l = coordinates(mesh.tet(tet), x);
-            const label low = findMin(l);
+            low = findMin(l);
             isThere = l[low] >= -columnControls::tetTolerance;
             const label next = isThere ? -1 : mesh.neighbours[tet][low];
             tet = next < 0 ? tet : next;
@@ -62,6 +79,23 @@ struct walker
         (
             "walking to a point", columnControls::maxTets, enterNext
         );
+
+        if (!isThere && staysOnSides && isOnSide(low))
+        {
+            scalar sum = 0;
+            for (scalar& coordinate : l)
+            {
+                coordinate = max(coordinate, scalar(0));
+                sum += coordinate;
+            }
+            x = Zero;
+            for (label i = 0; i < 4; ++i)
+            {
+                l[i] /= sum;
+                x += l[i]*mesh.points[mesh.tets[tet][i]];
+            }
+            isThere = true;
+        }
 
         return isThere;
     }
@@ -82,6 +116,7 @@ class lineTracer
 {
     const backgroundMesh& mesh_;
     const scalarField& field_;
+    const linesFor use_;
 
     //- Directions of the lines at the points of the mesh, as long as they count
     const vectorField directions_;
@@ -96,7 +131,7 @@ class lineTracer
         const scalarField& field,
         const labelList& wallPoints,
         const vectorField& wallDirections,
-        const lineDirections weighting
+        const linesFor use
     )
     {
         const gradientMeans means(pointGradientMeans(mesh, field));
@@ -110,7 +145,7 @@ class lineTracer
         forAll(directions, p)
         {
             const bool isUnit =
-                p < mesh.nWallPoints || weighting == lineDirections::unit;
+                p < mesh.nWallPoints || use == linesFor::columns;
 
             directions[p] = isUnit
               ? normalised(directions[p])
@@ -160,14 +195,15 @@ public:
         const scalarField& field,
         const labelList& wallPoints,
         const vectorField& wallDirections,
-        const lineDirections weighting
+        const linesFor use
     )
     :
         mesh_(mesh),
         field_(field),
+        use_(use),
         directions_
         (
-            directionsOf(mesh, field, wallPoints, wallDirections, weighting)
+            directionsOf(mesh, field, wallPoints, wallDirections, use)
         )
     {
         invertManyToMany(mesh.points.size(), mesh.tets, pointTets_);
@@ -188,7 +224,11 @@ public:
         point x = mesh_.points[p];
         scalar s = 0;
 
-        walker w{mesh_, startTet(p, columnControls::probeShare*gap*d), {}};
+        walker w
+        {
+            mesh_, use_ == linesFor::levelSets,
+            startTet(p, columnControls::probeShare*gap*d), {}
+        };
         bool inside = w.tet >= 0;
 
         // If the gap is far less than the length, the line ends soon
@@ -233,7 +273,7 @@ gradientLines makeGradientLines
     const labelList& wallPoints,
     const vectorField& wallDirections,
     const scalarField& arcLengths,
-    const lineDirections weighting
+    const linesFor use
 )
 {
     gradientLines lines;
@@ -241,7 +281,7 @@ gradientLines makeGradientLines
     lines.points.setSize(arcLengths.size());
     lines.energies.setSize(arcLengths.size());
 
-    const lineTracer tracer(mesh, field, wallPoints, wallDirections, weighting);
+    const lineTracer tracer(mesh, field, wallPoints, wallDirections, use);
 
     #pragma omp parallel for schedule(dynamic, 256)
     forAll(wallPoints, line)

@@ -113,7 +113,7 @@ scalarField samplingEnergies
         makeGradientLines
         (
             mesh, field, identity(mesh.nWallPoints), directions,
-            requestedHeights(uniform), lineDirections::agreeing
+            requestedHeights(uniform), linesFor::levelSets
         )
     );
     const bool anyFlat = kinds.found(pointKind::flat);
@@ -162,7 +162,7 @@ layerSpacing levelSetSpacing
         makeGradientLines
         (
             mesh, field, identity(mesh.nWallPoints), visibility.axes(), lengths,
-            lineDirections::agreeing
+            linesFor::levelSets
         )
     );
     layerSpacing spacing(uniform);

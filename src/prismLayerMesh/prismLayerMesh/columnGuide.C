@@ -105,7 +105,7 @@ static columnLines linesOfOneField
     const wallFields& fields,
     const layerSpacing& spacing,
     const guidedColumns& columns,
-    const lineDirections weighting = lineDirections::unit
+    const linesFor use = linesFor::columns
 )
 {
     const columnTeam& team = columns.team;
@@ -115,7 +115,7 @@ static columnLines linesOfOneField
     {
         all = makeColumnLines
         (
-            fields.background, fields.isotropic, starts, weighting
+            fields.background, fields.isotropic, starts, use
         );
     }
     labelList n(1, all.lines.nSamples);
@@ -299,7 +299,7 @@ static columnGuide levelSetGuide
     guide.lines = controls.layers.alongField
       ? linesOfOneField
         (
-            guide.fields, guide.spacing, columns, lineDirections::agreeing
+            guide.fields, guide.spacing, columns, linesFor::levelSets
         ).lines
       : straightLines(columns, guide.spacing);
 

@@ -5,7 +5,9 @@
 
 #include "levelSetReport.H"
 #include "levelSets.H"
+#include "openSurfaces.H"
 #include "patchReport.H"
+#include "ranges.H"
 #include "testStages.H"
 #include "testSurfaces.H"
 
@@ -125,6 +127,26 @@ TEST(levelSets, haveTheHeightsAskedForOnASphere)
     EXPECT_LT(spread.p95, 1.2);
     EXPECT_NEAR(firstSpread.p50, 1, 0.05);
     EXPECT_TRUE(m.certificate.valid());
+}
+
+
+TEST(levelSets, haveTheHeightsAskedForOnAWallThatEnds)
+{
+    // Lines at the inlet and the outlet stay in these planes
+    const wallSurface wall
+    (
+        testSurfaces::endedOn
+        (
+            testSurfaces::duct(20), wordList({"inlet", "outlet"})
+        )
+    );
+    prismLayerControls controls(onLevelSets());
+    controls.layers = testSurfaces::layersOf(nLayers, 0.05);
+    controls.layers.onLevelSets = true;
+    const prismLayerMesh mesh(testSurfaces::layeredMesh(wall, controls));
+
+    EXPECT_NEAR(medianOf(mesh.guide.spacing.thickness)/0.05, 1, 0.05);
+    EXPECT_GT(min(mesh.guide.spacing.thickness)/0.05, 0.5);
 }
 
 
