@@ -182,6 +182,7 @@ static void writeCase
         entries.add("farField", toDictionary(far));
         Foam::write(Info, far);
     }
+    writeHeightJumps(Info, report);
 
     IOstream::defaultPrecision(6);
     const fileName& file = files.reportFile();

@@ -61,6 +61,39 @@ static pointField placesOf
 }
 
 
+//- Edges of all processes at which the first height of faces changes too much
+static pointField jumpsOf
+(
+    const UList<labelPair>& edgeFaces,
+    const scalarField& changes,
+    const prismLayers& layers,
+    const columnTeam& team
+)
+{
+    DynamicList<scalar> large;
+    DynamicList<point> middles;
+    forAll(changes, e)
+    {
+        if (changes[e] > layerReport::largeHeightChange)
+        {
+            const labelPair& faces = edgeFaces[e];
+            large.append(-changes[e]);
+            middles.append
+            (
+                0.5
+               *(
+                    middleOnWall(layers, faces.first())
+                  + middleOnWall(layers, faces.second())
+                )
+            );
+        }
+    }
+    const labelList order(sortedOrder(team.gather(large)));
+
+    return pointField(pointField(team.gather(middles)), order);
+}
+
+
 //- Sets the numbers of columns by cause, and the number of points of the wall.
 //  nPoints: number of points of this process, the first columns
 static void countColumns
@@ -157,8 +190,9 @@ layerReport makeLayerReport
     report.valid = certificate.valid();
     report.nStacksNotPositive = certificate.nStacksNotPositive;
     report.nOverlaps = certificate.nOverlaps;
-    report.firstHeightChange =
-        makePercentiles(changesOverEdges(edgeFaces, heights.first), team);
+    const scalarField changes(changesOverEdges(edgeFaces, heights.first));
+    report.firstHeightChange = makePercentiles(changes, team);
+    report.heightJumps = jumpsOf(edgeFaces, changes, layers, team);
     report.wall = sample.report("allPatches", identity(wall.faces.size()));
     report.nWallFaces = report.wall.nFaces;
 
@@ -393,6 +427,7 @@ dictionary toDictionary(const layerReport& report)
     dict.add("certificate", certificate);
     dict.add("allPatches", toDictionary(report.wall));
     dict.add("firstHeightChange", toDictionary(report.firstHeightChange));
+    dict.add("firstHeightJumps", report.heightJumps.size());
     dict.add("patches", patches);
     dict.add("field", report.noField.empty() ? "followed" : report.noField);
     dict.add("columns", columnsDictionary(report));
@@ -528,6 +563,23 @@ void write(Ostream& os, const layerReport& report)
 
     addCounts(text, report);
     os  << text.str().c_str();
+}
+
+
+void writeHeightJumps(Ostream& os, const layerReport& report)
+{
+    if (report.heightJumps.size())
+    {
+        const point& x = report.heightJumps[0];
+        std::ostringstream text;
+        text<< "\nWARNING: first heights jump by more than "
+            << layerReport::largeHeightChange << " from face to face at "
+            << report.heightJumps.size() << " edges of the wall, by "
+            << std::setprecision(3) << report.firstHeightChange.max
+            << " at most, at (" << std::setprecision(6) << x.x() << ' '
+            << x.y() << ' ' << x.z() << "): a solver may diverge there\n";
+        os  << text.str().c_str();
+    }
 }
 
 } // End namespace Foam

@@ -402,4 +402,36 @@ TEST(writeLayerReport, saysWhereCentresAreOutside)
 }
 
 
+TEST(writeHeightJumps, saysWhereAFaceIsLow)
+{
+    cubeRun run;
+    OStringStream nothing;
+    const auto reportOf = [&]()
+    {
+        return makeLayerReport
+        (
+            run.wall, makeWallAddressing(run.wall).edgeFaces, run.spacing,
+            run.layers, certify(run.layers), run.causes
+        );
+    };
+    writeHeightJumps(nothing, reportOf());
+    EXPECT_EQ(nothing.str(), "");
+
+    // Neighbours share two of its three columns: they are 4 times as high
+    for (const label c : run.wall.faces[7])
+    {
+        point& x = run.layers.points[run.layers.index(c, 1)];
+        x = 0.9*run.layers(c, 0) + 0.1*x;
+    }
+    const layerReport report(reportOf());
+    EXPECT_EQ(report.heightJumps.size(), 3);
+    EXPECT_NEAR(report.firstHeightChange.max, 4, 0.01);
+    EXPECT_EQ(toDictionary(report).get<label>("firstHeightJumps"), 3);
+    OStringStream os;
+    writeHeightJumps(os, report);
+    EXPECT_NE(os.str().find("at 3 edges of the wall, by 4"), std::string::npos)
+        << os.str();
+}
+
+
 // ************************************************************************* //
