@@ -35,10 +35,11 @@ Usage
         Ask for n layers on every face of the walls
 
       - \par -plainScheme
-        Solve heat conduction by the plain scheme "Gauss linear corrected":
-        print by how much an iteration multiplies the error, the place of the
-        mode that decays least, and the explicit gains of the cells; write the
-        cells of the mode as cellSet plainSchemeMode
+        Solve heat conduction by the plain scheme "Gauss linear corrected", with
+        gradients by Gauss linear and by leastSquares: print by how much an
+        iteration multiplies the error, the place of the mode that decays least,
+        and the explicit gains of the cells; write the cells of the mode as
+        cellSets plainSchemeMode and leastSquaresMode
 
       - \par -version
         Print the version, and do nothing else
@@ -108,7 +109,8 @@ static void addOptions()
     argList::addBoolOption
     (
         "plainScheme",
-        "Solve heat conduction by the plain scheme, Gauss linear corrected."
+        "Solve heat conduction by the plain scheme, Gauss linear corrected,"
+        " with gradients by Gauss linear and by leastSquares."
         " Print by how much an iteration multiplies the error, and write the"
         " cells that converge last as a cellSet"
     );
@@ -140,26 +142,40 @@ static void writeSet
 }
 
 
-//- Tests the plain scheme, and logs the result
-static void solve(const polyMesh& mesh)
+//- Tests the plain scheme with some gradients, and logs the result
+static void solve
+(
+    const polyMesh& mesh,
+    const std::string& gradients,
+    const word& setName
+)
 {
-    const scalarField gains(explicitGains(volumesOf(mesh)));
-    const scalar large = schemeGrade::largeGain;
-    const plainScheme tested(testPlainScheme(mesh, nPlainIterations));
+    const plainScheme tested
+    (
+        testPlainScheme(mesh, gradients, nPlainIterations)
+    );
     const labelList cells(tested.cellsOfMode(0.5));
 
-    Info<< nl << "Plain scheme (Gauss linear corrected)" << nl
+    Info<< nl << "Plain scheme (Gauss linear corrected), gradients by "
+        << gradients.c_str() << nl
         << "    factor " << tested.factor << ": "
         << (tested.factor < 1 ? "converges" : "DIVERGES") << nl
         << "    half of the mode that decays least is in " << cells.size()
-        << " cells, first at " << mesh.cellCentres()[cells[0]] << nl
-        << "    explicit gains: largest " << max(gains) << " at "
+        << " cells, first at " << mesh.cellCentres()[cells[0]] << endl;
+
+    writeSet(mesh, setName, cells);
+}
+
+
+static void writeGains(const polyMesh& mesh)
+{
+    const scalarField gains(explicitGains(volumesOf(mesh)));
+    const scalar large = schemeGrade::largeGain;
+
+    Info<< nl << "Explicit gains: largest " << max(gains) << " at "
         << mesh.cellCentres()[findMax(gains)] << ", above 1 "
         << count(gains, 1) << ", above " << name(large) << ' '
-        << count(gains, large)
-        << " cells; there " << gains[cells[0]] << endl;
-
-    writeSet(mesh, "plainSchemeMode", cells);
+        << count(gains, large) << " cells" << endl;
 }
 
 
@@ -215,7 +231,9 @@ static void writeOptional
 {
     if (args.found("plainScheme"))
     {
-        solve(mesh);
+        writeGains(mesh);
+        solve(mesh, "Gauss linear", "plainSchemeMode");
+        solve(mesh, "leastSquares", "leastSquaresMode");
     }
 
     if (args.found("writeSets"))

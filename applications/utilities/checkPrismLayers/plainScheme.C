@@ -38,7 +38,12 @@ static void writeDictionary(const fileName& file, const std::string& text)
 
 
 //- Makes a case in a folder: the mesh, by links to its files, and schemes
-static void makeCase(const polyMesh& mesh, const fileName& folder)
+static void makeCase
+(
+    const polyMesh& mesh,
+    const std::string& gradients,
+    const fileName& folder
+)
 {
     const fileName system(folder/"system");
     const fileName meshFolder(folder/"constant"/polyMesh::meshSubDir);
@@ -66,9 +71,9 @@ static void makeCase(const polyMesh& mesh, const fileName& folder)
     writeDictionary
     (
         system/"fvSchemes",
-        "ddtSchemes { default steadyState; }"
-        " gradSchemes { default Gauss linear; }"
-        " divSchemes { default none; }"
+        std::string("ddtSchemes { default steadyState; }")
+      + " gradSchemes { default " + gradients + "; }"
+      + " divSchemes { default none; }"
         " laplacianSchemes { default Gauss linear corrected; }"
         " interpolationSchemes { default linear; }"
         " snGradSchemes { default corrected; }"
@@ -165,11 +170,12 @@ Foam::labelList Foam::plainScheme::cellsOfMode(const scalar share) const
 Foam::plainScheme Foam::testPlainScheme
 (
     const polyMesh& given,
+    const std::string& gradients,
     const label nIterations
 )
 {
     const scratchFolder folder;
-    makeCase(given, folder.path());
+    makeCase(given, gradients, folder.path());
 
     Time time
     (

@@ -18,26 +18,35 @@ namespace Foam
 namespace
 {
 
-//- Merges the tetrahedra around cells with large gains
+//- Merges the tetrahedra around poor cells
 class gainMerger
 {
     mergingMesh& mesh_;
     const mergeControls& controls_;
 
-    //- The gains now
-    scalarField gains_;
+    //- The scores now
+    scalarField scores_;
 
     DynamicList<schemeFace> seen_;
 
-    scalar excess(const scalar gain) const
+    scalar excess(const scalar score) const
     {
-        return sqr(max(gain - controls_.gain, scalar(0)));
+        return sqr(max(score - controls_.gain, scalar(0)));
     }
 
     //- Some cells, and the cells across their faces
     fewLabels withNeighbours(const labelUList& cells) const;
 
-    scalar largestGain(const labelUList& cells);
+    scalar largestScore(const labelUList& cells);
+
+    //- Calls work(c, seen) for each cell that is no part of another, on all
+    //  threads
+    template<class Work>
+    void forAllCells(const Work& work) const;
+
+    //- How poor a cell is: the larger one of its gain and of a share of its
+    //  gain by least squares; 'seen' is for work
+    scalar scoreOf(label c, DynamicList<schemeFace>& seen) const;
 
     //- The pairs of tetrahedra, or polyhedra of them, at a cell
     DynamicList<labelPair> pairsAt(const label c) const;
@@ -54,14 +63,14 @@ public:
     gainMerger(mergingMesh& mesh, const mergeControls& controls);
 
     //- Makes the triangles on a polygon of the outer surface one face of one
-    //  polyhedron, unless that makes gains larger. Its points are seen from the
+    //  polyhedron, unless that makes cells poorer. Its points are seen from the
     //  polyhedron.
     void mergeOnPolygon(const labelUList& triangles, const face& polygon);
 
-    //- Merges at all cells with large gains
+    //- Merges at all poor cells
     void mergeAll();
 
-    schemeGrade grade() const { return gradeOf(mesh_, gains_); }
+    schemeGrade grade() const;
 };
 
 
@@ -69,8 +78,39 @@ gainMerger::gainMerger(mergingMesh& mesh, const mergeControls& controls)
 :
     mesh_(mesh),
     controls_(controls),
-    gains_(mesh.nCells())
+    scores_(mesh.nCells(), 0)
 {}
+
+
+template<class Work>
+void gainMerger::forAllCells(const Work& work) const
+{
+    #pragma omp parallel
+    {
+        DynamicList<schemeFace> seen;
+
+        #pragma omp for schedule(static)
+        forAll(scores_, c)
+        {
+            if (mesh_.partOf(c) == c)
+            {
+                work(c, seen);
+            }
+        }
+    }
+}
+
+
+schemeGrade gainMerger::grade() const
+{
+    scalarField gains(scores_.size(), 0);
+    forAllCells([&](const label c, DynamicList<schemeFace>& seen)
+    {
+        gains[c] = gainOf(mesh_, c, seen);
+    });
+
+    return gradeOf(mesh_, gains);
+}
 
 
 //- Tetrahedra on triangles of a polygon, and those between them around the
@@ -125,7 +165,7 @@ void gainMerger::mergeOnPolygon
     fewLabels changed(cells);
     changed.append(stack);
     const fewLabels around(withNeighbours(changed));
-    const scalar before = largestGain(around);
+    const scalar before = largestScore(around);
 
     const mergingMesh::state state(mesh_.stateOf(changed));
     for (label k = 1; k < cells.size(); ++k)
@@ -145,7 +185,7 @@ void gainMerger::mergeOnPolygon
     if
     (
         !mesh_.isStar(cells[0])
-     || largestGain(left) > max(before, controls_.gain)
+     || largestScore(left) > max(before, controls_.gain)
     )
     {
         mesh_.separate(triangles);
@@ -167,12 +207,24 @@ fewLabels gainMerger::withNeighbours(const labelUList& cells) const
 }
 
 
-scalar gainMerger::largestGain(const labelUList& cells)
+scalar gainMerger::scoreOf
+(
+    const label c,
+    DynamicList<schemeFace>& seen
+) const
+{
+    const scalar gain = gainOf(mesh_, c, seen);
+
+    return max(gain, controls_.leastSquaresShare*leastSquaresGain(seen));
+}
+
+
+scalar gainMerger::largestScore(const labelUList& cells)
 {
     scalar largest = 0;
     for (const label c : cells)
     {
-        largest = max(largest, gainOf(mesh_, c, seen_));
+        largest = max(largest, scoreOf(c, seen_));
     }
 
     return largest;
@@ -224,8 +276,8 @@ scalar gainMerger::dropOf(const labelPair& pair)
     scalar largest = 0;
     for (const label c : around)
     {
-        before += excess(gains_[c]);
-        largest = max(largest, gains_[c]);
+        before += excess(scores_[c]);
+        largest = max(largest, scores_[c]);
     }
     before += mesh_.excessOfFaces(a, pair.second(), controls_);
 
@@ -238,9 +290,9 @@ scalar gainMerger::dropOf(const labelPair& pair)
     {
         if (around[k] != pair.second())
         {
-            const scalar gain = gainOf(mesh_, around[k], seen_);
-            after += excess(gain);
-            better = gain <= largest && after < allowed;
+            const scalar score = scoreOf(around[k], seen_);
+            after += excess(score);
+            better = score <= largest && after < allowed;
         }
     }
     mesh_.restore(state);
@@ -267,12 +319,12 @@ fewLabels gainMerger::mergeAt(const label c)
     if (largest > 0)
     {
         mesh_.merge(best.first(), best.second());
-        gains_[best.second()] = 0;
+        scores_[best.second()] = 0;
         around.append(best.first());
         mesh_.appendNeighbours(best.first(), around);
         for (const label r : around)
         {
-            gains_[r] = gainOf(mesh_, r, seen_);
+            scores_[r] = scoreOf(r, seen_);
         }
     }
 
@@ -282,24 +334,18 @@ fewLabels gainMerger::mergeAt(const label c)
 
 void gainMerger::mergeAll()
 {
-    #pragma omp parallel
+    forAllCells([&](const label c, DynamicList<schemeFace>& seen)
     {
-        DynamicList<schemeFace> seen;
+        scores_[c] = scoreOf(c, seen);
+    });
 
-        #pragma omp for schedule(static)
-        forAll(gains_, c)
-        {
-            gains_[c] = mesh_.partOf(c) == c ? gainOf(mesh_, c, seen) : 0;
-        }
-    }
-
-    labelList wanted(identity(gains_.size()));
+    labelList wanted(identity(scores_.size()));
     while (wanted.size())
     {
         DynamicList<label> poor;
         for (const label c : wanted)
         {
-            if (gains_[c] > controls_.gain)
+            if (scores_[c] > controls_.gain)
             {
                 poor.append(c);
             }
@@ -307,7 +353,7 @@ void gainMerger::mergeAll()
         std::stable_sort
         (
             poor.begin(), poor.end(),
-            [&](const label a, const label b) { return gains_[a] > gains_[b]; }
+            [&](label a, label b) { return scores_[a] > scores_[b]; }
         );
 
         // Only around what has changed, more can change
@@ -320,7 +366,7 @@ void gainMerger::mergeAll()
                 around = mergeAt(c);
                 changed.insert(around);
             }
-            while (around.size() && gains_[c] > controls_.gain);
+            while (around.size() && scores_[c] > controls_.gain);
         }
         wanted = changed.sortedToc();
     }

@@ -370,6 +370,7 @@ scalar mergingMesh::excessOfFaces
 ) const
 {
     const scalar least = Foam::cos(degToRad(controls.maxNonOrtho));
+    const scalar leastAtCore = Foam::cos(degToRad(controls.maxNonOrthoAtCore));
     scalar sum = 0;
     const auto add = [&](const label f)
     {
@@ -385,7 +386,12 @@ scalar mergingMesh::excessOfFaces
         const scalar toOther = mag(area & (other - g.geometry.centre));
         const scalar weight =
             min(toOwn, toOther)/max(toOwn + toOther, VSMALL);
-        scalar excess = nonOrthoViolation(area, other - own, least)
+        scalar excess =
+            nonOrthoViolation
+            (
+                area, other - own,
+                isOfCore(g.owner) || isOfCore(g.neighbour) ? leastAtCore : least
+            )
           + max(controls.minWeight - weight, scalar(0))/controls.minWeight;
         if (f < far_.topology.faces.size())
         {

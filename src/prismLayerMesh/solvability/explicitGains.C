@@ -16,6 +16,11 @@ namespace Foam
 static constexpr scalar leastCosine = 0.05;
 
 
+//- A least-squares matrix of unit vectors with a smaller determinant has no
+//  inverse: the neighbours are in a plane
+static constexpr scalar leastDeterminant = 1e-9;
+
+
 //- One over the distance of two centres along a normal [1/m]
 static scalar inverseAlong(const vector& normal, const vector& d)
 {
@@ -35,7 +40,7 @@ schemeFace::schemeFace
 :
     schemeFace(outwardArea, centre, cellCentre)
 {
-    const vector d(neighbourCentre - cellCentre);
+    d = neighbourCentre - cellCentre;
     const scalar magArea = mag(area);
     const vector normal(area/max(magArea, VSMALL));
     const scalar inverse = inverseAlong(normal, d);
@@ -57,12 +62,13 @@ schemeFace::schemeFace
 )
 :
     area(outwardArea),
+    d(centre - cellCentre),
     isSeen((outwardArea & (centre - cellCentre)) > 0)
 {
     const scalar magArea = mag(area);
 
     implicit = magArea
-       *inverseAlong(area/max(magArea, VSMALL), centre - cellCentre);
+       *inverseAlong(area/max(magArea, VSMALL), d);
 }
 
 
@@ -103,6 +109,43 @@ scalar cellGain(const UList<schemeFace>& faces, const scalar volume)
     }
 
     return (mag(own) + others)/(volume*diagonal);
+}
+
+
+scalar leastSquaresGain(const UList<schemeFace>& faces)
+{
+    symmTensor sum(Zero);
+    scalar diagonal = 0;
+    vector ownArea(Zero);
+    for (const schemeFace& f : faces)
+    {
+        sum += sqr(f.d)/max(magSqr(f.d), VSMALL);
+        diagonal += f.implicit;
+        ownArea += f.ownShare*f.explicitArea;
+    }
+    if (det(sum) < leastDeterminant)
+    {
+        return invalidGain;
+    }
+
+    const symmTensor inverse(inv(sum));
+    scalar own = 0;
+    scalar others = 0;
+    for (const schemeFace& g : faces)
+    {
+        const vector slope(inverse & (g.d/max(magSqr(g.d), VSMALL)));
+        const scalar along = slope & ownArea;
+        own += along;
+        others += mag(along);
+
+        // The gradient in a neighbour has the slopes of the cell
+        for (const schemeFace& f : faces)
+        {
+            others += f.otherShare*mag(slope & f.explicitArea);
+        }
+    }
+
+    return (mag(own) + others)/diagonal;
 }
 
 

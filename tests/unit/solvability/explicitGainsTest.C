@@ -131,6 +131,47 @@ struct schemeMatrices
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
+TEST(leastSquaresGain, isLargeIfTheNeighboursAreNearlyInAPlane)
+{
+    // A cell with four neighbours whose faces are not orthogonal
+    const auto gainAt = [](const scalar height)
+    {
+        const point own(Zero);
+        const pointField others
+        ({
+            {1, 0, height}, {-1, 0, height}, {0, 1, -height}, {0, -1, -height}
+        });
+        DynamicList<schemeFace> faces;
+        for (const point& x : others)
+        {
+            faces.append
+            (
+                schemeFace(normalised(x) + vector(0, 0, 0.2), 0.5*x, own, x)
+            );
+        }
+
+        return leastSquaresGain(faces);
+    };
+
+    EXPECT_LT(gainAt(0.7), 1);
+    EXPECT_GT(gainAt(0.01), 5*gainAt(0.1));
+    EXPECT_EQ(gainAt(0), invalidGain);
+}
+
+
+TEST(leastSquaresGain, isZeroInACube)
+{
+    DynamicList<schemeFace> faces;
+    for (label k = 0; k < 6; ++k)
+    {
+        vector normal(Zero);
+        normal[k/2] = k % 2 ? 1 : -1;
+        faces.append(schemeFace(normal, 0.5*normal, Zero, normal));
+    }
+    EXPECT_NEAR(leastSquaresGain(faces), 0, 1e-14);
+}
+
+
 TEST(explicitGains, areZeroOnAStackOfOrthogonalCells)
 {
     const memoryMesh mesh(testSurfaces::onePolygon(4, layerHeights));
