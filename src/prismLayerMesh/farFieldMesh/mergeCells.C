@@ -24,7 +24,8 @@ class gainMerger
     mergingMesh& mesh_;
     const mergeControls& controls_;
 
-    //- The scores now
+    //- Gains and scores now
+    scalarField gains_;
     scalarField scores_;
 
     DynamicList<schemeFace> seen_;
@@ -39,14 +40,34 @@ class gainMerger
 
     scalar largestScore(const labelUList& cells);
 
-    //- Calls work(c, seen) for each cell that is no part of another, on all
-    //  threads
-    template<class Work>
-    void forAllCells(const Work& work) const;
 
     //- How poor a cell is: the larger one of its gain and of a share of its
-    //  gain by least squares; 'seen' is for work
-    scalar scoreOf(label c, DynamicList<schemeFace>& seen) const;
+    //  gain by least squares
+    scalar scoreOf
+    (
+        const scalar gain,
+        const UList<schemeFace>& faces
+    ) const
+    {
+        return max
+        (
+            gain, controls_.leastSquaresShare*leastSquaresGain(faces)
+        );
+    }
+
+    scalar scoreAt(const label c)
+    {
+        const scalar gain = gainOf(mesh_, c, seen_);
+
+        return scoreOf(gain, seen_);
+    }
+
+    //- Sets gain and score of a cell; 'seen' is for work
+    void rate(const label c, DynamicList<schemeFace>& seen)
+    {
+        gains_[c] = gainOf(mesh_, c, seen);
+        scores_[c] = scoreOf(gains_[c], seen);
+    }
 
     //- The pairs of tetrahedra, or polyhedra of them, at a cell
     DynamicList<labelPair> pairsAt(const label c) const;
@@ -70,7 +91,7 @@ public:
     //- Merges at all poor cells
     void mergeAll();
 
-    schemeGrade grade() const;
+    schemeGrade grade() const { return gradeOf(mesh_, gains_); }
 };
 
 
@@ -78,39 +99,9 @@ gainMerger::gainMerger(mergingMesh& mesh, const mergeControls& controls)
 :
     mesh_(mesh),
     controls_(controls),
+    gains_(mesh.nCells(), 0),
     scores_(mesh.nCells(), 0)
 {}
-
-
-template<class Work>
-void gainMerger::forAllCells(const Work& work) const
-{
-    #pragma omp parallel
-    {
-        DynamicList<schemeFace> seen;
-
-        #pragma omp for schedule(static)
-        forAll(scores_, c)
-        {
-            if (mesh_.partOf(c) == c)
-            {
-                work(c, seen);
-            }
-        }
-    }
-}
-
-
-schemeGrade gainMerger::grade() const
-{
-    scalarField gains(scores_.size(), 0);
-    forAllCells([&](const label c, DynamicList<schemeFace>& seen)
-    {
-        gains[c] = gainOf(mesh_, c, seen);
-    });
-
-    return gradeOf(mesh_, gains);
-}
 
 
 //- Tetrahedra on triangles of a polygon, and those between them around the
@@ -207,24 +198,12 @@ fewLabels gainMerger::withNeighbours(const labelUList& cells) const
 }
 
 
-scalar gainMerger::scoreOf
-(
-    const label c,
-    DynamicList<schemeFace>& seen
-) const
-{
-    const scalar gain = gainOf(mesh_, c, seen);
-
-    return max(gain, controls_.leastSquaresShare*leastSquaresGain(seen));
-}
-
-
 scalar gainMerger::largestScore(const labelUList& cells)
 {
     scalar largest = 0;
     for (const label c : cells)
     {
-        largest = max(largest, scoreOf(c, seen_));
+        largest = max(largest, scoreAt(c));
     }
 
     return largest;
@@ -290,7 +269,7 @@ scalar gainMerger::dropOf(const labelPair& pair)
     {
         if (around[k] != pair.second())
         {
-            const scalar score = scoreOf(around[k], seen_);
+            const scalar score = scoreAt(around[k]);
             after += excess(score);
             better = score <= largest && after < allowed;
         }
@@ -319,12 +298,12 @@ fewLabels gainMerger::mergeAt(const label c)
     if (largest > 0)
     {
         mesh_.merge(best.first(), best.second());
-        scores_[best.second()] = 0;
+        scores_[best.second()] = gains_[best.second()] = 0;
         around.append(best.first());
         mesh_.appendNeighbours(best.first(), around);
         for (const label r : around)
         {
-            scores_[r] = scoreOf(r, seen_);
+            rate(r, seen_);
         }
     }
 
@@ -334,10 +313,19 @@ fewLabels gainMerger::mergeAt(const label c)
 
 void gainMerger::mergeAll()
 {
-    forAllCells([&](const label c, DynamicList<schemeFace>& seen)
+    #pragma omp parallel
     {
-        scores_[c] = scoreOf(c, seen);
-    });
+        DynamicList<schemeFace> seen;
+
+        #pragma omp for schedule(static)
+        forAll(scores_, c)
+        {
+            if (mesh_.partOf(c) == c)
+            {
+                rate(c, seen);
+            }
+        }
+    }
 
     labelList wanted(identity(scores_.size()));
     while (wanted.size())

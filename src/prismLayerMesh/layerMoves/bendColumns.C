@@ -96,7 +96,11 @@ labelList stacksMissingTargets
     {
         missesTargets[i] =
             targets.missesJacobian(layers, faces[i])
-         || geometry.violation(faces[i], targets.faces) > 0
+         ||
+            (
+                targets.faces.any()
+             && geometry.violation(faces[i], targets.faces) > 0
+            )
          ||
             (
                 targets.gain < GREAT

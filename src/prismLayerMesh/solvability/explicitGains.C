@@ -11,65 +11,9 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- As surfaceInterpolation of OpenFOAM: the least cosine of the angle between
-//  the normal and the line of the centres
-static constexpr scalar leastCosine = 0.05;
-
-
 //- A least-squares matrix of unit vectors with a smaller determinant has no
 //  inverse: the neighbours are in a plane
 static constexpr scalar leastDeterminant = 1e-9;
-
-
-//- One over the distance of two centres along a normal [1/m]
-static scalar inverseAlong(const vector& normal, const vector& d)
-{
-    return 1/max(max(normal & d, leastCosine*mag(d)), VSMALL);
-}
-
-
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-schemeFace::schemeFace
-(
-    const vector& outwardArea,
-    const point& centre,
-    const point& cellCentre,
-    const point& neighbourCentre
-)
-:
-    schemeFace(outwardArea, centre, cellCentre)
-{
-    d = neighbourCentre - cellCentre;
-    const scalar magArea = mag(area);
-    const vector normal(area/max(magArea, VSMALL));
-    const scalar inverse = inverseAlong(normal, d);
-    const scalar toCell = mag(area & (centre - cellCentre));
-    const scalar toNeighbour = mag(area & (neighbourCentre - centre));
-
-    ownShare = toNeighbour/max(toCell + toNeighbour, VSMALL);
-    otherShare = 1 - ownShare;
-    implicit = magArea*inverse;
-    explicitArea = magArea*(normal - d*inverse);
-}
-
-
-schemeFace::schemeFace
-(
-    const vector& outwardArea,
-    const point& centre,
-    const point& cellCentre
-)
-:
-    area(outwardArea),
-    d(centre - cellCentre),
-    isSeen((outwardArea & (centre - cellCentre)) > 0)
-{
-    const scalar magArea = mag(area);
-
-    implicit = magArea
-       *inverseAlong(area/max(magArea, VSMALL), d);
-}
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //

@@ -146,7 +146,7 @@ TEST(leastSquaresGain, isLargeIfTheNeighboursAreNearlyInAPlane)
         {
             faces.append
             (
-                schemeFace(normalised(x) + vector(0, 0, 0.2), 0.5*x, own, x)
+                seenFace(normalised(x) + vector(0, 0, 0.2), 0.5*x, own, &x)
             );
         }
 
@@ -166,7 +166,8 @@ TEST(leastSquaresGain, isZeroInACube)
     {
         vector normal(Zero);
         normal[k/2] = k % 2 ? 1 : -1;
-        faces.append(schemeFace(normal, 0.5*normal, Zero, normal));
+        const point other(normal);
+        faces.append(seenFace(normal, 0.5*normal, point::zero, &other));
     }
     EXPECT_NEAR(leastSquaresGain(faces), 0, 1e-14);
 }
