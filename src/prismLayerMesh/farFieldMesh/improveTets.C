@@ -8,6 +8,7 @@
 #include "farFieldMeshControls.H"
 #include "labelPair.H"
 #include "ListOps.H"
+#include "ranges.H"
 #include "stageProgress.H"
 #include "tetEditor.H"
 #include "tetImprover.H"
@@ -25,7 +26,8 @@ bool isFlat(const UList<point>& x, const tetCell& tet)
         longestSqr = max(longestSqr, magSqr(tet.tetEdge(i).vec(x)));
     }
 
-    return mag(tet.tet(x).mag()) < 1e-9*pow(longestSqr, 1.5);
+    return mag(tet.tet(x).mag())
+      < farFieldTuned.flatVolume*pow(longestSqr, 1.5);
 }
 
 
@@ -39,6 +41,10 @@ static labelPair flatCorners
 )
 {
     labelPair found(-1, -1);
+    if (anyOf(tet, [&](const label p) { return p >= mesh.nBoundaryPoints; }))
+    {
+        return found;
+    }
     label patchi = -1;
     label n = 0;
     for (label i = 0; i < 4; ++i)

@@ -88,12 +88,11 @@ struct walker
                 coordinate = max(coordinate, scalar(0));
                 sum += coordinate;
             }
-            x = Zero;
-            for (label i = 0; i < 4; ++i)
+            for (scalar& coordinate : l)
             {
-                l[i] /= sum;
-                x += l[i]*mesh.points[mesh.tets[tet][i]];
+                coordinate /= sum;
             }
+            x = interpolate(mesh.points);
             isThere = true;
         }
 

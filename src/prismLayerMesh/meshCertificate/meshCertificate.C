@@ -78,24 +78,20 @@ static boolList pointsOf(const polyhedralMesh& mesh, const labelUList& faces)
 }
 
 
-static void addVolumes(const polyhedralMesh& mesh, meshCertificate& certificate)
+static scalar boundaryVolumeOf(const polyhedralMesh& mesh)
 {
-    for (label celli = 0; celli < mesh.nCells(); ++celli)
-    {
-        certificate.cellVolume += mesh.volume(celli);
-    }
-
     const point middle(boundBox(mesh.points(), false).midpoint());
-
+    scalar volume = 0;
     forAll(mesh.faces(), facei)
     {
         const label owner = mesh.owner(facei);
         if (mesh.across(facei, owner) < 0)
         {
-            certificate.boundaryVolume +=
-                mesh.pyramidVolume(facei, owner, middle);
+            volume += mesh.pyramidVolume(facei, owner, middle);
         }
     }
+
+    return volume;
 }
 
 
@@ -140,8 +136,9 @@ List<labelPair> findDoubleFaces(const faceList& faces)
 }
 
 
-//- The shapes of all cells, and whether they are positive
-static void judgeCells
+//- The shapes of all cells, and whether they are positive. Returns their volume
+//  [m3].
+static scalar judgeCells
 (
     const polyhedralMesh& mesh,
     meshCell& cell,
@@ -149,12 +146,18 @@ static void judgeCells
     List<meshCellShape>& shapes
 )
 {
+    scalar sum = 0;
     forAll(positive, celli)
     {
         const meshCellVerdict verdict(cell(celli));
+        const scalar volume = mesh.volume(celli);
         shapes[celli] = verdict.shape;
-        positive[celli] = verdict.positive && mesh.hasVolume(celli);
+        positive[celli] =
+            verdict.positive && volume > mesh.roundingVolume(celli);
+        sum += volume;
     }
+
+    return sum;
 }
 
 
@@ -172,7 +175,7 @@ meshCertificate certifyMesh
     meshCell cell(mesh, onWall);
     boolList positive(mesh.nCells());
     List<meshCellShape> shapes(mesh.nCells());
-    judgeCells(mesh, cell, positive, shapes);
+    certificate.cellVolume = judgeCells(mesh, cell, positive, shapes);
 
     labelHashSet inLayers;
     certificate.nLayers = countLayers(mesh, wallFaces, positive, inLayers);
@@ -203,7 +206,7 @@ meshCertificate certifyMesh
     certificate.invalidShapes = UIndirectList<meshCellShape>(shapes, cells);
     certificate.invalidCells.transfer(cells);
     certificate.doubleFaces = findDoubleFaces(mesh.faces());
-    addVolumes(mesh, certificate);
+    certificate.boundaryVolume = boundaryVolumeOf(mesh);
 
     if (outerFaces.size())
     {

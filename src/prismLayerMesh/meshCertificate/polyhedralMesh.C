@@ -158,9 +158,11 @@ scalar polyhedralMesh::pyramidVolume
 
 scalar polyhedralMesh::volume(const label celli) const
 {
-    const point apex(centre(celli));
+    // An apex nearby: differences of large volumes are not precise
+    const UList<label> faces(cellFaces(celli));
+    const point& apex = points_[faces_[faces[0]][0]];
     scalar sum = 0;
-    for (const label facei : cellFaces(celli))
+    for (const label facei : faces)
     {
         sum += pyramidVolume(facei, celli, apex);
     }
@@ -169,7 +171,7 @@ scalar polyhedralMesh::volume(const label celli) const
 }
 
 
-bool polyhedralMesh::hasVolume(const label celli) const
+scalar polyhedralMesh::roundingVolume(const label celli) const
 {
     scalar area = 0;
     scalar largest = 0;
@@ -182,7 +184,7 @@ bool polyhedralMesh::hasVolume(const label celli) const
         }
     }
 
-    return volume(celli) > SMALL*largest*area;
+    return SMALL*largest*area;
 }
 
 

@@ -169,6 +169,7 @@ TEST(removeFlatCells, keepsFlatCellsBetweenTwoPatches)
     farFieldTets mesh;
     mesh.points = pointField({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1e-17}});
     mesh.tets = tetCellList({tetCell(0, 1, 2, 3)});
+    mesh.nBoundaryPoints = 4;
     mesh.boundaryTriangles = faceList({face({0, 1, 2}), face({1, 3, 2})});
     mesh.patchIDs = labelList({0, 1});
 
