@@ -20,9 +20,11 @@ namespace Foam
 
 //- For each point its representative: a point within the tolerance, or the
 //  point itself. The representative of points at one place is the first.
+//  some: the other points are their own representatives
 static labelList findRepresentatives
 (
     const pointField& points,
+    const labelUList& some,
     const scalar tolerance
 )
 {
@@ -32,8 +34,10 @@ static labelList findRepresentatives
     const scalarField place(points & direction);
     const scalar reach = 1.01*mag(direction)*tolerance;
 
-    const labelList order(sortedOrder(place));
-    labelList representatives(points.size(), -1);
+    labelList order(sortedOrder(scalarField(place, some)));
+    inplaceRenumber(some, order);
+    labelList representatives(identity(points.size()));
+    UIndirectList<label>(representatives, some) = -1;
     forAll(order, i)
     {
         const label p = order[i];
@@ -99,17 +103,36 @@ static label nRepresented(const labelUList& representatives)
 }
 
 
+//- The points on edges with one face, ascending
+static labelList openPoints(const wallSurface& wall)
+{
+    bitSet open(wall.points.size());
+    for (const edge& e : outline(wall.faces))
+    {
+        open.set(e.start());
+        open.set(e.end());
+    }
+
+    return open.sortedToc();
+}
+
+
 void mergeNearPoints
 (
     wallSurface& wall,
     const scalar tolerance,
-    wallReading& reading
+    wallReading& reading,
+    const bool onlyOpen
 )
 {
     const scalar diagonal = boundBox(wall.points, false).mag();
+    const labelList some
+    (
+        onlyOpen ? openPoints(wall) : identity(wall.points.size())
+    );
     const auto within = [&](const scalar share)
     {
-        return findRepresentatives(wall.points, share*diagonal);
+        return findRepresentatives(wall.points, some, share*diagonal);
     };
     const labelList representatives(within(tolerance));
     const label nNear = nRepresented(within(wallReading::nearTolerance));
@@ -290,11 +313,7 @@ wallSurface readWallSurface
         }
     }
 
-    if (separateFaces)
-    {
-        mergeNearPoints(wall, controls.mergeTolerance, reading);
-    }
-
+    mergeNearPoints(wall, controls.mergeTolerance, reading, !separateFaces);
     removeUnusedPoints(wall.faces, wall.points);
     mergePatches(wall);
     reading.cutFaces = cutReflexFaces(wall);

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "readWallSurface.H"
+#include "surfacePart.H"
 #include "testSurfaces.H"
 
 #include <gtest/gtest.h>
@@ -57,6 +58,26 @@ TEST(mergeNearPoints, pointsBeyondTheToleranceAreCountedOnly)
     EXPECT_EQ(wall.faces, faces);
     EXPECT_EQ(reading.mergedPoints, 0);
     EXPECT_EQ(reading.nearPoints, 2);
+}
+
+
+TEST(mergeNearPoints, pointsOfClosedSurfacesMayStay)
+{
+    // Both cubes have the point (1, 1, 1); the triangles have three each
+    wallSurface wall(cube(1));
+    wallSurface other(cube(1));
+    other.points += vector::uniform(1);
+    appendSurface(other, labelList(), wall);
+    const wallSurface closed(wall);
+    appendSurface(torn(0), labelList(), wall);
+    wallReading reading;
+    mergeNearPoints(wall, 0, reading, true);
+
+    EXPECT_EQ(reading.mergedPoints, 2);
+    EXPECT_EQ
+    (
+        faceList(SubList<face>(wall.faces, closed.faces.size())), closed.faces
+    );
 }
 
 
