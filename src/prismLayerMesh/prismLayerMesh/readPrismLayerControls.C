@@ -193,6 +193,41 @@ static qualityControls readQuality(const dictionary& dict)
 }
 
 
+//- Refuses side patches of type empty: a far field has several cells between
+//  them
+static void refuseEmptySides
+(
+    const dictionary& dict,
+    const prismLayerControls& controls
+)
+{
+    const auto refuse = [&](const string& name, const word& type)
+    {
+        if (type == "empty")
+        {
+            entryError(dict, "farField")
+                << "The side patch " << name.c_str() << " is of type empty,"
+                << " which needs a mesh of one cell between two sides. A far"
+                << " field has several: use the type symmetry"
+                << exit(FatalIOError);
+        }
+    };
+
+    for (const sidePatch& plane : controls.surface.sidePlanes)
+    {
+        refuse(plane.name, plane.type);
+    }
+    for (const patchLayers& entry : controls.layers.patches)
+    {
+        refuse(entry.patches, entry.type);
+    }
+    for (const farPatch& patch : controls.farField.boundary.patches)
+    {
+        refuse(patch.name, patch.type);
+    }
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 prismLayerControls readPrismLayerControls(const dictionary& dict)
@@ -229,6 +264,10 @@ prismLayerControls readPrismLayerControls(const dictionary& dict)
     (
         optionalDict(dict, "farField"), controls.surface
     );
+    if (controls.farField.isWanted())
+    {
+        refuseEmptySides(dict, controls);
+    }
 
     return controls;
 }

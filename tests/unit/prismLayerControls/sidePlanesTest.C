@@ -75,6 +75,24 @@ TEST(sidePlanes, wrongEntriesAreErrors)
 }
 
 
+TEST(sidePlanes, emptyNeedsAMeshWithoutAFarField)
+{
+    const std::string planes
+    (
+        "surface { file a.stl;"
+        " sidePlanes { front { point (0 0 0); normal (0 0 -1); type empty; } }"
+        " }" + layers
+    );
+
+    EXPECT_EQ(readControls(planes).surface.sidePlanes[0].type, "empty");
+    expectWords
+    (
+        errorOf(planes + "farField { type tet; }"),
+        {"front", "type empty", "one cell", "symmetry"}
+    );
+}
+
+
 TEST(sidePlanes, filesAreOneOrSeveral)
 {
     const auto files = [](const std::string& entries)
