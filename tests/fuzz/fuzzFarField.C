@@ -5,7 +5,7 @@
 
 #include "fuzzFarField.H"
 #include "planeDomain.H"
-#include "planesOfBorder.H"
+#include "boxSides.H"
 #include "randomSurface.H"
 
 using Foam::randomSurfaces::chance;

@@ -198,7 +198,7 @@ int main(int argc, char *argv[])
     (
         parallel, checkOnly || prepareOnly || args.found("writeFields")
     );
-    const prismLayerControls controls(readPrismLayerControls(files.dict()));
+    prismLayerControls controls(readPrismLayerControls(files.dict()));
     const fileNameList surfaces(files.surfaceFiles(controls.surface));
     const fileName preparedFile(files.preparedFile(surfaces));
     stageLog log(Info);

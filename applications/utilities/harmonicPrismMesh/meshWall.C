@@ -219,6 +219,25 @@ static localHeights readLocal
 }
 
 
+//- The dictionary, with the box of the controls
+static dictionary orderOf
+(
+    const prismCase& files,
+    const farBoundaryControls& boundary
+)
+{
+    dictionary order(files.dict());
+    if (boundary.type == farBoundaryType::box)
+    {
+        dictionary& entries = order.subDict("farField").subDict("boundary");
+        entries.set("min", boundary.box.min());
+        entries.set("max", boundary.box.max());
+    }
+
+    return order;
+}
+
+
 //- Makes the layers, in a parallel run with the other processes.
 //  pictures: whether all stages are written as VTK files
 //  Errors: FatalError with the file of the points where no layers are possible,
@@ -236,7 +255,7 @@ static autoPtr<caseLayers> makeLayers
 {
     try
     {
-        sendOrder(parallel, files.dict());
+        sendOrder(parallel, orderOf(files, controls.farField.boundary));
         const auto draw = [&](const prismLayerMesh& mesh)
         {
             Info<< "Writing VTK files to " << files.reportFolder() << endl;

@@ -114,6 +114,10 @@ static dictionary toDictionary
     {
         dict.add("cad", reading.cadFiles);
     }
+    if (prepared.nFacesInSides)
+    {
+        dict.add("facesInSidesRemoved", prepared.nFacesInSides);
+    }
     if (prepared.steps.size())
     {
         dictionary repair(toDictionary(prepared.repair));
@@ -183,7 +187,7 @@ static void logPatches(const wallSurface& surface)
 caseWall readWall
 (
     const fileNameList& surfaceFiles,
-    const prismLayerControls& controls,
+    prismLayerControls& controls,
     const bool wantsAdvice,
     const Time& time,
     stageLog& log
@@ -213,6 +217,7 @@ caseWall readWall
             << " its faces " << prepared.nCut << endl;
     }
 
+    controls.farField.boundary.box = prepared.farBox;
     wall.changes = toDictionary(reading, prepared);
     wall.defects = textOf(prepared.defects, reading);
     if (wantsAdvice)

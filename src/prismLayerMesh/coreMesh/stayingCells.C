@@ -438,11 +438,14 @@ bool stayingCells::inFluid(const label facei) const
 {
     const label own = core_.topology.owner[facei];
     const point centre(core_.topology.faces[facei].centre(core_.points));
+    const vector inwards(boxes_[own].midpoint() - centre);
 
-    return obstacles_.fluid.inFront
-    (
-        centre + tunedPatches.within*(boxes_[own].midpoint() - centre)
-    );
+    // Not through layers that are near to the face
+    const scalar room = 0.5*obstacles_.surface.footOf(centre).distance;
+    const scalar within =
+        min(tunedPatches.within, room/max(mag(inwards), VSMALL));
+
+    return obstacles_.fluid.inFront(centre + within*inwards);
 }
 
 

@@ -5,9 +5,9 @@
 
 #include "prepareWall.H"
 #include "boundBox.H"
+#include "boxSides.H"
 #include "cutSurface.H"
 #include "OStringStream.H"
-#include "planesOfBorder.H"
 #include "splitAtSidePatches.H"
 #include "wallChanges.H"
 #include "wallVisibility.H"
@@ -107,7 +107,12 @@ static string sizesOf
 
 
 //- What the log says of a wall that ends on side patches
-static string sizesOf(const wallSurface& wall, const wallReading& reading)
+static string sizesOf
+(
+    const wallSurface& wall,
+    const wallReading& reading,
+    const label nFacesInSides
+)
 {
     wordHashSet curved;
     for (const sidePatch& side : wall.border.sides)
@@ -128,6 +133,11 @@ static string sizesOf(const wallSurface& wall, const wallReading& reading)
         << "points put on their planes " << reading.pointsPutOnSides << ", by "
         << reading.largestMove << " m at most, faces turned to the fluid "
         << reading.flippedFaces;
+    if (nFacesInSides)
+    {
+        os  << nl << "faces of bodies that stand on sides, removed "
+            << nFacesInSides;
+    }
 
     return os.str();
 }
@@ -211,7 +221,7 @@ static void split
     }
 
     observer.begin("sidePatches");
-    observer.end(sizesOf(wall, reading));
+    observer.end(sizesOf(wall, reading, prepared.nFacesInSides));
     const List<wallDefect> defects(findWallDefects(wall, true));
     if (defects.size())
     {
@@ -248,8 +258,16 @@ preparedWall prepareWall
     );
 
     preparedWall prepared;
+    prepared.farBox = boxBehind(surface, controls.farField.boundary);
     prepared.surface = surface;
+    typedef surfaceRepairControls::method method;
+    if (onSides.repair.repair == method::none)
+    {
+        requireInFront(surface, onSides.sidePlanes);
+    }
     repair(onSides, controls.layers, observer, prepared);
+    prepared.nFacesInSides =
+        removeFacesInSides(prepared.surface, onSides.sidePlanes);
 
     observer.begin("wallDefects");
     prepared.defects =
@@ -264,6 +282,9 @@ preparedWall prepareWall
     remesh(onSides, regions, observer, prepared);
     split(onSides, controls.layers, observer, prepared);
     wallSurface& wall = prepared.wall;
+    farBoundaryControls boundary(controls.farField.boundary);
+    boundary.box = prepared.farBox;
+    requireInBox(wall, boundary);
     prepared.nFlips = flipCaps(wall);
     // Repair may have folded some
     prepared.nCut = cutReflexFaces(wall);

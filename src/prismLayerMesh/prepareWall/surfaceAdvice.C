@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "prepareWall.H"
+#include "boxSides.H"
 #include "OStringStream.H"
 #include "planesOfBorder.H"
 #include "throwingErrors.H"

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layerStages.H"
+#include "boxSides.H"
 #include "distributeFront.H"
 #include "levelSets.H"
 #include "makePrismLayers.H"
@@ -209,9 +210,13 @@ scalarField makeClearance
         2*controls.envelope.scale
        *scalarField(front.heights.room, front.own.wallPoints)
     );
-    const scalarField clearance
+    const scalar maxStretch = controls.layers.maxStretch;
+    scalarField clearance(clearanceOf(front, reach, maxStretch));
+    const wallSurface& own = front.own.surface;
+    boundByPlanes
     (
-        clearanceOf(front, reach, controls.layers.maxStretch)
+        freeSides(controls.farField.boundary, own.border.sides), own.points,
+        front.own.visibility, clearance, maxStretch
     );
     const scalar least = min(front.team.gather(scalarList(1, min(clearance))));
     observer.end(text("room from ", least, " m"));

@@ -179,6 +179,32 @@ scalarField makeWallClearance
 }
 
 
+void boundByPlanes
+(
+    const UList<sidePatch>& planes,
+    const pointField& points,
+    const wallVisibility& visibility,
+    scalarField& clearance,
+    const scalar maxStretch
+)
+{
+    for (const sidePatch& plane : planes)
+    {
+        forAll(points, p)
+        {
+            const visibilityCone& cone = visibility.cones[p];
+            const scalar towards = plane.normal & cone.axis;
+            if (towards > 0)
+            {
+                const scalar end = -0.5*plane.distance(points[p])/towards;
+                const scalar cosine = max(cone.cosine, 1/maxStretch);
+                clearance[p] = min(clearance[p], cosine*end);
+            }
+        }
+    }
+}
+
+
 scalar roomAlong
 (
     const wallSearch& search,

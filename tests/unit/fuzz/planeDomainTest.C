@@ -3,7 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "planesOfBorder.H"
+#include "boxSides.H"
 #include "openSurfaces.H"
 #include "planeDomain.H"
 #include "testSurfaces.H"

@@ -233,6 +233,39 @@ TEST(wallClearance, scalesWithTheWall)
 }
 
 
+TEST(wallClearance, columnsEndHalfWayToPlanes)
+{
+    // A cube, and a plane at a distance of 0.3 above it
+    const scalar distance = 0.3;
+    const wallSurface wall(testSurfaces::cube(2));
+    const wallVisibility visibility
+    (
+        makeWallVisibility(wall, makeWallAddressing(wall))
+    );
+    List<sidePatch> planes(1);
+    sidePatch& plane = planes[0];
+    plane.origin = point(0, 0, 1 + distance);
+    plane.normal = vector(0, 0, 1);
+    scalarField clearance(wall.points.size(), 10);
+    boundByPlanes(planes, wall.points, visibility, clearance);
+
+    forAll(wall.points, p)
+    {
+        const visibilityCone& cone = visibility.cones[p];
+        const point& x = wall.points[p];
+        const point end(x + clearance[p]/cone.cosine*cone.axis);
+        if (clearance[p] < 10)
+        {
+            EXPECT_NEAR(plane.distance(end), 0.5*plane.distance(x), 1e-12);
+        }
+        else
+        {
+            EXPECT_LT(cone.axis.z(), 1e-12);
+        }
+    }
+}
+
+
 TEST(wallClearance, columnsThatMayBeLongerHaveLessRoom)
 {
     // A tip of 30 degrees whose axis runs to a block at the distance 1: a ball

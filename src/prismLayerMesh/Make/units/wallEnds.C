@@ -3,6 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
+#include "wallEnds/boxSides.C"
 #include "wallEnds/divideSidePart.C"
 #include "wallEnds/orientOpenWall.C"
 #include "wallEnds/sideParts.C"

@@ -4,7 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallEnds/convexPolyhedronTest.C"
-#include "wallEnds/boxSidePlanesTest.C"
+#include "wallEnds/boxSidesTest.C"
 #include "wallEnds/planesOfBorderTest.C"
 #include "wallEnds/sideBordersTest.C"
 #include "wallEnds/sideFacesTest.C"

@@ -1,0 +1,368 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "boxSides.H"
+#include "bitSet.H"
+#include "disjointSets.H"
+#include "ListOps.H"
+#include "ranges.H"
+#include "splitAtSidePatches.H"
+#include "surfacePart.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- A face near to a plane is in it if the product of both unit normals is
+//  larger; beside it, the surface leaves the plane
+static constexpr scalar inPlaneCosine = 0.9;
+
+
+//- The side planes of a far boundary that is a box, with the names and types of
+//  their patches
+static List<sidePatch> sidesOf(const farBoundaryControls& boundary)
+{
+    List<sidePatch> planes(sidesOf(boundary.box));
+
+    for (sidePatch& plane : planes)
+    {
+        const word side(plane.name);
+        for (const farPatch& patch : boundary.patches)
+        {
+            if (patch.sides.match(side))
+            {
+                plane.name = patch.name;
+                plane.type = patch.type;
+            }
+        }
+    }
+
+    return planes;
+}
+
+
+namespace
+{
+
+//- A surface and what lies in planes
+struct surfaceAtPlanes
+{
+    const wallSurface& surface;
+
+    const scalar tolerance =
+        sideTolerance*boundBox(surface.points, false).mag();
+
+    const edgeList border = outline(surface.faces);
+
+    //- Connected parts of the surface, and whether they have a border
+    disjointSets parts = connectedPoints(surface.points.size(), surface.faces);
+    bitSet isOpen = bitSet(surface.points.size());
+
+
+    explicit surfaceAtPlanes(const wallSurface& given)
+    :
+        surface(given)
+    {
+        for (const edge& e : border)
+        {
+            isOpen.set(parts.find(e.start()));
+        }
+    }
+
+    bool isOn(const sidePatch& plane, const point& x) const
+    {
+        return mag(plane.distance(x)) <= tolerance;
+    }
+
+    bool isOpenAt(const face& f) { return isOpen.test(parts.find(f[0])); }
+
+    bool isIn(const sidePatch& plane, const face& f) const
+    {
+        const auto isOnPlane = [&](const label p)
+        {
+            return isOn(plane, surface.points[p]);
+        };
+
+        return allOf(f, isOnPlane)
+            && mag(f.unitNormal(surface.points) & plane.normal)
+             > inPlaneCosine;
+    }
+
+    bool hasBorderOn(const sidePatch& plane) const
+    {
+        return anyOf(border, [&](const edge& e)
+        {
+            return isOn(plane, surface.points[e.start()])
+                && isOn(plane, surface.points[e.end()]);
+        });
+    }
+
+    bool hasFaceIn(const sidePatch& plane) const
+    {
+        return anyOf
+        (
+            surface.faces, [&](const face& f) { return isIn(plane, f); }
+        );
+    }
+
+    //- Whether an open part has faces in the plane that reach another plane
+    bool covers(const sidePatch& plane, const UList<sidePatch>& sides)
+    {
+        const auto reaches = [&](const label p)
+        {
+            return anyOf(sides, [&](const sidePatch& side)
+            {
+                return mag(side.normal & plane.normal) < 0.5
+                    && side.distance(surface.points[p]) >= -tolerance;
+            });
+        };
+
+        return anyOf(surface.faces, [&](const face& f)
+        {
+            return isIn(plane, f) && isOpenAt(f) && anyOf(f, reaches);
+        });
+    }
+
+    //- Whether the surface is on both sides of a plane. What is beyond other
+    //  planes does not count.
+    bool crosses
+    (
+        const sidePatch& plane,
+        const UList<sidePatch>& planes
+    ) const
+    {
+        bool isInFront = false;
+        bool isBeyond = false;
+        for (const point& x : surface.points)
+        {
+            const bool counts = allOf(planes, [&](const sidePatch& other)
+            {
+                return other.distance(x) <= tolerance;
+            });
+            const scalar distance = plane.distance(x);
+            isInFront = isInFront || (counts && distance < -tolerance);
+            isBeyond = isBeyond || (counts && distance > tolerance);
+        }
+
+        return isInFront && isBeyond;
+    }
+};
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+List<sidePatch> sidesOf(const boundBox& box)
+{
+    static const char* names[] =
+        {"xMin", "xMax", "yMin", "yMax", "zMin", "zMax"};
+
+    List<sidePatch> planes(6);
+    forAll(planes, side)
+    {
+        planes[side].name = names[side];
+        planes[side].origin = side % 2 ? box.max() : box.min();
+        planes[side].normal[side/2] = side % 2 ? 1 : -1;
+    }
+
+    return planes;
+}
+
+
+List<sidePatch> withBoxSides
+(
+    const wallSurface& surface,
+    const List<sidePatch>& planes,
+    const farBoundaryControls& boundary
+)
+{
+    List<sidePatch> all(planes);
+    if (boundary.type != farBoundaryType::box)
+    {
+        return all;
+    }
+
+    surfaceAtPlanes at(surface);
+    const List<sidePatch> sides(sidesOf(boundary));
+    for (const sidePatch& side : sides)
+    {
+        const bool isGiven = anyOf(planes, [&](const sidePatch& given)
+        {
+            return at.isOn(side, given.origin)
+                && mag(given.normal - side.normal) < sideTolerance;
+        });
+
+        if
+        (
+            !isGiven && !at.covers(side, sides)
+         && (
+                at.hasBorderOn(side) || at.hasFaceIn(side)
+             || at.crosses(side, planes)
+            )
+        )
+        {
+            all.append(side);
+        }
+    }
+
+    return all;
+}
+
+
+boundBox boxBehind
+(
+    const wallSurface& surface,
+    const farBoundaryControls& boundary
+)
+{
+    boundBox box(boundary.box);
+    if (boundary.type != farBoundaryType::box)
+    {
+        return box;
+    }
+
+    surfaceAtPlanes at(surface);
+    const List<sidePatch> sides(sidesOf(boundary));
+    forAll(sides, side)
+    {
+        if (at.covers(sides[side], sides))
+        {
+            point& corner = side % 2 ? box.max() : box.min();
+            corner += 0.1*boundary.box.mag()*sides[side].normal;
+        }
+    }
+
+    return box;
+}
+
+
+List<sidePatch> freeSides
+(
+    const farBoundaryControls& boundary,
+    const UList<sidePatch>& ends
+)
+{
+    if (boundary.type != farBoundaryType::box)
+    {
+        return List<sidePatch>();
+    }
+
+    const scalar tolerance = sideTolerance*boundary.box.mag();
+
+    return subsetList(sidesOf(boundary), [&](const sidePatch& side)
+    {
+        return !anyOf(ends, [&](const sidePatch& end)
+        {
+            return !end.isPart() && mag(side.distance(end.origin)) < tolerance
+                && mag(end.normal - side.normal) < sideTolerance;
+        });
+    });
+}
+
+
+void requireInBox
+(
+    const wallSurface& wall,
+    const farBoundaryControls& boundary
+)
+{
+    const scalar touching =
+        touchShare*sideTolerance*boundBox(wall.points, false).mag();
+
+    for (const sidePatch& side : freeSides(boundary, wall.border.sides))
+    {
+        for (const point& x : wall.points)
+        {
+            const scalar distance = side.distance(x);
+            if (distance > -touching)
+            {
+                FatalErrorInFunction
+                    << "The wall "
+                    << (distance > touching ? "is beyond" : "touches")
+                    << " the side " << side.name << " of the far boundary at "
+                    << x << ", " << mag(distance) << " m from the side" << nl
+                    << "Move the side out. Or move it in: surface.repair"
+                    << " stitch cuts the wall there" << exit(FatalError);
+            }
+        }
+    }
+}
+
+
+void requireInFront
+(
+    const wallSurface& surface,
+    const UList<sidePatch>& planes
+)
+{
+    const scalar tolerance =
+        sideTolerance*boundBox(surface.points, false).mag();
+
+    for (const sidePatch& plane : planes)
+    {
+        scalar nearest = GREAT;
+        scalar furthest = -GREAT;
+        point place(Zero);
+        for (const point& x : surface.points)
+        {
+            const scalar distance = plane.distance(x);
+            nearest = min(nearest, distance);
+            if (distance > furthest)
+            {
+                furthest = distance;
+                place = x;
+            }
+        }
+
+        if (nearest < -tolerance && furthest > tolerance)
+        {
+            FatalErrorInFunction
+                << "The surface goes through the side plane " << plane.name
+                << ", up to " << furthest << " m beyond it at " << place << nl
+                << "To cut the surface there, write" << nl
+                << "    surface { repair stitch; }" << nl
+                << "The fluid is where the normal " << plane.normal
+                << " does not point" << exit(FatalError);
+        }
+    }
+}
+
+
+label removeFacesInSides
+(
+    wallSurface& surface,
+    const UList<sidePatch>& planes
+)
+{
+    if (planes.empty())
+    {
+        return 0;
+    }
+
+    surfaceAtPlanes at(surface);
+    bitSet kept(surface.faces.size(), true);
+    forAll(surface.faces, facei)
+    {
+        const face& f = surface.faces[facei];
+        const bool isGone =
+            !at.isOpenAt(f)
+         && anyOf(planes, [&](const sidePatch& p) { return at.isIn(p, f); });
+        kept.set(facei, !isGone);
+    }
+
+    const label nGone = kept.size() - kept.count();
+    if (nGone)
+    {
+        keepFaces(kept, surface);
+    }
+
+    return nGone;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
