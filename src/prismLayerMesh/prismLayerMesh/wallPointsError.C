@@ -4,8 +4,12 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallPointsError.H"
+#include "bitSet.H"
+#include "disjointSets.H"
 #include "HashSet.H"
 #include "HashTable.H"
+#include "Map.H"
+#include "ranges.H"
 #include "unitConversion.H"
 
 namespace Foam
@@ -23,6 +27,11 @@ static constexpr scalar obtuseCosine = 0.7072;
 //- The same of a side patch that continues the wall but for rounding: cos(3
 //  degrees). Heights beside it would be smaller by the sine of the angle.
 static constexpr scalar planeCosine = 0.9986;
+
+//- Share of the length of a connected border. The wall may continue a side
+//  patch on less of it: on 3 % at stem and stern of half a hull whose breadth is
+//  zero there, where first heights are at least 0.57 of the request.
+static constexpr scalar flushShare = 0.1;
 
 
 //- Product of the normals, into the fluid, of a face and of a side patch at a
@@ -68,24 +77,51 @@ static HashTable<scalar> sideCosines
 }
 
 
+//- Whether the wall continues a side patch beyond an edge of its border
+static bool isFlush
+(
+    const wallSurface& wall,
+    const wallAddressing& addressing,
+    const label borderEdge
+)
+{
+    const edge& e = wall.border.edges[borderEdge];
+    const sidePatch& side =
+        wall.border.sides[wall.border.edgeSides[borderEdge]];
+
+    return anyOf(addressing.pointFaces[e.first()], [&](const label facei)
+    {
+        return wall.faces[facei].edgeDirection(e) != 0
+            && sideCosine(wall, facei, side, e.first()) > planeCosine;
+    });
+}
+
+
 void checkSidesOf(const wallSurface& wall, const wallAddressing& addressing)
 {
-    labelHashSet points;
-    forAll(wall.border.edges, k)
+    const edgeList& edges = wall.border.edges;
+    disjointSets parts(connectedPoints(wall.points.size(), edges));
+    Map<scalar> lengths, flushLengths;
+    bitSet flush(edges.size());
+    forAll(edges, k)
     {
-        const edge& e = wall.border.edges[k];
-        const sidePatch& side = wall.border.sides[wall.border.edgeSides[k]];
-        for (const label facei : addressing.pointFaces[e.first()])
+        const label part = parts.find(edges[k].start());
+        const scalar length = edges[k].mag(wall.points);
+        lengths(part, 0) += length;
+        if (isFlush(wall, addressing, k))
         {
-            if
-            (
-                wall.faces[facei].edgeDirection(e) != 0
-             && sideCosine(wall, facei, side, e.first()) > planeCosine
-            )
-            {
-                points.insert(e.first());
-                points.insert(e.second());
-            }
+            flush.set(k);
+            flushLengths(part, 0) += length;
+        }
+    }
+
+    labelHashSet points;
+    for (const label k : flush)
+    {
+        const label part = parts.find(edges[k].start());
+        if (flushLengths[part] > flushShare*lengths[part])
+        {
+            points.insert(edges[k]);
         }
     }
 

@@ -115,7 +115,8 @@ struct planeCutter
 
 
 //- Points nearer to the plane than their share, with a neighbour that is
-//  further beyond
+//  further beyond, and points nearer than a thousandth of their share: the edges
+//  of these would be cut at one place
 static bitSet nearTheCut
 (
     const wallSurface& surface,
@@ -142,6 +143,10 @@ static bitSet nearTheCut
     }
 
     bitSet points(distances.size());
+    forAll(points, p)
+    {
+        points.set(p, mag(distances[p]) < 1e-3*near[p]);
+    }
     for (const face& f : surface.faces)
     {
         for (const edge& e : f.edges())
@@ -176,17 +181,22 @@ scalarField distancesTo(const sidePatch& plane, const wallSurface& surface)
 }
 
 
-labelList facesInConflict(const wallSurface& surface)
+labelList facesInConflict(const wallSurface& surface, const bitSet& skip)
 {
     const vectorField normals(surface.faceNormals());
-    bitSet degenerate(surface.faces.size());
+    bitSet faces(surface.faces.size());
+    bitSet skipped(skip);
+    skipped.resize(surface.faces.size());
     forAll(normals, facei)
     {
-        degenerate.set(facei, normals[facei] == vector::zero);
+        if (!skipped.test(facei) && normals[facei] == vector::zero)
+        {
+            faces.set(facei);
+            skipped.set(facei);
+        }
     }
 
-    bitSet faces(degenerate);
-    for (const labelPair& pair : findIntersectingFaces(surface, degenerate))
+    for (const labelPair& pair : findIntersectingFaces(surface, skipped))
     {
         faces.set(pair.first());
         faces.set(pair.second());
@@ -244,11 +254,25 @@ void cutSurface
         surface.points[p] -= distances[p]*plane.normal;
     }
 
+    // Faces that are cut off may be in conflict
+    const auto isCutOff = [&](const face& f)
+    {
+        return allOf(f, [&](const label p)
+        {
+            return distances[p] >= 0 || onPlane.test(p);
+        });
+    };
+
     // Each pass takes some back
     for (bool more = true; more;)
     {
         more = false;
-        for (const label facei : facesInConflict(surface))
+        bitSet gone(surface.faces.size());
+        forAll(surface.faces, facei)
+        {
+            gone.set(facei, isCutOff(surface.faces[facei]));
+        }
+        for (const label facei : facesInConflict(surface, gone))
         {
             for (const label p : surface.faces[facei])
             {
