@@ -161,11 +161,19 @@ static bool helpMaster(const parallelRun& parallel, const caseWriter& writer)
 
 
 //- Lets freed lists return to the system, and a lack of memory throw: the
-//  handler of OpenFOAM would abort without a message that says so
-static void prepareMemory()
+//  handler of OpenFOAM would abort without a message that says so. The log and
+//  messages have OpenFOAM's six digits, whatever the case writes its fields
+//  with.
+static void prepareRun()
 {
     std::set_new_handler(nullptr);
     keepLongListsApart();
+
+    const unsigned digits = 6;
+    IOstream::defaultPrecision(digits);
+    Sout.precision(digits);
+    FatalError().precision(digits);
+    FatalIOError.error::operator()().precision(digits);
 }
 
 
@@ -181,7 +189,7 @@ int main(int argc, char *argv[])
     #include "setRootCase.H"
     #include "createTime.H"
 
-    prepareMemory();
+    prepareRun();
     Info<< "harmonicPrismMesh " << pluginVersion << nl << endl;
     const prismCase files(args, runTime);
     const parallelRun parallel(runTime);

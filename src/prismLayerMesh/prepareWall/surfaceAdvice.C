@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "prepareWall.H"
+#include "boundBox.H"
 #include "boxSides.H"
 #include "OStringStream.H"
 #include "planesOfBorder.H"
@@ -88,6 +89,77 @@ static List<sidePatch> planesThatMend
 }
 
 
+//- Borders that are further than this share of the diagonal from planes have no
+//  advice of planes
+static constexpr scalar roughPlanes = 1e-2;
+
+
+//- Planes near to which all of the border is, moved into the surface so far that
+//  the border is beyond them: a repair cuts it off.
+//  deviation: is set to the longest of the moves [m]
+static List<sidePatch> planesInside
+(
+    const wallSurface& surface,
+    scalar& deviation
+)
+{
+    const scalar near = roughPlanes*boundBox(surface.points, false).mag();
+    const edgeList border(outline(surface.faces));
+    List<sidePatch> planes(planesOfBorder(surface, roughPlanes));
+    for (sidePatch& plane : planes)
+    {
+        scalar least = 0;
+        scalar most = 0;
+        for (const edge& e : border)
+        {
+            const point& x = surface.points[e.start()];
+            const point& y = surface.points[e.end()];
+            if (plane.hasEdge(x, y, near))
+            {
+                least = min(least, plane.distance(x));
+                most = max(most, plane.distance(x));
+            }
+        }
+
+        // A little more, so that no point is in the plane
+        plane.origin += (least - 0.1*(most - least))*plane.normal;
+        deviation = max(deviation, most - least);
+    }
+
+    return planes;
+}
+
+
+//- Advice to cut off a border that is near to planes; nothing if that does not
+//  mend the surface
+static string adviceToCut
+(
+    const wallSurface& surface,
+    prismLayerControls controls
+)
+{
+    scalar deviation = 0;
+    List<sidePatch>& planes = controls.surface.sidePlanes;
+    if (planes.size())
+    {
+        return "";
+    }
+    planes = planesInside(surface, deviation);
+    preparedWall prepared;
+    if (planes.empty() || !isMended(surface, controls, prepared))
+    {
+        return "";
+    }
+
+    OStringStream os;
+    os  << "The border of the surface deviates from planes by up to "
+        << deviation << " m. surface.repair stitch cuts it off at these"
+        << " planes:" << nl << entriesOf(planes).c_str();
+
+    return os.str();
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 string adviceOnDefects
@@ -134,8 +206,21 @@ string adviceOnDefects
             " planes for its border:\n" + entriesOf(more);
     }
 
-    return "surface.repair stitch does not mend this surface. surface.repair"
-        " wrap does: it makes a closed surface around all faces.";
+    const string cut(adviceToCut(surface, stitching));
+    if (cut.size())
+    {
+        return cut;
+    }
+
+    prismLayerControls wrapping(controls);
+    wrapping.surface.repair.repair = method::wrap;
+    preparedWall wrapped;
+
+    return isMended(surface, wrapping, wrapped)
+      ? "surface.repair stitch does not mend this surface. surface.repair wrap"
+        " does: it makes a closed surface around all faces."
+      : "Neither surface.repair stitch nor surface.repair wrap mends this"
+        " surface, as the dictionary has them.";
 }
 
 

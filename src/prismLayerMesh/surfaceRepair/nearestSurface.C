@@ -23,7 +23,7 @@ static constexpr scalar normalCosine = 0.985;
 static constexpr scalar flatCosine = 1 - 1e-9;
 
 
-static pointField centresOf(const wallSurface& surface)
+pointField centresOf(const wallSurface& surface)
 {
     pointField centres(surface.faces.size());
     forAll(centres, facei)

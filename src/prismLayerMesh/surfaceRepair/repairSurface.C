@@ -11,6 +11,7 @@
 #include "sigFpe.H"
 #include "splitAtSidePatches.H"
 #include "stitchSurface.H"
+#include "triSurfaceSearch.H"
 #include "wallChanges.H"
 #include "wrapSurface.H"
 
@@ -22,6 +23,89 @@ namespace Foam
 //- Edges of a surface are sharp if the normals of their faces differ by more
 //  than this [deg]
 static constexpr scalar featureAngle = 30;
+
+
+//- Faces of a surface that are far from another surface
+struct lostFaces
+{
+    label n = 0;
+    wordList patches;
+
+    //- The largest distance [m], and the place of that face
+    scalar farthest = 0;
+    point place = Zero;
+};
+
+
+//- Returns the faces whose centres are further from another surface than a
+//  distance [m]
+static lostFaces facesBeyond
+(
+    const wallSurface& surface,
+    const nearestSurface& other,
+    const scalar distance
+)
+{
+    const pointField centres(centresOf(surface));
+    pointField nearest;
+    labelList faces;
+    other.find(centres, nearest, faces);
+
+    lostFaces lost;
+    wordHashSet patches;
+    forAll(centres, facei)
+    {
+        const scalar d = mag(nearest[facei] - centres[facei]);
+        if (d > distance)
+        {
+            ++lost.n;
+            patches.insert(surface.patchNames[surface.patchIDs[facei]]);
+            if (d > lost.farthest)
+            {
+                lost.farthest = d;
+                lost.place = centres[facei];
+            }
+        }
+    }
+    lost.patches = patches.sortedToc();
+
+    return lost;
+}
+
+
+//- Returns the place inside of a closed surface, of a lattice of points, that
+//  is furthest from another surface
+static point roomiestPlace
+(
+    const wallSurface& closed,
+    const nearestSurface& other
+)
+{
+    static constexpr label n = 16;
+    const boundBox box(closed.points, false);
+    pointField places(n*n*n);
+    forAll(places, i)
+    {
+        const vector share
+        (
+            (i % n + 0.5)/n, (i/n % n + 0.5)/n, (i/(n*n) + 0.5)/n
+        );
+        places[i] = box.min() + cmptMultiply(share, box.span());
+    }
+
+    pointField nearest;
+    labelList faces;
+    other.find(places, nearest, faces);
+    const triSurface triangles(toTriSurface(closed));
+    const boolList isInside(triSurfaceSearch(triangles).calcInside(places));
+    scalarField room(mag(nearest - places));
+    forAll(room, i)
+    {
+        room[i] = isInside[i] ? room[i] : 0;
+    }
+
+    return places[findMax(room)];
+}
 
 
 namespace
@@ -67,6 +151,59 @@ class surfaceRepairer
         return onSides;
     }
 
+    //- Refuses a wrap with the fluid inside that has the fluid outside, because
+    //  it is around a sheet
+    void refusePlate(const bitSet& inside) const
+    {
+        scalar all = 0;
+        scalar onBothSides = 0;
+        forAll(original_.faces, facei)
+        {
+            const scalar area = original_.faces[facei].mag(original_.points);
+            all += area;
+            onBothSides += inside.test(facei) ? area : 0;
+        }
+
+        if (onBothSides > 0.5*all)
+        {
+            FatalErrorInFunction
+                << "The wrap is on both sides of " << 100*onBothSides/all
+                << " % of the surface, and the fluid is to be inside of the"
+                << " surface. The surface has an opening through which the"
+                << " wrap goes: close it, or let the surface end there by"
+                << " layers.patches or surface.sidePlanes" << exit(FatalError);
+        }
+    }
+
+    //- Counts the faces that the wrap does not reach.
+    //  Errors: FatalError if there are any and the fluid is inside, but no seed
+    //  says where
+    void addLostFaces(const nearestSurface& nearest, const scalar size)
+    {
+        const wallSurface& wrapped = repaired_.surface;
+        const lostFaces lost
+        (
+            facesBeyond(original_, nearestSurface(wrapped), 2*size)
+        );
+        if (lost.n && !fluidOutside_ && controls_.seeds.empty())
+        {
+            FatalErrorInFunction
+                << "The wrap does not reach " << lost.n << " faces, up to "
+                << lost.farthest << " m from it at " << lost.place
+                << ", of the patches " << flatOutput(lost.patches) << nl
+                << "With the fluid inside the wrap begins in the fluid only"
+                << " where seeds say so, for example" << nl
+                << "    surface { wrapCoeffs { seeds ("
+                << roomiestPlace(wrapped, nearest) << "); } }"
+                << exit(FatalError);
+        }
+        addStep
+        (
+            repaired_.steps, "faces that the wrap does not reach", lost.n,
+            DynamicList<point>(pointField(1, lost.place))
+        );
+    }
+
     void wrap(const nearestSurface& nearest)
     {
         const scalar size = orShare(controls_.size, 0.01);
@@ -82,7 +219,12 @@ class surfaceRepairer
             2*offset, featureAngle, facesInside(original_, nearest, surface),
             facesOnSides()
         };
+        if (!fluidOutside_)
+        {
+            refusePlate(controls.inside);
+        }
         addLeaks(original_, controls.inside, size, steps);
+        addLostFaces(nearest, size);
 
         const snapCounts counts
         (

@@ -7,7 +7,6 @@
 #include "boxSides.H"
 #include "disjointSets.H"
 #include "ranges.H"
-#include "splitAtSidePatches.H"
 
 namespace Foam
 {
@@ -88,12 +87,16 @@ static bool turnFrom
 }
 
 
-List<sidePatch> planesOfBorder(const wallSurface& surface)
+List<sidePatch> planesOfBorder
+(
+    const wallSurface& surface,
+    const scalar relativeTolerance
+)
 {
     const pointField& points = surface.points;
     const edgeList border(outline(surface.faces));
     const boundBox box(points, false);
-    const scalar tolerance = sideTolerance*box.mag();
+    const scalar tolerance = relativeTolerance*box.mag();
 
     List<sidePatch> candidates(sidesOf(box));
     candidates.append(meanPlanes(points, border));
