@@ -25,7 +25,8 @@ Usage
         Check the mesh of that region
 
       - \par -walls \<wordRes\>
-        Patches with layers; default those of type wall
+        Patches with layers; default those of type wall, but for walls on which
+        the mesh has no cell of its cellZone boundaryLayer
 
       - \par -outer \<wordRes\>
         Patches of the outer surface of the layers; default layerOuter. Without
@@ -93,7 +94,7 @@ static void addOptions()
         "walls",
         "wordRes",
         "Patches with layers, eg, '(body \"wing.*\")'."
-        " Default: patches of type wall"
+        " Default: patches of type wall with cells of layers"
     );
     argList::addOption
     (
@@ -266,7 +267,8 @@ int main(int argc, char *argv[])
     );
 
     const polyBoundaryMesh& boundary = mesh.boundaryMesh();
-    const namedPatches named(readPatchOptions(args, boundary));
+    const bitSet beyond(beyondLayers(mesh));
+    const namedPatches named(readPatchOptions(args, boundary, beyond));
 
     const polyhedralMesh cells
     (
@@ -277,7 +279,7 @@ int main(int argc, char *argv[])
         certifyMesh
         (
             cells, facesOf(boundary, named.walls),
-            facesOf(boundary, named.outer), beyondLayers(mesh)
+            facesOf(boundary, named.outer), beyond
         )
     );
 

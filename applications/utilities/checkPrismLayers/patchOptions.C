@@ -5,6 +5,7 @@
 
 #include "patchOptions.H"
 #include "prismPolyMesh.H"
+#include "ranges.H"
 #include "wallPolyPatch.H"
 
 namespace Foam
@@ -60,12 +61,53 @@ static void requireApart
 }
 
 
+//- The patches of type wall that have layers, or might have; names the others.
+//  beyond: cells that are not of the layers, empty if that is unknown
+static labelList wallsOf(const polyBoundaryMesh& patches, const bitSet& beyond)
+{
+    DynamicList<label> walls;
+    DynamicList<word> bare;
+    for
+    (
+        const label patchi : patches.findPatchIDs<wallPolyPatch>().sortedToc()
+    )
+    {
+        const polyPatch& patch = patches[patchi];
+        const bool isBare =
+            patch.size() && beyond.size()
+         && allOf
+            (
+                patch.faceCells(),
+                [&](const label celli) { return beyond.test(celli); }
+            );
+        if (isBare)
+        {
+            bare.append(patch.name());
+        }
+        else
+        {
+            walls.append(patchi);
+        }
+    }
+
+    if (bare.size())
+    {
+        Info<< "Walls that no cell of the cellZone " << boundaryLayerName
+            << " is on, and that are not counted: " << listed(bare).c_str()
+            << nl << endl;
+    }
+
+    return labelList(std::move(walls));
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 namedPatches readPatchOptions
 (
     const argList& args,
-    const polyBoundaryMesh& patches
+    const polyBoundaryMesh& patches,
+    const bitSet& beyond
 )
 {
     const label outeri = patches.findPatchID(layerOuterName);
@@ -74,7 +116,7 @@ namedPatches readPatchOptions
         patchesOf
         (
             args, "walls", patches,
-            patches.findPatchIDs<wallPolyPatch>().sortedToc()
+            args.found("walls") ? labelList() : wallsOf(patches, beyond)
         ),
         patchesOf
         (

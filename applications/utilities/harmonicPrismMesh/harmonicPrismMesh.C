@@ -54,6 +54,7 @@ Usage
 #include "argList.H"
 #include "meshWall.H"
 #include "pluginVersion.H"
+#include "ranges.H"
 #include "readPrismLayerControls.H"
 #include "returnMemory.H"
 #include "Time.H"
@@ -102,16 +103,13 @@ static void addOptions()
 }
 
 
-//- Say whether the surface can be meshed, and end the run: with 1 if not
+//- Gives the advice on the surface, and ends the run: with 1 if it has defects
 static void endCheck(const caseWall& given)
 {
-    const bool isGood = given.defects.empty();
-
-    Info<< nl << (isGood ? "Surface OK." : given.defects.c_str()) << nl
-        << given.advice.c_str() << nl << nl << "End" << nl << endl;
+    Info<< nl << given.advice.c_str() << nl << nl << "End" << nl << endl;
 
     // What main returns is lost: the destructor of args exits with 0
-    UPstream::exit(isGood ? 0 : 1);
+    UPstream::exit(given.defects.empty() ? 0 : 1);
 }
 
 
@@ -138,7 +136,7 @@ static void requireNoDefects
     if (given.defects.size())
     {
         FatalErrorInFunction
-            << "The surface " << flatOutput(controls.files)
+            << "The surface " << listed(controls.files).c_str()
             << " cannot be meshed." << nl << given.defects.c_str()
             << exit(FatalError);
     }

@@ -4,10 +4,12 @@
 \*---------------------------------------------------------------------------*/
 
 #include "meshWall.H"
+#include "boxSides.H"
 #include "cellSizes.H"
 #include "farFieldReport.H"
 #include "layerStages.H"
 #include "OSspecific.H"
+#include "OStringStream.H"
 #include "prismCase.H"
 #include "prismPolyMesh.H"
 #include "readLocalHeights.H"
@@ -27,6 +29,49 @@ static void requireNotOf(const wallSurface& wall, const word& farPatch)
             << "The far boundary and the wall both have a patch " << farPatch
             << ". Rename one of them" << exit(FatalError);
     }
+}
+
+
+//- Cells of a hexCore are at most so many times as wide as two parallel sides
+//  are apart
+static constexpr scalar widthShare = 2;
+
+//- A domain is thin if two parallel sides are nearer to each other than this
+//  share of its diagonal
+static constexpr scalar thinShare = 0.05;
+
+
+//- Bounds the sizes by the least distance of two parallel sides. Returns what
+//  the log says of a thin domain. Tetrahedra are not bounded: TetGen takes
+//  minutes for two planes of small triangles that are near to each other.
+static string boundByWidth
+(
+    const wallSurface& wall,
+    const farFieldControls& controls,
+    sizeBounds& bounds
+)
+{
+    const scalar width = leastWidth(controls.boundary, wall.border.sides);
+    const bool isHexCore = controls.type == farFieldType::hexCore;
+    if (isHexCore)
+    {
+        bounds.largest = min(bounds.largest, widthShare*width);
+    }
+    if (width > thinShare*controls.boundary.box.mag())
+    {
+        return "";
+    }
+
+    OStringStream os;
+    os  << nl << "parallel sides are only " << width << " m apart: "
+        << (
+               isHexCore
+             ? "cells are at most twice as wide"
+             : "tetrahedra are flat between them, farField.type hexCore is"
+               " better there"
+           );
+
+    return os.str();
 }
 
 
@@ -91,7 +136,7 @@ static farFieldDomain readFarField
         names += ' ' + patch;
         requireNotOf(wall, patch);
     }
-    log.end(names);
+    log.end(names + boundByWidth(wall, controls, domain.bounds));
 
     return domain;
 }

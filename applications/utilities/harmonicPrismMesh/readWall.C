@@ -222,9 +222,11 @@ caseWall readWall
     wall.defects = textOf(prepared.defects, reading);
     if (wantsAdvice)
     {
+        const string found(wall.defects.empty() ? "Surface OK." : wall.defects);
+        Info<< nl << found.c_str() << nl << endl;
         wall.advice =
             wall.defects.size()
-          ? adviceOnDefects(given, controls)
+          ? adviceOnDefects(given, controls, log.observer())
           : adviceOnAngles(prepared.wall, controls.surface.remesh);
     }
 

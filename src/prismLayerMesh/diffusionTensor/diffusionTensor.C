@@ -6,6 +6,7 @@
 #include "diffusionTensor.H"
 #include "controlEntries.H"
 #include "harmonicField.H"
+#include "ranges.H"
 
 namespace Foam
 {
@@ -70,7 +71,7 @@ Foam::autoPtr<Foam::diffusionTensor> Foam::diffusionTensor::New
         FatalIOErrorInFunction(coeffs)
             << "Unknown value of tensor: " << name << nl
             << "Valid ones: "
-            << flatOutput(dictionaryConstructorTablePtr_->sortedToc())
+            << listed(dictionaryConstructorTablePtr_->sortedToc()).c_str()
             << exit(FatalIOError);
     }
 

@@ -41,7 +41,7 @@ static List<const heightEntries*> patchEntries
             FatalErrorInFunction
                 << "The entry " << entry.patches << " of layers.patches"
                 << " matches no patch of the surface" << nl
-                << "Its patches: " << flatOutput(patchNames)
+                << "Its patches: " << listed(patchNames).c_str()
                 << exit(FatalError);
         }
     }

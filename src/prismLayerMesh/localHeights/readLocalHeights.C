@@ -10,6 +10,7 @@
 #include "labelIOField.H"
 #include "OStringStream.H"
 #include "pointOrder.H"
+#include "ranges.H"
 #include "regionSearch.H"
 #include "scalarIOField.H"
 #include "surfaceFile.H"
@@ -252,8 +253,8 @@ surfaceValues readVtkValues
         FatalErrorInFunction
             << "Cannot read the values " << file << ": it has no field "
             << field << nl << "Fields of points: "
-            << flatOutput(reader.pointData().sortedToc())
-            << ", of cells: " << flatOutput(reader.cellData().sortedToc())
+            << listed(reader.pointData().sortedToc()).c_str()
+            << ", of cells: " << listed(reader.cellData().sortedToc()).c_str()
             << exit(FatalError);
     }
 

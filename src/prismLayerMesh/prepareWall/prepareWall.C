@@ -251,6 +251,7 @@ preparedWall prepareWall
     const stageObserver& observer
 )
 {
+    requirePatches(controls.layers, surface.patchNames);
     wallSurfaceControls onSides(controls.surface);
     onSides.sidePlanes = withBoxSides
     (

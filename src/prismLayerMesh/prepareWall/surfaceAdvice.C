@@ -23,28 +23,42 @@ static constexpr scalar fewSmallAngles = 1e-3;
 static constexpr int digits = 12;
 
 
-//- Whether a surface has no defects once it is prepared as the controls say.
-//  It is not remeshed.
-static bool isMended
-(
-    const wallSurface& surface,
-    prismLayerControls controls,
-    preparedWall& prepared
-)
+namespace
 {
-    controls.surface.remesh.active = false;
-    const throwingErrors throwing;
-    try
-    {
-        prepared = prepareWall(surface, controls);
 
-        return prepared.defects.empty();
-    }
-    catch (const Foam::error&)
+//- Tries to prepare a surface in several ways, without remeshing it
+struct trials
+{
+    const wallSurface& surface;
+    const stageObserver& observer;
+
+    //- Whether the surface has no defects once it is prepared as the controls
+    //  say
+    bool succeed
+    (
+        const char* what,
+        prismLayerControls controls,
+        preparedWall& prepared
+    ) const
     {
-        return false;
+        observer.begin(word("trial"));
+        controls.surface.remesh.active = false;
+        const throwingErrors throwing;
+        bool isMended = false;
+        try
+        {
+            prepared = prepareWall(surface, controls);
+            isMended = prepared.defects.empty();
+        }
+        catch (const Foam::error&)
+        {}
+        observer.end(string(what) + (isMended ? " mends" : " does not mend"));
+
+        return isMended;
     }
-}
+};
+
+} // End anonymous namespace
 
 
 //- The entries of the dictionary that make these side planes
@@ -64,18 +78,19 @@ static string entriesOf(const List<sidePatch>& planes)
 }
 
 
-//- Side planes without which a surface has defects, and with which it has none;
-//  none if it has some already.
+//- Side planes without which a surface has defects and with which it has none.
+//  Returns none if it has some already.
 //  like: has the border for which there are to be planes
 static List<sidePatch> planesThatMend
 (
-    const wallSurface& surface,
+    const trials& trial,
+    const char* what,
     prismLayerControls controls,
     const wallSurface& like
 )
 {
     List<sidePatch>& planes = controls.surface.sidePlanes;
-    planes = withBoxSides(surface, planes, controls.farField.boundary);
+    planes = withBoxSides(trial.surface, planes, controls.farField.boundary);
     if (planes.size() || like.faces.empty())
     {
         return List<sidePatch>();
@@ -84,7 +99,7 @@ static List<sidePatch> planesThatMend
     planes = planesOfBorder(like);
     preparedWall prepared;
 
-    return planes.size() && isMended(surface, controls, prepared)
+    return planes.size() && trial.succeed(what, controls, prepared)
       ? planes : List<sidePatch>();
 }
 
@@ -94,8 +109,8 @@ static List<sidePatch> planesThatMend
 static constexpr scalar roughPlanes = 1e-2;
 
 
-//- Planes near to which all of the border is, moved into the surface so far that
-//  the border is beyond them: a repair cuts it off.
+//- Planes near to which all of the border is, moved into the surface so far
+//  that the border is beyond them: a repair cuts it off.
 //  deviation: is set to the longest of the moves [m]
 static List<sidePatch> planesInside
 (
@@ -132,11 +147,7 @@ static List<sidePatch> planesInside
 
 //- Advice to cut off a border that is near to planes; nothing if that does not
 //  mend the surface
-static string adviceToCut
-(
-    const wallSurface& surface,
-    prismLayerControls controls
-)
+static string adviceToCut(const trials& trial, prismLayerControls controls)
 {
     scalar deviation = 0;
     List<sidePatch>& planes = controls.surface.sidePlanes;
@@ -144,9 +155,13 @@ static string adviceToCut
     {
         return "";
     }
-    planes = planesInside(surface, deviation);
+    planes = planesInside(trial.surface, deviation);
     preparedWall prepared;
-    if (planes.empty() || !isMended(surface, controls, prepared))
+    if
+    (
+        planes.empty()
+     || !trial.succeed("a cut at planes", controls, prepared)
+    )
     {
         return "";
     }
@@ -160,12 +175,26 @@ static string adviceToCut
 }
 
 
+static string adviceToWrap(const trials& trial, prismLayerControls controls)
+{
+    controls.surface.repair.repair = surfaceRepairControls::method::wrap;
+    preparedWall wrapped;
+
+    return trial.succeed("surface.repair wrap", controls, wrapped)
+      ? "surface.repair stitch does not mend this surface. surface.repair wrap"
+        " does: it makes a closed surface around all faces."
+      : "Neither surface.repair stitch nor surface.repair wrap mends this"
+        " surface, as the dictionary has them.";
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 string adviceOnDefects
 (
     const wallSurface& surface,
-    const prismLayerControls& controls
+    const prismLayerControls& controls,
+    const stageObserver& observer
 )
 {
     typedef surfaceRepairControls::method method;
@@ -174,10 +203,11 @@ string adviceOnDefects
         return "";
     }
 
+    const trials trial{surface, observer};
     prismLayerControls stitching(controls);
     stitching.surface.repair.repair = method::stitch;
     preparedWall stitched;
-    if (isMended(surface, stitching, stitched))
+    if (trial.succeed("surface.repair stitch", stitching, stitched))
     {
         const surfaceChange& change = stitched.repair;
         OStringStream os;
@@ -189,7 +219,10 @@ string adviceOnDefects
         return os.str();
     }
 
-    const List<sidePatch> planes(planesThatMend(surface, controls, surface));
+    const List<sidePatch> planes
+    (
+        planesThatMend(trial, "surface.sidePlanes", controls, surface)
+    );
     if (planes.size())
     {
         return "The border of the surface is on planes. With these entries the"
@@ -198,7 +231,11 @@ string adviceOnDefects
 
     const List<sidePatch> more
     (
-        planesThatMend(surface, stitching, stitched.surface)
+        planesThatMend
+        (
+            trial, "surface.sidePlanes with stitch", stitching,
+            stitched.surface
+        )
     );
     if (more.size())
     {
@@ -206,21 +243,9 @@ string adviceOnDefects
             " planes for its border:\n" + entriesOf(more);
     }
 
-    const string cut(adviceToCut(surface, stitching));
-    if (cut.size())
-    {
-        return cut;
-    }
+    const string cut(adviceToCut(trial, stitching));
 
-    prismLayerControls wrapping(controls);
-    wrapping.surface.repair.repair = method::wrap;
-    preparedWall wrapped;
-
-    return isMended(surface, wrapping, wrapped)
-      ? "surface.repair stitch does not mend this surface. surface.repair wrap"
-        " does: it makes a closed surface around all faces."
-      : "Neither surface.repair stitch nor surface.repair wrap mends this"
-        " surface, as the dictionary has them.";
+    return cut.size() ? cut : adviceToWrap(trial, controls);
 }
 
 

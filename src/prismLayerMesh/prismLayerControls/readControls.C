@@ -5,6 +5,7 @@
 
 #include "readControls.H"
 #include "Enum.H"
+#include "ranges.H"
 
 namespace Foam
 {
@@ -182,7 +183,7 @@ static void checkKind(const dictionary& dict, const wordList& own)
             entryError(dict, e.keyword())
                 << "The entry " << e.keyword() << " is not one of a far"
                 << " boundary of type " << dict.get<word>("type") << nl
-                << "Its entries: " << flatOutput(own) << exit(FatalIOError);
+                << "Its entries: " << listed(own).c_str() << exit(FatalIOError);
         }
     }
 }

@@ -29,8 +29,8 @@ static constexpr scalar obtuseCosine = 0.7072;
 static constexpr scalar planeCosine = 0.9986;
 
 //- Share of the length of a connected border. The wall may continue a side
-//  patch on less of it: on 3 % at stem and stern of half a hull whose breadth is
-//  zero there, where first heights are at least 0.57 of the request.
+//  patch on less of it: on 3 % at stem and stern of half a hull whose breadth
+//  is zero there, where first heights are at least 0.57 of the request.
 static constexpr scalar flushShare = 0.1;
 
 

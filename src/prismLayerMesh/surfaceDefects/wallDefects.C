@@ -427,7 +427,10 @@ List<wallDefect> findWallDefects(const wallSurface& wall, const bool mayBeOpen)
 
     for (const labelPair& pair : findIntersectingFaces(wall, degenerate))
     {
-        defects.addFace(defectKind::selfIntersection, pair.first());
+        defects.addFace
+        (
+            defectKind::selfIntersection, pair.first(), pair.second()
+        );
     }
 
     if (!mayBeOpen && defects.empty() && wall.faces.size())
@@ -452,8 +455,12 @@ string describe(const List<wallDefect>& defects)
 
         forAll(defect.labels, i)
         {
-            os  << "    " << (atPoint ? "point " : "face ")
-                << defect.labels[i] << " at " << defect.places[i] << nl;
+            os  << "    " << (atPoint ? "point " : "face ") << defect.labels[i];
+            if (defect.partners[i] >= 0)
+            {
+                os  << " and face " << defect.partners[i];
+            }
+            os  << " at " << defect.places[i] << nl;
         }
 
         if (defect.count > defect.labels.size())

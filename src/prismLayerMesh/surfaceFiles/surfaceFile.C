@@ -9,6 +9,7 @@
 #include "isolatedProcess.H"
 #include "MeshedSurfaces.H"
 #include "OSspecific.H"
+#include "ranges.H"
 #include "STLReader.H"
 #include "throwingErrors.H"
 
@@ -338,7 +339,7 @@ static void checkExtension(const fileName& file, const fileName& plain)
     if (!meshedSurface::canReadType(extension))
     {
         OStringStream valid;
-        valid << flatOutput(meshedSurface::readTypes().sortedToc());
+        valid << listed(meshedSurface::readTypes().sortedToc()).c_str();
         failToRead
         (
             file,

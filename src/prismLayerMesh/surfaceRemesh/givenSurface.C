@@ -144,7 +144,8 @@ givenSurface::givenSurface
 (
     const wallSurface& surface,
     const scalar featureAngle,
-    const scalar deviation
+    const scalar deviation,
+    const scalar maxEdge
 )
 :
     surface_(surface),
@@ -154,7 +155,7 @@ givenSurface::givenSurface
     const wallSides sides(makeWallSides(surface));
     const scalar minCos = Foam::cos(degToRad(featureAngle));
     setNormals(sides);
-    setLines(sides, minCos);
+    setLines(sides, minCos, maxEdge);
     setCorners(minCos);
 }
 
@@ -275,7 +276,42 @@ scalarField givenSurface::lengths() const
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void givenSurface::setLines(const wallSides& sides, const scalar minCos)
+bool givenSurface::isCrease
+(
+    const wallSide& a,
+    const wallSide& b,
+    const scalar maxEdge
+) const
+{
+    if (maxEdge == 0)
+    {
+        return false;
+    }
+
+    const edge both(a.low, a.high);
+    scalar width = GREAT;
+    for (const label facei : {a.facei, b.facei})
+    {
+        const face& f = surface_.faces[facei];
+        width = min(width, height(f, f.edges().find(both), surface_.points));
+    }
+
+    // The middle of an edge whose ends are equally far from the crease
+    const scalar cosine = normals_[a.facei] & normals_[b.facei];
+    const scalar sineOfHalf = Foam::sqrt(max(0.5*(1 - cosine), scalar(0)));
+
+    const scalar deviation = min(deviations_[a.facei], deviations_[b.facei]);
+
+    return width > maxEdge && 0.5*maxEdge*sineOfHalf > deviation;
+}
+
+
+void givenSurface::setLines
+(
+    const wallSides& sides,
+    const scalar minCos,
+    const scalar maxEdge
+)
 {
     const faceList& faces = surface_.faces;
     FixedList<label, 3> none(-1);
@@ -301,7 +337,7 @@ void givenSurface::setLines(const wallSides& sides, const scalar minCos)
         (
             surface_.patchIDs[a.facei] != surface_.patchIDs[b.facei]
          || faces[a.facei].size() != 3 || faces[b.facei].size() != 3
-         || cosine < minCos
+         || cosine < minCos || isCrease(a, b, maxEdge)
         )
         {
             lines.append(both);

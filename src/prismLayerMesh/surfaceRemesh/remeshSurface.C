@@ -162,6 +162,10 @@ labelHashSet trianglesAway
 //  intersect or are folded, changes are guarded.
 static constexpr label maxRounds = 8;
 
+//- Without a deviation of the user's own, no surface is kept nearer to the
+//  given one once it has so many times the faces that the first round has made
+static constexpr scalar moreFaces = 1.5;
+
 
 static surfaceRemeshControls withDefaults
 (
@@ -251,67 +255,113 @@ static remeshedSurface resultOf(const remesher& mesher)
 }
 
 
-//- The new surface on given triangles, and its features
-static remeshedSurface remeshed
-(
-    const wallSurface& triangles,
-    const nearestSurface& search,
-    const surfaceRemeshControls& controls,
-    const edgeBounds& bounds
-)
+namespace
 {
-    givenSurface shape(triangles, controls.featureAngle, controls.deviation);
+
+//- The rounds in which a surface is remeshed
+struct remeshRounds
+{
+    const nearestSurface& search;
+    const surfaceRemeshControls& controls;
+    const edgeBounds& bounds;
+
+    //- Whether the deviation may give way to the number of faces
+    const bool mayDeviate;
+
+    givenSurface shape;
     bool guarded = false;
-    autoPtr<remesher> mesher(new remesher(shape, controls, bounds, guarded));
-    mesher->remesh();
-    remeshedSurface result(resultOf(mesher()));
-    labelList conflicts(facesInConflict(result.surface));
-    labelList faces(withFacesWithoutRoom(conflicts, mesher(), result.surface));
+    autoPtr<remesher> mesher{};
 
-    // The last without intersections, which a round for distances may bring
-    remeshedSurface valid;
+    //- The new surface, its faces that intersect, and these with the faces
+    //  without room
+    remeshedSurface result{};
+    labelList conflicts{};
+    labelList faults{};
 
-    const auto tighten = [&]()
+    //- The last without intersections, which a round for distances may bring
+    remeshedSurface valid{};
+
+    label nFirst = 0;
+
+
+    void restart()
+    {
+        mesher.reset(new remesher(shape, controls, bounds, guarded));
+        mesher->remesh();
+    }
+
+    void takeResult()
+    {
+        result = resultOf(mesher());
+        conflicts = facesInConflict(result.surface);
+        faults = withFacesWithoutRoom(conflicts, mesher(), result.surface);
+    }
+
+    //- Triangles that the new surface must be nearer to
+    labelHashSet tooFar() const
     {
         const wallSurface& surface = result.surface;
         const labelList nearest(mesher->edited().nearestFaces());
-        labelHashSet tightened(trianglesNear(shape, surface, nearest, faces));
-        tightened |= trianglesAway(shape, search, surface, nearest, controls);
+        labelHashSet triangles(trianglesNear(shape, surface, nearest, faults));
+        if (!mayDeviate || surface.faces.size() < moreFaces*nFirst)
+        {
+            triangles |=
+                trianglesAway(shape, search, surface, nearest, controls);
+        }
 
-        valid = faces.empty() ? result : valid;
-        if (faces.empty() && tightened.empty())
+        return triangles;
+    }
+
+    //- Returns whether there was something to do
+    bool tighten()
+    {
+        const labelHashSet tightened(tooFar());
+        valid = faults.empty() ? result : valid;
+        if (faults.empty() && tightened.empty())
         {
             return false;
         }
 
         shape.tighten(tightened);
-        if (faces.size() && !guarded)
+        if (faults.size() && !guarded)
         {
             // Guarded changes take longer, and few surfaces need them
             guarded = true;
-            mesher.reset(new remesher(shape, controls, bounds, guarded));
-            mesher->remesh();
+            restart();
         }
         else
         {
             mesher->follow();
         }
-        result = resultOf(mesher());
-        conflicts = facesInConflict(result.surface);
-        faces = withFacesWithoutRoom(conflicts, mesher(), result.surface);
+        takeResult();
 
         return true;
-    };
-    repeatUntilStable("tightening triangles", maxRounds, tighten);
-
-    if (valid.surface.faces.empty())
-    {
-        requireNone(conflicts, result.surface);
     }
 
-    return conflicts.size() ? valid : result;
-}
+    //- Returns the new surface, and its features
+    remeshedSurface make()
+    {
+        restart();
+        takeResult();
+        nFirst = result.surface.faces.size();
+        repeatUntilStable
+        (
+            "tightening triangles", maxRounds, [&]() { return tighten(); }
+        );
 
+        if (valid.surface.faces.empty())
+        {
+            requireNone(conflicts, result.surface);
+        }
+
+        return conflicts.size() ? valid : result;
+    }
+};
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 remeshedSurface remeshSurface
 (
@@ -328,7 +378,16 @@ remeshedSurface remeshSurface
     const wallSurface triangles(trianglesOf(surface, controls, bounds));
     const nearestSurface search(triangles);
 
-    remeshedSurface result(remeshed(triangles, search, controls, bounds));
+    remeshRounds rounds
+    {
+        search, controls, bounds, given.deviation <= 0,
+        givenSurface
+        (
+            triangles, controls.featureAngle, controls.deviation,
+            controls.maxEdge
+        )
+    };
+    remeshedSurface result(rounds.make());
     bounds.requirePointsInRegions(result.surface);
     result.distance = distanceTo(search, result.surface);
     result.distanceOfGiven =

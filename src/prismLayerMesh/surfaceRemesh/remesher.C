@@ -5,6 +5,7 @@
 
 #include "remesher.H"
 #include "FlatOutput.H"
+#include "ranges.H"
 #include "stageProgress.H"
 #include "surfaceChanges.H"
 #include "unitConversion.H"
@@ -108,7 +109,7 @@ edgeBounds::edgeBounds
             FatalErrorInFunction
                 << "The entry " << entry.patches << " of surface.remesh.patches"
                 << " matches no patch of the surface" << nl
-                << "Its patches: " << flatOutput(given.patchNames)
+                << "Its patches: " << listed(given.patchNames).c_str()
                 << exit(FatalError);
         }
     }

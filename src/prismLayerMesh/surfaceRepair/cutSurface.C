@@ -115,8 +115,8 @@ struct planeCutter
 
 
 //- Points nearer to the plane than their share, with a neighbour that is
-//  further beyond, and points nearer than a thousandth of their share: the edges
-//  of these would be cut at one place
+//  further beyond; and points nearer than a thousandth of their share, whose
+//  edges would be cut at one place
 static bitSet nearTheCut
 (
     const wallSurface& surface,
@@ -164,6 +164,48 @@ static bitSet nearTheCut
     }
 
     return points;
+}
+
+
+//- Moves points that were put on a plane back to where they were, until no
+//  faces are in conflict. Faces that will be cut off may be.
+static void takeBackConflicts
+(
+    const scalarField& distances,
+    const pointField& from,
+    wallSurface& surface,
+    bitSet& onPlane
+)
+{
+    const auto isCutOff = [&](const face& f)
+    {
+        return allOf(f, [&](const label p)
+        {
+            return distances[p] >= 0 || onPlane.test(p);
+        });
+    };
+
+    for (bool more = true; more;)
+    {
+        more = false;
+        bitSet gone(surface.faces.size());
+        forAll(surface.faces, facei)
+        {
+            gone.set(facei, isCutOff(surface.faces[facei]));
+        }
+        for (const label facei : facesInConflict(surface, gone))
+        {
+            for (const label p : surface.faces[facei])
+            {
+                if (onPlane.test(p))
+                {
+                    onPlane.unset(p);
+                    surface.points[p] = from[p];
+                    more = true;
+                }
+            }
+        }
+    }
 }
 
 
@@ -254,37 +296,7 @@ void cutSurface
         surface.points[p] -= distances[p]*plane.normal;
     }
 
-    // Faces that are cut off may be in conflict
-    const auto isCutOff = [&](const face& f)
-    {
-        return allOf(f, [&](const label p)
-        {
-            return distances[p] >= 0 || onPlane.test(p);
-        });
-    };
-
-    // Each pass takes some back
-    for (bool more = true; more;)
-    {
-        more = false;
-        bitSet gone(surface.faces.size());
-        forAll(surface.faces, facei)
-        {
-            gone.set(facei, isCutOff(surface.faces[facei]));
-        }
-        for (const label facei : facesInConflict(surface, gone))
-        {
-            for (const label p : surface.faces[facei])
-            {
-                if (onPlane.test(p))
-                {
-                    onPlane.unset(p);
-                    surface.points[p] = from[p];
-                    more = true;
-                }
-            }
-        }
-    }
+    takeBackConflicts(distances, from, surface, onPlane);
     for (const label p : onPlane)
     {
         distances[p] = 0;

@@ -7,6 +7,7 @@
 #include "boundBox.H"
 #include "cutSurface.H"
 #include "orientOpenWall.H"
+#include "ranges.H"
 #include "readWallSurface.H"
 #include "sigFpe.H"
 #include "splitAtSidePatches.H"
@@ -190,7 +191,7 @@ class surfaceRepairer
             FatalErrorInFunction
                 << "The wrap does not reach " << lost.n << " faces, up to "
                 << lost.farthest << " m from it at " << lost.place
-                << ", of the patches " << flatOutput(lost.patches) << nl
+                << ", of the patches " << listed(lost.patches).c_str() << nl
                 << "With the fluid inside the wrap begins in the fluid only"
                 << " where seeds say so, for example" << nl
                 << "    surface { wrapCoeffs { seeds ("

@@ -264,6 +264,37 @@ List<sidePatch> freeSides
 }
 
 
+scalar leastWidth
+(
+    const farBoundaryControls& boundary,
+    const UList<sidePatch>& ends
+)
+{
+    List<sidePatch> planes(freeSides(boundary, ends));
+    for (const sidePatch& end : ends)
+    {
+        if (!end.isPart())
+        {
+            planes.append(end);
+        }
+    }
+
+    scalar least = GREAT;
+    forAll(planes, i)
+    {
+        for (label j = 0; j < i; ++j)
+        {
+            if ((planes[i].normal & planes[j].normal) < -1 + sideTolerance)
+            {
+                least = min(least, mag(planes[i].distance(planes[j].origin)));
+            }
+        }
+    }
+
+    return least;
+}
+
+
 void requireInBox
 (
     const wallSurface& wall,

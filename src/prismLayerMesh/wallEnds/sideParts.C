@@ -188,7 +188,8 @@ class partFinder
     {
         const sidePatch side(planeThrough(faces));
 
-        return allOf(faces, [&](const label f)
+        // Faces around a hole have no normal together
+        return mag(side.normal) > 0.5 && allOf(faces, [&](const label f)
         {
             const face& points = surface_.faces[f];
 

@@ -406,21 +406,24 @@ static wordList patchTypes(const wordList& names, const layerControls& layers)
 }
 
 
-static bool matchesAny(const patchLayers& entry, const wordList& names)
+void requirePatches(const layerControls& layers, const wordList& patchNames)
 {
-    return anyOf(names, [&](const word& name)
+    for (const patchLayers& entry : layers.patches)
     {
-        return entry.patches.match(name);
-    });
-}
+        const bool isFound = anyOf(patchNames, [&](const word& name)
+        {
+            return entry.patches.match(name);
+        });
 
-
-static void refuse(const patchLayers& entry, const wordList& names)
-{
-    FatalErrorInFunction
-        << "The entry " << entry.patches << " of layers.patches"
-        << " matches no patch of the surface" << nl
-        << "Its patches: " << flatOutput(names) << exit(FatalError);
+        if (!isFound)
+        {
+            FatalErrorInFunction
+                << "The entry " << entry.patches << " of layers.patches"
+                << " matches no patch of the surface" << nl
+                << "Its patches: " << listed(patchNames).c_str()
+                << exit(FatalError);
+        }
+    }
 }
 
 
@@ -432,17 +435,9 @@ wallSurface splitAtSidePatches
     wallReading& reading
 )
 {
-    bool hasSides = controls.sidePlanes.size();
-
-    for (const patchLayers& entry : layers.patches)
-    {
-        hasSides = hasSides || entry.isSide;
-
-        if (entry.isSide && !matchesAny(entry, surface.patchNames))
-        {
-            refuse(entry, surface.patchNames);
-        }
-    }
+    const bool hasSides =
+        controls.sidePlanes.size()
+     || anyOf(layers.patches, [](const patchLayers& p) { return p.isSide; });
 
     wallSurface wall
     (

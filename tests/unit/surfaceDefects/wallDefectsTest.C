@@ -280,6 +280,36 @@ TEST(wallDefects, onlyTheFirstTenArePlaced)
 }
 
 
+TEST(wallDefects, placesDifferAndIntersectionsHavePartners)
+{
+    // A large triangle cut by three upright ones
+    wallSurface wall;
+    wall.points = {point(-9, -9, 0), point(9, -9, 0), point(0, 9, 0)};
+    wall.faces = {face({0, 1, 2})};
+    for (label i = -1; i <= 1; ++i)
+    {
+        wall.points.append(point(i, -1, -1));
+        wall.points.append(point(i, 1, -1));
+        wall.points.append(point(i, 0, 1));
+        const label p = wall.points.size();
+        wall.faces.append(face({p - 3, p - 2, p - 1}));
+    }
+    wall.patchIDs = labelList(wall.faces.size(), Zero);
+    wall.patchNames = {"all"};
+
+    const wallDefect defect(defectOf(wall, kind::selfIntersection));
+    EXPECT_EQ(defect.count, 3);
+    ASSERT_EQ(defect.places.size(), 1);
+    EXPECT_EQ(defect.labels[0], 0);
+    EXPECT_EQ(defect.partners[0], 1);
+    EXPECT_NE
+    (
+        describe(List<wallDefect>(1, defect)).find("face 0 and face 1 at"),
+        string::npos
+    );
+}
+
+
 TEST(wallDefects, descriptionNamesKindCountPlaceAndAdvice)
 {
     wallSurface wall(cube(2));

@@ -6,6 +6,7 @@
 #include "boundBox.H"
 #include "givenSurface.H"
 #include "testSurfaces.H"
+#include "unitConversion.H"
 
 #include <gtest/gtest.h>
 
@@ -46,6 +47,32 @@ TEST(givenSurface, aSmoothSurfaceHasNoLinesButBordersOfPatches)
         surface.patchIDs[facei] = x.z() > 0 ? 0 : 1;
     }
     EXPECT_EQ(givenSurface(surface, 30, 1e-3).lines().size(), 4*8);
+}
+
+
+TEST(givenSurface, creasesThatNewEdgesWouldRoundOffAreLines)
+{
+    // A prism of 24 sides of the width 0.052: edges of 0.02 across a crease of
+    // 15 degrees are 0.0013 away from it
+    const label n = 24;
+    List<vector2D> corners(n);
+    forAll(corners, i)
+    {
+        const scalar angle = degToRad(scalar(360*i)/n);
+        corners[i] = 0.2*vector2D(::cos(angle), ::sin(angle));
+    }
+    const wallSurface surface(extruded(corners, 0.7, 10));
+    const auto nLines = [&](const scalar deviation, const scalar maxEdge)
+    {
+        return givenSurface(surface, 30, deviation, maxEdge).lines().size();
+    };
+
+    EXPECT_EQ(nLines(1e-3, 0), 2*n);
+    EXPECT_EQ(nLines(1e-3, 0.02), 3*n);
+    EXPECT_EQ(nLines(2e-3, 0.02), 2*n);
+
+    // Edges of 0.1 go over several of them
+    EXPECT_EQ(nLines(1e-3, 0.1), 2*n);
 }
 
 

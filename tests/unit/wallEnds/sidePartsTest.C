@@ -96,6 +96,21 @@ TEST(sideParts, sharpEdgesDivideAPatch)
 }
 
 
+TEST(sideParts, facesAroundAHoleAreNoPlane)
+{
+    // Their areas have no normal together
+    wallSurface surface(duct(3));
+    const sideParts parts(partsOf(surface, {"walls"}));
+
+    ASSERT_EQ(parts.sides.size(), 4);
+    for (const sidePatch& side : parts.sides)
+    {
+        EXPECT_NEAR(mag(side.normal), 1, 1e-12);
+        EXPECT_NEAR(side.normal.x(), 0, 1e-12);
+    }
+}
+
+
 TEST(sideParts, apartInAPlaneTheyAreSeveral)
 {
     const wallSurface one(duct(2));

@@ -178,10 +178,15 @@ TEST(splitAtSidePatchesErrors, sidePatchApartFromTheWallIsRefused)
 
 TEST(splitAtSidePatchesErrors, patchThatDoesNotExistIsRefused)
 {
+    const wordList names({"walls", "inlet", "outlet"});
+    requirePatches(withoutLayers({"inlet"}), names);
     expectWords
     (
-        errorOf(duct(4), {}, withoutLayers({"inlet", "exit"})),
-        {"exit", "matches no patch", "walls inlet outlet"}
+        thrownMessage<Foam::error>([&]()
+        {
+            requirePatches(withoutLayers({"inlet", "exit"}), names);
+        }),
+        {"exit", "matches no patch", "walls, inlet, outlet"}
     );
 }
 
