@@ -72,6 +72,31 @@ static sidePatch readSidePlane(const keyType& key, const dictionary& dict)
 }
 
 
+static surfacePatchName readPatchName
+(
+    const keyType& key,
+    const dictionary& dict
+)
+{
+    checkKeys(dict, {"file", "solid"});
+
+    surfacePatchName patch;
+    patch.name = key;
+    dict.readIfPresent("file", patch.file);
+    dict.readIfPresent("solid", patch.solid);
+
+    if (key.isPattern() || dict.empty())
+    {
+        entryError(dict, key)
+            << "The patch " << key << (key.isPattern()
+              ? " must have a name" : " must have a file, a solid, or both")
+            << exit(FatalIOError);
+    }
+
+    return patch;
+}
+
+
 static surfaceCadControls readCad(const dictionary& dict)
 {
     checkKeys(dict, {"maxEdge", "nPerCircle", "maxSeconds"});
@@ -111,13 +136,16 @@ static wallSurfaceControls readSurface(const dictionary& dict)
     (
         dict,
         {
-            "file", "files", "fluid", "scale", "mergeTolerance", "sidePlanes",
-            "cad", "repair", "stitchCoeffs", "wrapCoeffs", "remesh"
+            "file", "files", "patches", "fluid", "scale", "mergeTolerance",
+            "sidePlanes", "cad", "repair", "stitchCoeffs", "wrapCoeffs",
+            "remesh"
         }
     );
 
     wallSurfaceControls controls;
     controls.files = readFiles(dict);
+    controls.patches =
+        readEntries<surfacePatchName>(dict, "patches", readPatchName);
     controls.sidePlanes =
         readEntries<sidePatch>(dict, "sidePlanes", readSidePlane);
 

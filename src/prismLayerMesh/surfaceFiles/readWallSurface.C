@@ -8,6 +8,7 @@
 #include "boundBox.H"
 #include "cadSurface.H"
 #include "ListOps.H"
+#include "ranges.H"
 #include "surfaceFile.H"
 #include "surfacePart.H"
 #include "wallChanges.H"
@@ -232,22 +233,94 @@ static void checkFinite(const fileName& file, const pointField& points)
 }
 
 
-//- Give patches valid names. If there is but one and the file has not named it,
-//  it is named after the file.
-static void namePatches(wallSurface& wall, const fileName& file)
+//- Whether an exporter has named a solid, for want of a name
+static bool isUnnamed(const word& name)
 {
-    for (word& name : wall.patchNames)
+    static const wordRe pattern
+    (
+        "(ascii|default|mesh|object|patch|region|solid|stl|surface|zone)?"
+        "_?[0-9]*",
+        wordRe::REGEX_ICASE
+    );
+
+    return pattern.match(name);
+}
+
+
+//- The names of a file's patches, as words. A solid without a name has the name
+//  of the file, with its own behind it if the file has several solids. Solids
+//  of one file alone keep such names if there are several.
+static wordList patchNamesOf
+(
+    const wallSurface& wall,
+    const fileName& file,
+    const bool isAlone
+)
+{
+    const fileName plain(file.ext() == "gz" ? file.lessExt() : file);
+    const word stem(word::validate(plain.nameLessExt(), true));
+    const word ofFile(stem.empty() ? word("wall") : stem);
+    wordList names(wall.patchNames);
+    for (word& name : names)
     {
         name = word::validate(name, true);
+        if (isUnnamed(name) && (names.size() == 1 || !isAlone))
+        {
+            name = names.size() == 1 ? ofFile : word(ofFile + '_' + name);
+        }
     }
 
-    const wordList unnamed({"", "zone0", "solid", "solid0", "patch0"});
+    return names;
+}
 
-    if (wall.patchNames.size() == 1 && unnamed.found(wall.patchNames[0]))
+
+//- Gives the patches of a file the names of entries that match them.
+//  isUsed: is set for the entries that match
+static void renamePatches
+(
+    const List<surfacePatchName>& entries,
+    const fileName& file,
+    const wordList& solids,
+    wordList& names,
+    boolList& isUsed
+)
+{
+    const wordList given(names);
+    forAll(names, patchi)
     {
-        const fileName plain(file.ext() == "gz" ? file.lessExt() : file);
-        const word stem(word::validate(plain.nameLessExt(), true));
-        wall.patchNames[0] = (stem.empty() ? word("wall") : stem);
+        forAll(entries, i)
+        {
+            const surfacePatchName& entry = entries[i];
+            if
+            (
+                entry.file.match(file.name())
+             && (entry.solid.match(solids[patchi])
+              || entry.solid.match(given[patchi]))
+            )
+            {
+                names[patchi] = entry.name;
+                isUsed[i] = true;
+            }
+        }
+    }
+}
+
+
+//- Errors: FatalError with an entry that matches no solid, and all solids
+static void requireUsed
+(
+    const List<surfacePatchName>& entries,
+    const boolList& isUsed,
+    const UList<string>& solids
+)
+{
+    const label i = isUsed.find(false);
+    if (i >= 0)
+    {
+        FatalErrorInFunction
+            << "The entry " << entries[i].name << " of surface.patches matches"
+            << " no solid of a file" << nl
+            << "Solids: " << listed(solids).c_str() << exit(FatalError);
     }
 }
 
@@ -280,7 +353,6 @@ static wallSurface readPart
     part.points *= controls.scale;
     checkFinite(file, part.points);
     mergePatches(part);
-    namePatches(part, file);
 
     return part;
 }
@@ -297,11 +369,24 @@ wallSurface readWallSurface
     bool separateFaces = files.size() > 1;
     wallSurface wall;
 
+    boolList isUsed(controls.patches.size(), false);
+    DynamicList<string> solids;
+
     for (const fileName& file : files)
     {
         bool separate = false;
         wallSurface part(readPart(file, controls, separate, reading));
         separateFaces = separateFaces || separate;
+        const wordList given(part.patchNames);
+        part.patchNames = patchNamesOf(part, file, files.size() == 1);
+        renamePatches
+        (
+            controls.patches, file, given, part.patchNames, isUsed
+        );
+        for (const word& name : given)
+        {
+            solids.append(string(file.name() + ": " + name));
+        }
 
         if (files.size() == 1)
         {
@@ -313,6 +398,7 @@ wallSurface readWallSurface
         }
     }
 
+    requireUsed(controls.patches, isUsed, solids);
     mergeNearPoints(wall, controls.mergeTolerance, reading, !separateFaces);
     removeUnusedPoints(wall.faces, wall.points);
     mergePatches(wall);

@@ -352,9 +352,14 @@ bool changeGuard::mayReplace
     const std::vector<Face>& replaced
 ) const
 {
+    // A collapse may leave nothing of an end of the surface
+    if (made.empty())
+    {
+        return false;
+    }
+
     const bool mayFold =
         anyOf(replaced, [&](const Face f) { return isFolded(f); });
-
     boundBox box(boundBox::invertedBox);
     for (auto t = made.begin(); t != made.end(); ++t)
     {

@@ -66,6 +66,7 @@ static std::vector<std::string> withUnknownKeys()
         other,
         "surface { " + other + " }",
         "surface { file a; sidePlanes { ground { " + other + " } } }",
+        "surface { file a; patches { inlet { " + other + " } } }",
         surface + "layers { " + other + " }",
         surface + yPlus,
         surface + inLayers("patches { wing { " + other + " } }"),

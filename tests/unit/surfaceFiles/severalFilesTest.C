@@ -7,6 +7,7 @@
 #include "openSurfaces.H"
 #include "surfacePart.H"
 #include "surfaceFiles.H"
+#include "thrownMessage.H"
 #include "wallDefects.H"
 
 using namespace Foam;
@@ -61,6 +62,62 @@ TEST_F(severalFiles, thatFitAreOneClosedSurface)
         EXPECT_EQ(wall.patchNames, wordList({"upper", "lower"}));
         EXPECT_TRUE(findWallDefects(wall).empty());
     }
+}
+
+
+TEST_F(severalFiles, solidsWithoutNamesAreOfTheirFiles)
+{
+    // Each file has a solid that an exporter has named, and one with a name
+    for (const std::string name : {"ascii", "patch0", "zone1", "Solid_2"})
+    {
+        const std::string faces("g " + name + "\nf 1 2 3\ng lid\nf 1 3 4\n");
+        fileNameList files(2);
+        files[0] = file
+        (
+            "one.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\n" + faces
+        );
+        files[1] = file
+        (
+            "two.obj", "v 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n" + faces
+        );
+
+        EXPECT_EQ
+        (
+            readAll(files).patchNames,
+            wordList({"one_" + name, "lid", "two_" + name})
+        );
+
+        // One file alone keeps them
+        files.setSize(1);
+        EXPECT_EQ(readAll(files).patchNames, wordList({name, "lid"}));
+    }
+}
+
+
+TEST_F(severalFiles, patchesGetNamesByFileAndSolid)
+{
+    surfacePatchName top, all;
+    all.name = "hull";
+    all.file = wordRe("upper.obj");
+    top.name = "keel";
+    top.solid = wordRe("low.*", wordRe::DETECT);
+    controls_.patches = {all, top};
+    EXPECT_EQ
+    (
+        readAll(halves(0, "obj")).patchNames, wordList({"hull", "keel"})
+    );
+
+    // The last entry that matches wins, and one name is one patch
+    controls_.patches[0].file = wordRe(".*", wordRe::REGEX);
+    controls_.patches[1].name = "hull";
+    EXPECT_EQ(readAll(halves(0, "obj")).patchNames, wordList({"hull"}));
+
+    controls_.patches[1].solid = wordRe("keel");
+    expectWords
+    (
+        thrownMessage<Foam::error>([&]() { readAll(halves(0, "obj")); }),
+        {"hull of surface.patches matches no solid", "upper.obj: "}
+    );
 }
 
 
