@@ -251,6 +251,54 @@ class surfaceRepairer
         repaired_.distanceOfGiven = distanceTo(toRepaired, inFront);
     }
 
+    void stitch()
+    {
+        const stitchControls controls
+        {
+            orShare(controls_.gap, 1e-4), orShare(controls_.hole, 0.05),
+            fluidOutside_, planes_, tolerance_
+        };
+        stitchSurface(controls, repaired_.surface, repaired_.steps);
+    }
+
+    //- Cuts off what is beyond side planes
+    void cut()
+    {
+        wallSurface& surface = repaired_.surface;
+        bool isCut = false;
+
+        // Normals of an open surface may point anywhere: no part is a cavity
+        const bool mayHaveCavities =
+            fluidOutside_ && outline(surface.faces).empty();
+        for (const sidePatch& plane : planes_)
+        {
+            if (isBeyond(plane, tolerance_, surface))
+            {
+                cutSurface(surface, plane, repaired_.steps);
+                isCut = true;
+            }
+        }
+        if (isCut && mayHaveCavities)
+        {
+            addStep
+            (
+                repaired_.steps, "cavities removed that a side plane closes",
+                removeCavities(surface, planes_)
+            );
+        }
+    }
+
+    void requireFaces() const
+    {
+        if (repaired_.surface.faces.empty())
+        {
+            FatalErrorInFunction
+                << "Nothing is left of the surface after its repair. Is it in"
+                << " front of all side planes, and does it enclose a body?"
+                << exit(FatalError);
+        }
+    }
+
 public:
 
     surfaceRepairer
@@ -290,43 +338,21 @@ public:
         const sigFpe::ignore untrapped;
         const nearestSurface nearest(original_);
 
-        if (controls_.repair == surfaceRepairControls::method::stitch)
+        // Often there is nothing else to repair
+        cut();
+        if (!isSound())
         {
-            const stitchControls controls
-            {
-                orShare(controls_.gap, 1e-4), orShare(controls_.hole, 0.05),
-                fluidOutside_, planes_, tolerance_
-            };
-            stitchSurface(controls, repaired_.surface, repaired_.steps);
+            repaired_.surface = original_;
+            repaired_.steps.clear();
+            controls_.repair == method::stitch ? stitch() : wrap(nearest);
+            cut();
         }
-        else
-        {
-            wrap(nearest);
-        }
+        requireFaces();
 
         wallSurface& surface = repaired_.surface;
-        bool isCut = false;
-        for (const sidePatch& plane : planes_)
-        {
-            if (isBeyond(plane, tolerance_, surface))
-            {
-                cutSurface(surface, plane, repaired_.steps);
-                isCut = true;
-            }
-        }
-        if (isCut && fluidOutside_)
-        {
-            addStep
-            (
-                repaired_.steps, "cavities removed that a side plane closes",
-                removeCavities(surface, planes_)
-            );
-        }
-
         nearest.setPatches(surface, sidePatches_);
         cutReflexFaces(surface);
         orientWallSurface(surface, fluidOutside_);
-
         setDistances(nearest);
 
         return repaired_;

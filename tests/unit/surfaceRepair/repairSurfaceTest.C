@@ -86,6 +86,39 @@ TEST(repairSurface, stitchingKeepsPatchesAndTheSideOfTheFluid)
 }
 
 
+TEST(repairSurface, openTubeIsCutAtBothEnds)
+{
+    // Whichever side its normals point to
+    const wallSurface cube(quadCube(4));
+    wallSurface tube(cube);
+    tube.faces = subsetList(cube.faces, [&](const face& f)
+    {
+        return mag(f.unitNormal(cube.points).z()) < 0.5;
+    });
+    tube.patchIDs.setSize(tube.faces.size());
+    wallSurfaceControls controls;
+    controls.repair.repair = surfaceRepairControls::method::stitch;
+    controls.sidePlanes =
+    {
+        symmetryPlane("low", point(0, 0, 0.3), vector(0, 0, -1)),
+        symmetryPlane("high", point(0, 0, 0.8), vector(0, 0, 1))
+    };
+
+    for (const wallSurface& surface : {tube, reversed(tube)})
+    {
+        const wallSurface cut(repairSurface(surface, controls).surface);
+        scalar area = 0;
+        for (const face& f : cut.faces)
+        {
+            area += f.mag(cut.points);
+        }
+
+        EXPECT_NEAR(area, 4*0.5, 1e-12);
+        EXPECT_TRUE(findWallDefects(cut, true).empty());
+    }
+}
+
+
 TEST(repairSurface, bodiesThatTouchInAnEdgeAreUnitedOnceClosed)
 {
     wallSurface surface(merge(cube(2), translated(cube(2), vector(1, 1, 0))));
