@@ -36,12 +36,13 @@ struct smallSurface
     (
         const wallSurface& surface,
         const scalar featureAngle = 30,
-        const scalar deviation = 1e-3
+        const scalar deviation = 1e-3,
+        const bool guarded = false
     )
     :
         before(surface),
         given(before, featureAngle, deviation),
-        edited(given),
+        edited(given, guarded),
         mesh(edited.mesh()),
         nEdges(mesh.number_of_edges())
     {
@@ -287,6 +288,15 @@ TEST(surfaceChanges, aCornerDoesNotCollapse)
     EXPECT_FALSE(collapseEdge(corner.edited, corner.side(2, 0), anyRatio));
     corner.expectNoChange();
     EXPECT_TRUE(collapseEdge(round.edited, round.side(2, 0), anyRatio));
+}
+
+
+TEST(surfaceChanges, aGuardedCollapseLeavesAFace)
+{
+    // The point 2 has one face
+    smallSurface guarded(tetSurface(0.5, 0, 2), 60, 1, true);
+    EXPECT_FALSE(collapseEdge(guarded.edited, guarded.side(2, 0), anyRatio));
+    guarded.expectNoChange();
 }
 
 
