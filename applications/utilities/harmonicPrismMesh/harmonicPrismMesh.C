@@ -126,6 +126,25 @@ static void requireOneProcess(const parallelRun& parallel, const bool isForOne)
 }
 
 
+//- Errors: FatalError if the run is to write a mesh where there is one that it
+//  may not replace, before any work
+static void requireNoMesh
+(
+    const argList& args,
+    const prismCase& files,
+    const parallelRun& parallel,
+    const UList<fileName>& surfaces,
+    const farFieldControls& farField
+)
+{
+    if (!args.found("checkSurface") && !args.found("prepareSurface"))
+    {
+        const label nProcesses = parallel.isParallel() ? parallel.size() : 0;
+        files.checkOverwrite(surfaces, farField, nProcesses);
+    }
+}
+
+
 //- Errors: FatalError if the surface has defects
 static void requireNoDefects
 (
@@ -207,6 +226,7 @@ int main(int argc, char *argv[])
     prismLayerControls controls(readPrismLayerControls(files.dict()));
     const fileNameList surfaces(files.surfaceFiles(controls.surface));
     const fileName preparedFile(files.preparedFile(surfaces));
+    requireNoMesh(args, files, parallel, surfaces, controls.farField);
     stageLog log(Info);
     caseWall given(readWall(surfaces, controls, checkOnly, runTime, log));
 
@@ -222,8 +242,6 @@ int main(int argc, char *argv[])
     }
     else
     {
-        const label nProcesses = parallel.isParallel() ? parallel.size() : 0;
-        files.checkOverwrite(surfaces, controls.farField, nProcesses);
         meshWall
         (
             files, parallel, writer, given, preparedFile, controls,
