@@ -199,10 +199,17 @@ caseWall readWall
         readFiles(surfaceFiles, controls.surface, reading, log)
     );
 
+    prismLayerControls asked(controls);
+    if (wantsAdvice && asked.surface.remesh.active)
+    {
+        asked.surface.remesh.active = false;
+        Info<< "    surface.remesh is not tried" << endl;
+    }
+
     caseWall wall;
     wall.prepared = prepareWall
     (
-        given, controls, makeSearches(controls.surface.remesh.regions, time),
+        given, asked, makeSearches(controls.surface.remesh.regions, time),
         log.observer()
     );
     const preparedWall& prepared = wall.prepared;
