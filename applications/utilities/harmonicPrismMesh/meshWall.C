@@ -57,7 +57,11 @@ static string boundByWidth
     {
         bounds.largest = min(bounds.largest, widthShare*width);
     }
-    if (width > thinShare*controls.boundary.box.mag())
+    if
+    (
+        controls.boundary.type != farBoundaryType::box
+     || width > thinShare*controls.boundary.box.mag()
+    )
     {
         return "";
     }
