@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layerSpacing.H"
-#include "FlatOutput.H"
 #include "HashSet.H"
 #include "limitGradient.H"
 #include "OStringStream.H"

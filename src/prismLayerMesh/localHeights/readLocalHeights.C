@@ -5,7 +5,6 @@
 
 #include "readLocalHeights.H"
 #include "boundBox.H"
-#include "FlatOutput.H"
 #include "IFstream.H"
 #include "labelIOField.H"
 #include "OStringStream.H"

@@ -278,7 +278,8 @@ struct remeshRounds
     labelList conflicts{};
     labelList faults{};
 
-    //- The last without intersections, which a round for distances may bring
+    //- The last new surface without intersections. A round that brings the
+    //  surface nearer may make some.
     remeshedSurface valid{};
 
     label nFirst = 0;

@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "remesher.H"
-#include "FlatOutput.H"
 #include "ranges.H"
 #include "stageProgress.H"
 #include "surfaceChanges.H"
