@@ -23,7 +23,7 @@ static void cut
     const scalar tolerance
 )
 {
-    scalarField distances(distancesTo(plane, surface));
+    scalarField distances(distancesTo(plane, surface.points));
 
     forAll(distances, p)
     {

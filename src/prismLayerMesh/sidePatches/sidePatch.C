@@ -263,6 +263,9 @@ sideCurve::sideCurve
 
 // * * * * * * * * * * * * * * *  Side Patch * * * * * * * * * * * * * * * * //
 
+//- Unit normals of one plane differ by less
+static constexpr scalar sameNormal = 1e-4;
+
 //- Bound on the projections, in turn, on side patches some of which are curved
 static constexpr label maxPasses = 20;
 
@@ -300,6 +303,30 @@ static point movedOnto
 sidePlane sidePatch::planeAt(const point& x) const
 {
     return shape ? shape->planeAt(x) : sidePlane(*this);
+}
+
+
+scalarField distancesTo(const sidePatch& side, const pointField& points)
+{
+    scalarField distances(points.size());
+    forAll(distances, p)
+    {
+        distances[p] = side.distance(points[p]);
+    }
+
+    return distances;
+}
+
+
+bool isSamePlane
+(
+    const sidePlane& a,
+    const sidePlane& b,
+    const scalar tolerance
+)
+{
+    return mag(a.distance(b.origin)) <= tolerance
+        && mag(b.normal - a.normal) < sameNormal;
 }
 
 

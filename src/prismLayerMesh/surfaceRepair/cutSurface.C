@@ -17,6 +17,10 @@ namespace Foam
 //- Points nearer to the plane than this share of their mean edge are put on it
 static constexpr scalar nearShare = 0.25;
 
+//- Points nearer to the plane than this share of that are on it: their edges
+//  would all be cut at one place
+static constexpr scalar onShare = 1e-3;
+
 
 namespace
 {
@@ -115,8 +119,7 @@ struct planeCutter
 
 
 //- Points nearer to the plane than their share, with a neighbour that is
-//  further beyond; and points nearer than a thousandth of their share, whose
-//  edges would be cut at one place
+//  further beyond, and points that are almost on it
 static bitSet nearTheCut
 (
     const wallSurface& surface,
@@ -145,7 +148,7 @@ static bitSet nearTheCut
     bitSet points(distances.size());
     forAll(points, p)
     {
-        points.set(p, mag(distances[p]) < 1e-3*near[p]);
+        points.set(p, mag(distances[p]) < onShare*near[p]);
     }
     for (const face& f : surface.faces)
     {
@@ -211,18 +214,6 @@ static void takeBackConflicts
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-scalarField distancesTo(const sidePatch& plane, const wallSurface& surface)
-{
-    scalarField distances(surface.points.size());
-    forAll(distances, p)
-    {
-        distances[p] = plane.distance(surface.points[p]);
-    }
-
-    return distances;
-}
-
-
 labelList facesInConflict(const wallSurface& surface, const bitSet& skip)
 {
     const vectorField normals(surface.faceNormals());
@@ -266,7 +257,7 @@ void removeFacesOn
     const scalar tolerance
 )
 {
-    const scalarField distances(distancesTo(plane, surface));
+    const scalarField distances(distancesTo(plane, surface.points));
     const auto isOff = [&](const label p)
     {
         return mag(distances[p]) > tolerance;
@@ -288,7 +279,7 @@ void cutSurface
     repairSteps& steps
 )
 {
-    scalarField distances(distancesTo(plane, surface));
+    scalarField distances(distancesTo(plane, surface.points));
     const pointField from(surface.points);
     bitSet onPlane(nearTheCut(surface, distances));
     for (const label p : onPlane)

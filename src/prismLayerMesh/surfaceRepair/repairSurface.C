@@ -26,6 +26,14 @@ namespace Foam
 static constexpr scalar featureAngle = 30;
 
 
+//- A surface is a sheet if a wrap is on both sides of more than this share of
+//  its area
+static constexpr scalar plateShare = 0.5;
+
+//- Faces further from the wrap than so many of its sizes are not reached
+static constexpr scalar lostSizes = 2;
+
+
 //- Faces of a surface that are far from another surface
 struct lostFaces
 {
@@ -165,7 +173,7 @@ class surfaceRepairer
             onBothSides += inside.test(facei) ? area : 0;
         }
 
-        if (onBothSides > 0.5*all)
+        if (onBothSides > plateShare*all)
         {
             FatalErrorInFunction
                 << "The wrap is on both sides of " << 100*onBothSides/all
@@ -184,7 +192,7 @@ class surfaceRepairer
         const wallSurface& wrapped = repaired_.surface;
         const lostFaces lost
         (
-            facesBeyond(original_, nearestSurface(wrapped), 2*size)
+            facesBeyond(original_, nearestSurface(wrapped), lostSizes*size)
         );
         if (lost.n && !fluidOutside_ && controls_.seeds.empty())
         {
@@ -243,7 +251,7 @@ class surfaceRepairer
         wallSurface inFront(original_);
         for (const sidePatch& plane : planes_)
         {
-            cutOff(inFront, plane, distancesTo(plane, inFront));
+            cutOff(inFront, plane, distancesTo(plane, inFront.points));
         }
 
         const nearestSurface toRepaired(repaired_.surface);

@@ -55,29 +55,42 @@ struct surfaceAtPlanes
     const scalar tolerance =
         sideTolerance*boundBox(surface.points, false).mag();
 
-    const edgeList border = outline(surface.faces);
+    //- Made when first asked for, as most surfaces have no face in a side:
+    //  points of connected parts that have a border
+    bitSet openPoints{};
 
-    //- Connected parts of the surface, and whether they have a border
-    disjointSets parts = connectedPoints(surface.points.size(), surface.faces);
-    bitSet isOpen = bitSet(surface.points.size());
-
-
-    explicit surfaceAtPlanes(const wallSurface& given)
-    :
-        surface(given)
-    {
-        for (const edge& e : border)
-        {
-            isOpen.set(parts.find(e.start()));
-        }
-    }
 
     bool isOn(const sidePatch& plane, const point& x) const
     {
         return mag(plane.distance(x)) <= tolerance;
     }
 
-    bool isOpenAt(const face& f) { return isOpen.test(parts.find(f[0])); }
+    //- Whether the part of the surface that has a face has a border
+    bool isOpenAt(const face& f)
+    {
+        if (openPoints.empty())
+        {
+            setOpenPoints();
+        }
+
+        return openPoints.test(f[0]);
+    }
+
+    void setOpenPoints()
+    {
+        const label n = surface.points.size();
+        disjointSets parts(connectedPoints(n, surface.faces));
+        bitSet isOpen(n);
+        for (const edge& e : outline(surface.faces))
+        {
+            isOpen.set(parts.find(e.start()));
+        }
+        openPoints.resize(n);
+        for (label p = 0; p < n; ++p)
+        {
+            openPoints.set(p, isOpen.test(parts.find(p)));
+        }
+    }
 
     bool isIn(const sidePatch& plane, const face& f) const
     {
@@ -91,7 +104,7 @@ struct surfaceAtPlanes
              > inPlaneCosine;
     }
 
-    bool hasBorderOn(const sidePatch& plane) const
+    bool hasBorderOn(const sidePatch& plane, const edgeList& border) const
     {
         return anyOf(border, [&](const edge& e)
         {
@@ -186,21 +199,21 @@ List<sidePatch> withBoxSides
         return all;
     }
 
-    surfaceAtPlanes at(surface);
+    surfaceAtPlanes at{surface};
+    const edgeList border(outline(surface.faces));
     const List<sidePatch> sides(sidesOf(boundary));
     for (const sidePatch& side : sides)
     {
         const bool isGiven = anyOf(planes, [&](const sidePatch& given)
         {
-            return at.isOn(side, given.origin)
-                && mag(given.normal - side.normal) < sideTolerance;
+            return isSamePlane(side, given, at.tolerance);
         });
 
         if
         (
             !isGiven && !at.covers(side, sides)
          && (
-                at.hasBorderOn(side) || at.hasFaceIn(side)
+                at.hasBorderOn(side, border) || at.hasFaceIn(side)
              || at.crosses(side, planes)
             )
         )
@@ -225,7 +238,7 @@ boundBox boxBehind
         return box;
     }
 
-    surfaceAtPlanes at(surface);
+    surfaceAtPlanes at{surface};
     const List<sidePatch> sides(sidesOf(boundary));
     forAll(sides, side)
     {
@@ -257,8 +270,7 @@ List<sidePatch> freeSides
     {
         return !anyOf(ends, [&](const sidePatch& end)
         {
-            return !end.isPart() && mag(side.distance(end.origin)) < tolerance
-                && mag(end.normal - side.normal) < sideTolerance;
+            return !end.isPart() && isSamePlane(side, end, tolerance);
         });
     });
 }
@@ -335,25 +347,13 @@ void requireInFront
 
     for (const sidePatch& plane : planes)
     {
-        scalar nearest = GREAT;
-        scalar furthest = -GREAT;
-        point place(Zero);
-        for (const point& x : surface.points)
-        {
-            const scalar distance = plane.distance(x);
-            nearest = min(nearest, distance);
-            if (distance > furthest)
-            {
-                furthest = distance;
-                place = x;
-            }
-        }
-
-        if (nearest < -tolerance && furthest > tolerance)
+        const scalarField distances(distancesTo(plane, surface.points));
+        if (min(distances) < -tolerance && max(distances) > tolerance)
         {
             FatalErrorInFunction
                 << "The surface goes through the side plane " << plane.name
-                << ", up to " << furthest << " m beyond it at " << place << nl
+                << ", up to " << max(distances) << " m beyond it at "
+                << surface.points[findMax(distances)] << nl
                 << "To cut the surface there, write" << nl
                 << "    surface { repair stitch; }" << nl
                 << "The fluid is where the normal " << plane.normal
@@ -374,14 +374,14 @@ label removeFacesInSides
         return 0;
     }
 
-    surfaceAtPlanes at(surface);
+    surfaceAtPlanes at{surface};
     bitSet kept(surface.faces.size(), true);
     forAll(surface.faces, facei)
     {
         const face& f = surface.faces[facei];
         const bool isGone =
-            !at.isOpenAt(f)
-         && anyOf(planes, [&](const sidePatch& p) { return at.isIn(p, f); });
+            anyOf(planes, [&](const sidePatch& p) { return at.isIn(p, f); })
+         && !at.isOpenAt(f);
         kept.set(facei, !isGone);
     }
 

@@ -67,13 +67,9 @@ static bool turnFrom
     sidePatch& plane
 )
 {
-    scalar least = 0;
-    scalar most = 0;
-    for (const point& x : points)
-    {
-        least = min(least, plane.distance(x));
-        most = max(most, plane.distance(x));
-    }
+    const scalarField distances(distancesTo(plane, points));
+    scalar least = min(min(distances), scalar(0));
+    scalar most = max(max(distances), scalar(0));
 
     if (most > -least)
     {
