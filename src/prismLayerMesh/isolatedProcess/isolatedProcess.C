@@ -16,7 +16,6 @@
 #include <fcntl.h>
 #include <mutex>
 #include <omp.h>
-#include <poll.h>
 #include <set>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -176,12 +175,6 @@ processEnd isolatedProcess
         runChild(work, cpuSeconds, end);
     }
 
-    pollfd first{end, POLLIN, 0};
-    while (::poll(&first, 1, 1000) == 0)
-    {
-        tellSameProgress();
-    }
-
     std::FILE* in = ::fdopen(end, "rb");
     bool complete = true;
     try
@@ -319,7 +312,6 @@ static programEnd waitFor(const pid_t child, const double seconds)
 
             return programEnd::tooLong;
         }
-        tellSameProgress();
         std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
 

@@ -7,9 +7,12 @@
 
 #include <atomic>
 #include <chrono>
+#include <condition_variable>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <string>
+#include <thread>
 
 namespace Foam
 {
@@ -22,6 +25,41 @@ namespace
 typedef std::chrono::steady_clock progressClock;
 
 
+//- A thread that calls a function once in an interval [s]
+class repeater
+{
+    std::mutex lock_;
+    std::condition_variable ended_;
+    bool isEnding_ = false;
+    std::thread thread_;
+
+public:
+
+    repeater(const double interval, const std::function<void()>& call)
+    :
+        thread_([=]()
+        {
+            const std::chrono::duration<double> length(interval);
+            std::unique_lock<std::mutex> guard(lock_);
+            while (!ended_.wait_for(guard, length, [=]() { return isEnding_; }))
+            {
+                call();
+            }
+        })
+    {}
+
+    ~repeater()
+    {
+        {
+            const std::lock_guard<std::mutex> guard(lock_);
+            isEnding_ = true;
+        }
+        ended_.notify_all();
+        thread_.join();
+    }
+};
+
+
 //- Who listens, and the last step that was told
 struct progressState
 {
@@ -32,6 +70,7 @@ struct progressState
     progressStep last{"", 0, 0};
     progressClock::time_point heard;
     std::map<std::string, loopAtBound> loops;
+    std::unique_ptr<repeater> repeated;
 };
 
 } // End anonymous namespace
@@ -60,6 +99,15 @@ static void pass(progressState& all)
 }
 
 
+//- Tells the last step again: the stage is still at it
+static void tellSameProgress()
+{
+    progressState& all = state();
+    const std::lock_guard<std::mutex> guard(all.lock);
+    pass(all);
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 void listenToProgress
@@ -69,6 +117,12 @@ void listenToProgress
 )
 {
     progressState& all = state();
+    all.repeated.reset();
+    if (listener)
+    {
+        all.repeated.reset(new repeater(interval, tellSameProgress));
+    }
+
     const std::lock_guard<std::mutex> guard(all.lock);
     all.isHeard = bool(listener);
     all.listener = std::move(listener);
@@ -94,18 +148,6 @@ void tellProgress(const char* what, const label done, const label total)
     {
         const std::lock_guard<std::mutex> guard(all.lock);
         all.last = progressStep{what, done, total};
-        pass(all);
-    }
-}
-
-
-void tellSameProgress()
-{
-    progressState& all = state();
-
-    if (all.isHeard)
-    {
-        const std::lock_guard<std::mutex> guard(all.lock);
         pass(all);
     }
 }

@@ -40,6 +40,7 @@ Foam::stageLog::~stageLog()
 
 void Foam::stageLog::tell(const progressStep& step)
 {
+    const std::lock_guard<std::mutex> guard(lock_);
     const double seconds = clock_.elapsedTime();
     if (seconds < nextProgress_)
     {
@@ -85,20 +86,25 @@ void Foam::stageLog::writeLoopsAtBound()
 
 void Foam::stageLog::begin(const word& stage)
 {
-    // The line is visible while the stage runs
-    os_ << heading(stage).c_str() << flush;
+    {
+        // The line is visible while the stage runs
+        const std::lock_guard<std::mutex> guard(lock_);
+        os_ << heading(stage).c_str() << flush;
 
-    costs_.append(stageCost());
-    costs_.last().stage = stage;
-    clock_.resetTime();
-    nextProgress_ = interval_;
-    isInterrupted_ = false;
+        costs_.append(stageCost());
+        costs_.last().stage = stage;
+        clock_.resetTime();
+        nextProgress_ = interval_;
+        isInterrupted_ = false;
+    }
     tellProgress("");
 }
 
 
 void Foam::stageLog::end(const string& sizes)
 {
+    const std::lock_guard<std::mutex> guard(lock_);
+    nextProgress_ = GREAT;
     stageCost& cost = costs_.last();
     cost.seconds = clock_.elapsedTime();
     cost.peakMemory = peakMemory();

@@ -105,21 +105,24 @@ TEST(stageProgress, isHeardByOneThreadAtATime)
 
 TEST(stageProgress, goesOnWhileAnotherProcessWorks)
 {
-    heardSteps heard;
+    heardSteps heard(0.1);
     tellProgress("waiting ");
     const auto work = [](pipeWriter& out)
     {
         // Nobody hears this process
         tellProgress("child ");
-        ::usleep(2500000);
+        ::usleep(250000);
         out('x');
+        out.flush();
+        ::usleep(250000);
     };
     char byte = 0;
     const auto read = [&](pipeReader& in) { in(byte); };
 
     EXPECT_EQ(isolatedProcess(work, read), processEnd::complete);
     EXPECT_EQ(byte, 'x');
-    ASSERT_GE(heard.all.size(), 2u);
+    listenToProgress({});
+    ASSERT_GE(heard.all.size(), 3u);
     for (const std::string& step : heard.all)
     {
         EXPECT_EQ(step, "waiting 0/0");
@@ -157,7 +160,6 @@ TEST(stageProgress, nobodyNeedsToListen)
 {
     listenToProgress({});
     EXPECT_NO_THROW(tellProgress("step", 1, 2));
-    EXPECT_NO_THROW(tellSameProgress());
 }
 
 

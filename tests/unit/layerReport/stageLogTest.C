@@ -10,6 +10,7 @@
 #include <chrono>
 #include <gtest/gtest.h>
 #include <regex>
+#include <thread>
 
 using namespace Foam;
 
@@ -64,6 +65,24 @@ TEST(stageLog, aLongStageSaysHowFarItIs)
     (
         std::regex_match(log, std::regex("columns +\n(" + line + ")+" + end))
     ) << log;
+}
+
+
+TEST(stageLog, aStageThatTellsNothingSaysThatItGoesOn)
+{
+    OStringStream os;
+    stageLog log(os, 0.1);
+    log.begin("columns");
+    std::this_thread::sleep_for(std::chrono::milliseconds(500));
+    log.end("100 columns\nretreated 3 times");
+
+    EXPECT_TRUE
+    (
+        std::regex_match
+        (
+            os.str(), std::regex("columns +\n(    [0-9]+ s\n)+" + end)
+        )
+    ) << os.str();
 }
 
 
