@@ -11,6 +11,7 @@
 #include "ListOps.H"
 #include "ranges.H"
 #include "readWallSurface.H"
+#include "stageProgress.H"
 #include "stitchSurface.H"
 #include "StringStream.H"
 #include "surfacePart.H"
@@ -302,10 +303,12 @@ static void readSurface
     repairSteps& steps
 )
 {
+    label n = 0;
     bool isJoining = true;
     for (in(isJoining); isJoining; in(isJoining))
     {
         in(places);
+        tellProgress("joining bodies, step", ++n);
     }
 
     wallSurface united(surface);

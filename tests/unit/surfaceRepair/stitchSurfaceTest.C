@@ -275,6 +275,35 @@ TEST(uniteBodies, lowStepsBetweenBodiesAreRemoved)
 }
 
 
+TEST(uniteBodies, bodiesOnAnOpenSheetBecomePartsOfIt)
+{
+    // Houses of 0.1 x 0.1 x 0.1, of which a fifth is in the ground; the sheet
+    // keeps its border, and houses that overlap become one
+    wallSurface surface(sheet(6, 0));
+    for (const scalar x : {0.15, 0.32, 0.51, 0.54, 0.73})
+    {
+        const wallSurface house(cube(1, 0.1));
+        surface = merge(surface, translated(house, point(x, 0.4, -0.02)));
+    }
+    const scalar border = outline(surface.faces).size();
+    repairSteps steps;
+    EXPECT_EQ(uniteBodies(surface, true, 1e-4, steps), "");
+
+    EXPECT_EQ(countOf(steps, "united"), 5);
+    EXPECT_EQ(outline(surface.faces).size(), border);
+    EXPECT_TRUE(findWallDefects(surface, true).empty());
+
+    // Roofs lie as high as the ground that they cover: walls alone are added
+    scalar area = 0;
+    for (const face& f : surface.faces)
+    {
+        area += f.mag(surface.points);
+    }
+    EXPECT_NEAR(area, 1 + 0.08*(3*0.4 + 2*0.13 + 2*0.1), 1e-12);
+    EXPECT_GT(min(surface.points.component(vector::Z)), -1e-12);
+}
+
+
 TEST(uniteBodies, bodiesInAFluidInsideAreCutOutOfIt)
 {
     // A foot on the floor, a block that overlaps it and is at a wall, and a
