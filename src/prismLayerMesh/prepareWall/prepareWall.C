@@ -7,7 +7,9 @@
 #include "boundBox.H"
 #include "boxSides.H"
 #include "cutSurface.H"
+#include "flushSides.H"
 #include "OStringStream.H"
+#include "ranges.H"
 #include "splitAtSidePatches.H"
 #include "wallChanges.H"
 #include "wallVisibility.H"
@@ -204,6 +206,48 @@ static void remesh
 }
 
 
+//- Returns the patches without layers that are flush with the wall
+static wordList flushPatches
+(
+    const wallSurface& wall,
+    const layerControls& layers
+)
+{
+    wordHashSet names;
+    for (const label k : flushEdges(wall))
+    {
+        const word& name = wall.border.sides[wall.border.edgeSides[k]].name;
+        if (layers.isSide(name))
+        {
+            names.insert(name);
+        }
+    }
+
+    return names.sortedToc();
+}
+
+
+//- Returns the controls with layers on patches
+static layerControls withLayersOn
+(
+    const wordList& patches,
+    const layerControls& given
+)
+{
+    layerControls layers(given);
+    for (const word& name : patches)
+    {
+        const word& type = given.entryOf(name)->type;
+        patchLayers entry;
+        entry.patches = name;
+        entry.type = type.empty() ? word("patch") : type;
+        layers.patches.append(entry);
+    }
+
+    return layers;
+}
+
+
 static void split
 (
     const wallSurfaceControls& controls,
@@ -215,6 +259,22 @@ static void split
     wallReading reading;
     wallSurface& wall = prepared.wall;
     wall = splitAtSidePatches(prepared.surface, controls, layers, reading);
+
+    const wordList flush(flushPatches(wall, layers));
+    if (flush.size())
+    {
+        reading = wallReading();
+        wall = splitAtSidePatches
+        (
+            prepared.surface, controls, withLayersOn(flush, layers), reading
+        );
+        prepared.flushPatches = flush;
+        observer.begin("flushPatches");
+        observer.end
+        (
+            listed(flush) + ": flush with the wall, layers go on over them"
+        );
+    }
     if (wall.border.sides.empty())
     {
         return;

@@ -4,12 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "wallPointsError.H"
-#include "bitSet.H"
-#include "disjointSets.H"
+#include "flushSides.H"
 #include "HashSet.H"
 #include "HashTable.H"
-#include "Map.H"
-#include "ranges.H"
 #include "unitConversion.H"
 
 namespace Foam
@@ -22,31 +19,6 @@ static constexpr scalar flushCosine = 0.95;
 //- The same of a side patch on which layers cannot end well: the wall meets it
 //  at 135 degrees in the fluid
 static constexpr scalar obtuseCosine = 0.7072;
-
-
-//- The same of a side patch that continues the wall but for rounding: cos(3
-//  degrees). Heights beside it would be smaller by the sine of the angle.
-static constexpr scalar planeCosine = 0.9986;
-
-//- Share of the length of a connected border. The wall may continue a side
-//  patch on less of it: on 3 % at stem and stern of half a hull whose breadth
-//  is zero there, where first heights are at least 0.57 of the request.
-static constexpr scalar flushShare = 0.1;
-
-
-//- Product of the normals, into the fluid, of a face and of a side patch at a
-//  point
-static scalar sideCosine
-(
-    const wallSurface& wall,
-    const label facei,
-    const sidePatch& side,
-    const label p
-)
-{
-    return wall.faces[facei].unitNormal(wall.points)
-      & -side.planeAt(wall.points[p]).normal;
-}
 
 
 //- Returns the largest product of the normals, into the fluid, of each side
@@ -77,52 +49,12 @@ static HashTable<scalar> sideCosines
 }
 
 
-//- Whether the wall continues a side patch beyond an edge of its border
-static bool isFlush
-(
-    const wallSurface& wall,
-    const wallAddressing& addressing,
-    const label borderEdge
-)
-{
-    const edge& e = wall.border.edges[borderEdge];
-    const sidePatch& side =
-        wall.border.sides[wall.border.edgeSides[borderEdge]];
-
-    return anyOf(addressing.pointFaces[e.first()], [&](const label facei)
-    {
-        return wall.faces[facei].edgeDirection(e) != 0
-            && sideCosine(wall, facei, side, e.first()) > planeCosine;
-    });
-}
-
-
 void checkSidesOf(const wallSurface& wall, const wallAddressing& addressing)
 {
-    const edgeList& edges = wall.border.edges;
-    disjointSets parts(connectedPoints(wall.points.size(), edges));
-    Map<scalar> lengths, flushLengths;
-    bitSet flush(edges.size());
-    forAll(edges, k)
-    {
-        const label part = parts.find(edges[k].start());
-        const scalar length = edges[k].mag(wall.points);
-        lengths(part, 0) += length;
-        if (isFlush(wall, addressing, k))
-        {
-            flush.set(k);
-            flushLengths(part, 0) += length;
-        }
-    }
-
     labelHashSet points;
-    for (const label k : flush)
+    for (const label k : flushEdges(wall))
     {
-        const label part = parts.find(edges[k].start());
-        if (flushLengths[part] > flushShare*lengths[part])
-        {
-            points.insert(edges[k]);
-        }
+        points.insert(wall.border.edges[k]);
     }
 
     if (points.size())

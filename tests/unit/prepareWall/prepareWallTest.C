@@ -260,6 +260,37 @@ TEST(prepareWall, changesAreMeasuredAndStagesTold)
 }
 
 
+TEST(prepareWall, patchesThatAreFlushWithTheWallStayInIt)
+{
+    // A vent in the ceiling, and the whole ceiling
+    for (const scalar width : {0.5, 2.0})
+    {
+        wallSurface room(reversed(cube(4)));
+        room.patchNames = wordList({"room", "vent"});
+        forAll(room.faces, facei)
+        {
+            const vector c(room.faces[facei].centre(room.points));
+            room.patchIDs[facei] = c.z() > 1 - SMALL
+             && mag(c.x() - 0.5) < 0.5*width && mag(c.y() - 0.5) < 0.5*width;
+        }
+        prismLayerControls controls;
+        controls.surface.fluidOutside = false;
+        controls.layers = withoutLayers({"vent"});
+        const preparedWall prepared(prepareWall(room, controls));
+
+        const bool isFlush = width < 1;
+        EXPECT_EQ(prepared.flushPatches, wordList(isFlush, word("vent")));
+        EXPECT_EQ(prepared.wall.border.sides.empty(), isFlush);
+        EXPECT_EQ(prepared.wall.patchNames.size(), isFlush ? 2 : 1);
+        EXPECT_EQ
+        (
+            prepared.wall.patchTypes,
+            isFlush ? wordList({"wall", "patch"}) : wordList({"wall"})
+        );
+    }
+}
+
+
 TEST(adviceOnDefects, saysWhatMends)
 {
     const prismLayerControls controls;

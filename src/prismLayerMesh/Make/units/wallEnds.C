@@ -5,6 +5,7 @@
 
 #include "wallEnds/boxSides.C"
 #include "wallEnds/divideSidePart.C"
+#include "wallEnds/flushSides.C"
 #include "wallEnds/orientOpenWall.C"
 #include "wallEnds/sideParts.C"
 #include "wallEnds/splitAtSidePatches.C"
