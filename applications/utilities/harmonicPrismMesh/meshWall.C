@@ -241,6 +241,34 @@ static void writeCase
 
 // * * * * * * * * * * * * * * * *  Mesh Wall  * * * * * * * * * * * * * * * //
 
+//- Returns the largest edges that cells of the far field may have at points.
+//  Errors: FatalError if no far field is made whose cells are known before
+static scalarField largestCellsAt
+(
+    const pointField& points,
+    const farFieldControls& controls,
+    const Time& time
+)
+{
+    if (!controls.isWanted() || controls.type == farFieldType::mesh)
+    {
+        FatalErrorInFunction
+            << "With layers.relativeTo cells, farField.type must be tet or"
+            << " hexCore: heights are in units of the cells that are made"
+            << exit(FatalError);
+    }
+
+    const sizeBounds bounds(makeSizeBounds(controls, time));
+    scalarField sizes(points.size(), bounds.largest);
+    if (bounds.atPoints)
+    {
+        sizes = min(sizes, bounds.atPoints(points));
+    }
+
+    return sizes;
+}
+
+
 //- The requests for parts of the wall, looked up and reported
 static localHeights readLocal
 (
@@ -253,7 +281,7 @@ static localHeights readLocal
 {
     log.begin("localHeights");
     string found;
-    const localHeights local
+    localHeights local
     (
         readLocalHeights
         (
@@ -262,6 +290,12 @@ static localHeights readLocal
             time, found
         )
     );
+    if (controls.layers.relativeToCells)
+    {
+        local.largestCells =
+            largestCellsAt(wall.points, controls.farField, time);
+        found += "\nrelative heights are in units of the far field's cells";
+    }
     log.end(found);
 
     return local;

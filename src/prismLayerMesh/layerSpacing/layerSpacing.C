@@ -536,6 +536,30 @@ scalarField localEdgeLengths
 }
 
 
+//- Returns the units of relative heights; empty if they are not needed
+static scalarField unitLengths
+(
+    const wallSurface& wall,
+    const wallAddressing& addressing,
+    const layerControls& controls,
+    const localHeights& local
+)
+{
+    if (!controls.automatic() && !hasRelativeSizes(controls))
+    {
+        return scalarField();
+    }
+
+    const scalarField edges
+    (
+        localEdgeLengths(wall, addressing, controls.transitionRatio)
+    );
+
+    return local.largestCells.empty()
+      ? edges : scalarField(min(edges, local.largestCells));
+}
+
+
 layerSpacing makeLayerSpacing
 (
     const wallSurface& wall,
@@ -544,13 +568,8 @@ layerSpacing makeLayerSpacing
     const localHeights& local
 )
 {
-    scalarField edges;
-    if (controls.automatic() || hasRelativeSizes(controls))
-    {
-        edges = localEdgeLengths(wall, addressing, controls.transitionRatio);
-    }
-
-    const pointHeights asked(wall, addressing, controls, local, edges);
+    const scalarField units(unitLengths(wall, addressing, controls, local));
+    const pointHeights asked(wall, addressing, controls, local, units);
     List<heightSeries> heights(wall.points.size());
     label n = 1;
 
@@ -562,7 +581,7 @@ layerSpacing makeLayerSpacing
 
     if (controls.automatic())
     {
-        const scalarField finalHeights(controls.finalAspect*edges);
+        const scalarField finalHeights(controls.finalAspect*units);
         n = automaticNumber(wall, heights, finalHeights);
 
         forAll(heights, p)

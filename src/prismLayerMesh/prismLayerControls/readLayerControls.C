@@ -407,7 +407,7 @@ layerControls readLayerControls(const dictionary& dict)
         ({
             "finalAspect", "marchingDistances", "marchingDirections",
             "transitionRatio", "maxStretch", "multipleNormalsAngle", "fields",
-            "patches", "regions"
+            "relativeTo", "patches", "regions"
         })
     );
     checkKeys(dict, keys);
@@ -415,6 +415,10 @@ layerControls readLayerControls(const dictionary& dict)
     layerControls controls;
     readGeneralHeights(dict, controls);
     readFields(dict, controls);
+
+    word unit("edges");
+    readChoice(dict, "relativeTo", {"edges", "cells"}, unit);
+    controls.relativeToCells = unit == "cells";
 
     word distances("requested");
     readChoice

@@ -133,6 +133,22 @@ TEST(makeLayerSpacing, relativeSizesAreMultiplesOfEdges)
 }
 
 
+TEST(makeLayerSpacing, relativeSizesAreMultiplesOfSmallerCells)
+{
+    const wallSurface wall(parts(4));
+    layerControls controls(localControls(10, 0.1));
+    controls.heights.relativeSizes = true;
+
+    localHeights local;
+    local.largestCells = scalarField(wall.points.size(), GREAT);
+    local.largestCells[3] = 0.1;
+    const layerSpacing spacing(localSpacing(wall, controls, local));
+
+    EXPECT_NEAR(spacing.firstThickness[3], 0.01, 1e-14);
+    EXPECT_NEAR(max(spacing.firstThickness), 0.025, 1e-14);
+}
+
+
 TEST(makeLayerSpacing, metresAndRelativeSizesMix)
 {
     const wallSurface wall(parts(4));
