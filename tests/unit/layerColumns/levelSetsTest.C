@@ -289,7 +289,7 @@ TEST(levelSets, smoothingKeepsUniformHeights)
 TEST(levelSets, tensorsMakeThemMoreEvenInAConcaveCorner)
 {
     // Between the wall and the last one they are homeomorphic
-    const wallSurface wall(testSurfaces::lBlock(24));
+    const wallSurface wall(testSurfaces::lBlock(16));
     const label concave = int(pointKind::concave);
     List<scalar> first;
 
