@@ -1,0 +1,11 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "blockBox.C"
+#include "snappyWalls.C"
+#include "prismEntries.C"
+#include "snappyToPrism.C"
+
+// ************************************************************************* //

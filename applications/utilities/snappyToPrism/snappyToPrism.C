@@ -1,0 +1,148 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+-------------------------------------------------------------------------------
+Application
+    snappyToPrism
+
+Group
+    grpMeshGenerationUtilities
+
+Description
+    Makes a dictionary of harmonicPrismMesh for a case of snappyHexMesh.
+
+    Reads system/snappyHexMeshDict, system/blockMeshDict and the surface files
+    in constant/triSurface. Writes system/harmonicPrismMeshDict. Comments at its
+    end name what has no counterpart.
+
+Usage
+    \b snappyToPrism [OPTIONS]
+
+    Options:
+      - \par -repair \<none|stitch|wrap\>
+        Repair of the surface; default stitch if the surface goes through a side
+        of the box, otherwise none
+
+      - \par -overwrite
+        Replace a dictionary that is there already
+
+\*---------------------------------------------------------------------------*/
+
+#include "argList.H"
+#include "IFstream.H"
+#include "IOdictionary.H"
+#include "OFstream.H"
+#include "OSspecific.H"
+#include "prismEntries.H"
+#include "readPrismLayerControls.H"
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * * //
+
+static void addOptions()
+{
+    argList::noParallel();
+    argList::addNote
+    (
+        "Make system/harmonicPrismMeshDict for a case of snappyHexMesh.\n"
+        "Reads system/snappyHexMeshDict, system/blockMeshDict and the surface"
+        " files.\nComments in the dictionary name what has no counterpart."
+    );
+    argList::addOption
+    (
+        "repair", "method",
+        "Repair of the surface: none, stitch or wrap. Default: stitch if the"
+        " surface goes through a side of the box"
+    );
+    argList::addBoolOption("overwrite", "Replace an existing dictionary");
+}
+
+
+static void writeDict
+(
+    const fileName& file,
+    const dictionary& entries,
+    const remarkList& remarks
+)
+{
+    OFstream os(file);
+    os.precision(10);
+    IOobject::writeBanner(os)
+        << "FoamFile" << nl << '{' << nl
+        << "    version     2.0;" << nl << "    format      ascii;" << nl
+        << "    class       dictionary;" << nl
+        << "    object      harmonicPrismMeshDict;" << nl << '}' << nl;
+    IOobject::writeDivider(os) << nl;
+    for (const entry& e : entries)
+    {
+        os << e << nl;
+    }
+    os << "// What was not converted: see doc/fromSnappyHexMesh.md" << nl;
+    for (const string& remark : remarks)
+    {
+        os << "// - " << remark.c_str() << nl;
+    }
+    IOobject::writeEndDivider(os);
+}
+
+
+//- The method of repair that the option asks for
+static word repairOf(const argList& args)
+{
+    const word repair(args.getOrDefault<word>("repair", ""));
+    if (repair.size() && !wordList({"none", "stitch", "wrap"}).found(repair))
+    {
+        FatalErrorInFunction
+            << "-repair is none, stitch or wrap, not " << repair
+            << exit(FatalError);
+    }
+
+    return repair;
+}
+
+
+int main(int argc, char *argv[])
+{
+    addOptions();
+
+    #include "setRootCase.H"
+    #include "createTime.H"
+
+    const fileName file(runTime.system()/"harmonicPrismMeshDict");
+    if (isFile(file) && !args.found("overwrite"))
+    {
+        FatalErrorInFunction
+            << file << " is there already: -overwrite replaces it"
+            << exit(FatalError);
+    }
+    const IOdictionary dict
+    (
+        IOobject
+        (
+            "snappyHexMeshDict", runTime.system(), runTime, IOobject::MUST_READ,
+            IOobject::NO_WRITE, false
+        )
+    );
+    remarkList remarks;
+    snappyCase given;
+    given.repair = repairOf(args);
+    given.snappy = dict;
+    given.box = readBlockBox(runTime, remarks);
+    given.walls = readSnappyWalls(dict, runTime, remarks);
+    const dictionary entries(prismEntries(given, remarks));
+    writeDict(file, entries, remarks);
+
+    // What harmonicPrismMesh would refuse
+    readPrismLayerControls(dictionary(IFstream(file)()));
+
+    Info<< nl << "Surfaces: " << flatOutput(given.walls.files) << nl
+        << "Comments: " << remarks.size() << nl << "Dictionary: " << file << nl
+        << "Next: harmonicPrismMesh -checkSurface, then harmonicPrismMesh" << nl
+        << nl << "End" << nl << endl;
+
+    return 0;
+}
+
+
+// ************************************************************************* //

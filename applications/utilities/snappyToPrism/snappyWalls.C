@@ -1,0 +1,268 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "snappyWalls.H"
+#include "OSspecific.H"
+#include "ranges.H"
+#include "readWallSurface.H"
+#include "surfaceFile.H"
+#include "surfacePart.H"
+#include "surfaceMeasures.H"
+#include "triPointRef.H"
+
+#include <cstring>
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- A pattern that matches the text. Without a plain metacharacter a string is
+//  no pattern, hence the brackets.
+static string patternOf(const string& text)
+{
+    string result;
+    for (const char c : text)
+    {
+        result += strchr("\\+*?^$|(){}[]", c) ? "\\" : "";
+        result += c;
+    }
+
+    return result == text ? text : string('(' + result + ')');
+}
+
+
+//- Sets what refinementSurfaces, or one of its regions, says of a patch
+static void readPatch(const dictionary& dict, snappyPatch& patch)
+{
+    labelPair levels(patch.level, patch.finest);
+    dict.readIfPresent("level", levels);
+    patch.level = levels.first();
+    patch.finest = levels.second();
+    const dictionary& info = dict.subOrEmptyDict("patchInfo");
+    info.readIfPresent("type", patch.type);
+    info.readIfPresent("inGroups", patch.groups);
+}
+
+
+//- Appends a file, and the patches that snappyHexMesh makes of its regions
+static void appendFile
+(
+    const fileName& path,
+    const word& name,
+    const dictionary& geometry,
+    const dictionary& refinement,
+    const bool isRegionNamed,
+    snappyWalls& walls
+)
+{
+    bool separate;
+    wallSurface part(readSurfaceFile(path, separate));
+    mergePatches(part);
+    part.points *= walls.scale;
+    const List<patchMeasures> measures(measuresOfPatches(part));
+    const dictionary& named = geometry.subOrEmptyDict("regions");
+    const dictionary& refined = refinement.subOrEmptyDict("regions");
+    forAll(measures, i)
+    {
+        const word& region = part.patchNames[i];
+        const bool isAlone = measures.size() == 1 && !isRegionNamed;
+        snappyPatch patch;
+        patch.name = isAlone ? name : word(name + '_' + region);
+        patch.area = measures[i].area;
+        readPatch(refinement, patch);
+        if (const dictionary* dict = refined.findDict(region, keyType::REGEX))
+        {
+            readPatch(*dict, patch);
+        }
+        named.subOrEmptyDict(region).readIfPresent("name", patch.name);
+        patch.name = word::validate(patch.name, true);
+
+        dictionary entry;
+        entry.add("file", patternOf(path.name()));
+        entry.add("solid", patternOf(region));
+        walls.names.set(patch.name, entry);
+        walls.patches.append(patch);
+    }
+    walls.files.append(path.name());
+    appendSurface(part, labelList(), walls.surface);
+}
+
+
+//- Errors: FatalError if there is no wall, or if a wall has no file
+static void requireFiles
+(
+    const snappyWalls& walls,
+    const UList<string>& missing,
+    const dictionary& layers
+)
+{
+    if (missing.size())
+    {
+        FatalErrorInFunction
+            << "Walls of refinementSurfaces without a surface file in"
+            << " constant/triSurface: " << listed(missing).c_str() << nl
+            << "Write them as surface files." << exit(FatalError);
+    }
+    if (walls.files.empty())
+    {
+        FatalErrorInFunction
+            << "refinementSurfaces has no wall, and layers are made on surface"
+            << " files alone, not on faceZones or sides of the box. The layers"
+            << " of snappyHexMeshDict are on: " << flatOutput(layers.toc())
+            << exit(FatalError);
+    }
+}
+
+
+//- 4 pi times the number of times that a triangle goes around a point
+static scalar solidAngle(const triPointRef& triangle, const point& x)
+{
+    const vector a(triangle.a() - x), b(triangle.b() - x), c(triangle.c() - x);
+    const scalar p = mag(a), q = mag(b), r = mag(c);
+
+    return
+        2*std::atan2(a & (b ^ c), p*q*r + (a & b)*r + (b & c)*p + (c & a)*q);
+}
+
+
+//- Whether walls span the domain in two directions, as a ground does
+static bool isGround(const boundBox& walls, const blockBox& box)
+{
+    const scalar tolerance = 1e-4*box.bounds.mag();
+    label nSpanned = 0;
+    for (direction d = 0; d < 3 && box.isFound; ++d)
+    {
+        nSpanned +=
+            walls.min()[d] < box.bounds.min()[d] + tolerance
+         && walls.max()[d] > box.bounds.max()[d] - tolerance;
+    }
+
+    return nSpanned > 1;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+label snappyWalls::level() const
+{
+    Map<scalar> areas;
+    for (const snappyPatch& patch : patches)
+    {
+        areas(patch.level) += patch.area;
+    }
+    label largest = patches[0].level;
+    forAllConstIters(areas, iter)
+    {
+        largest = iter.val() > areas[largest] ? iter.key() : largest;
+    }
+
+    return largest;
+}
+
+
+snappyWalls readSnappyWalls
+(
+    const dictionary& snappy,
+    const Time& time,
+    remarkList& remarks
+)
+{
+    const dictionary& refined =
+        snappy.subDict("castellatedMeshControls").subDict("refinementSurfaces");
+    const bool isNamed = !snappy.getOrDefault<bool>("singleRegionName", true);
+    snappyWalls walls;
+    DynamicList<string> missing;
+    for (const entry& e : snappy.subDict("geometry"))
+    {
+        const dictionary& geometry = e.dict();
+        const word key(e.keyword());
+        const word name(geometry.getOrDefault<word>("name", key));
+        const dictionary* refinement = refined.findDict(name, keyType::REGEX);
+        if (!refinement)
+        {
+            continue;
+        }
+        if (refinement->found("faceZone") || refinement->found("cellZone"))
+        {
+            remarks.append("The zone " + name + " is in the fluid, no wall");
+            continue;
+        }
+        const word type(geometry.get<word>("type"));
+        const fileName file(geometry.getOrDefault<fileName>("file", key));
+        const fileName path(time.constantPath()/"triSurface"/file);
+        if (!type.endsWith("riSurfaceMesh") || !isFile(path))
+        {
+            missing.append(name + " (" + type + ' ' + file + ')');
+            continue;
+        }
+        const scalar scale = geometry.getOrDefault<scalar>("scale", 1);
+        if (walls.files.size() && scale != walls.scale)
+        {
+            FatalIOErrorInFunction(geometry)
+                << "The surfaces have different scales, here all have one:"
+                << " scale the files" << exit(FatalIOError);
+        }
+        walls.scale = scale;
+        appendFile
+        (
+            isFile(path, false) ? path : fileName(path + ".gz"), name,
+            geometry, *refinement, isNamed, walls
+        );
+    }
+    requireFiles
+    (
+        walls, missing, snappy.subDict("addLayersControls").subDict("layers")
+    );
+    wallReading reading;
+    mergeNearPoints(walls.surface, 0, reading);
+
+    return walls;
+}
+
+
+bool isInside
+(
+    const wallSurface& surface,
+    const point& location,
+    const blockBox& box
+)
+{
+    // Faces need not be oriented alike: rays count them
+    const List<vector> rays
+    ({
+        {0.31, 0.58, 0.75}, {-0.62, 0.47, 0.63}, {0.44, -0.81, 0.39},
+        {0.53, 0.36, -0.77}, {-0.71, -0.42, -0.57}
+    });
+    labelList nHits(rays.size(), 0);
+    scalar angle = 0;
+    labelList triangleFace;
+    for (const face& f : wallTriangles(surface, triangleFace))
+    {
+        const triPointRef triangle
+        (
+            surface.points[f[0]], surface.points[f[1]], surface.points[f[2]]
+        );
+        angle += solidAngle(triangle, location);
+        forAll(rays, i)
+        {
+            const intersection::algorithm half = intersection::HALF_RAY;
+            nHits[i] += triangle.intersection(location, rays[i], half).hit();
+        }
+    }
+    label nOdd = 0;
+    for (const label n : nHits)
+    {
+        nOdd += n % 2;
+    }
+
+    return
+        isGround(boundBox(surface.points, false), box)
+      ? angle > 0.5 : nOdd > rays.size()/2;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
