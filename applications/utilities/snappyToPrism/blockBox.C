@@ -44,18 +44,12 @@ static word farType
 (
     const word& name,
     const word& type,
-    const label nSides,
     remarkList& remarks
 )
 {
-    static const wordList kept({"patch", "wall", "symmetry"});
-    const bool isPlane = type == "symmetryPlane";
-    const word now
-    (
-        kept.found(type) || (isPlane && nSides == 1) ? type
-      : isPlane || type == "empty" ? word("symmetry")
-      : word("patch")
-    );
+    static const wordList kept({"patch", "wall", "symmetry", "symmetryPlane"});
+    const word other(type == "empty" ? "symmetry" : "patch");
+    const word now(kept.found(type) ? type : other);
     if (now != type)
     {
         remarks.append("blockMesh: " + name + " is " + type + ", here " + now);
@@ -109,10 +103,7 @@ static dictionary patchesOf
         {
             const word type(dicts[i].get<word>("type"));
             dictionary patch;
-            patch.add
-            (
-                "type", farType(names[i], type, sides[i].size(), remarks)
-            );
+            patch.add("type", farType(names[i], type, remarks));
             patch.add("sides", sides[i]);
             patches.add(names[i], patch);
         }
