@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "prismEntries.H"
+#include "HashSet.H"
 #include "OStringStream.H"
 #include "surfacePart.H"
 #include "Tuple2.H"
@@ -282,6 +283,10 @@ static label checkLayers(const snappyCase& given, remarkList& remarks)
         }
         n = max(n, e.dict().get<label>("nSurfaceLayers"));
     }
+    if (!given.snappy.getOrDefault<bool>("addLayers", true))
+    {
+        remarks.append("addLayers is false: the layers are made here");
+    }
     if (n == 0)
     {
         remarks.append("snappyHexMeshDict asks for no layers: 3 are a guess");
@@ -496,14 +501,17 @@ static void appendOthers
     remarkList& remarks
 )
 {
+    static const wordHashSet never({"tolerance", "maxTreeDepth", "minQuality"});
     for (const entry& e : dict)
     {
         const string here(path + e.keyword());
-        if (!converted.match(here) && e.isDict())
+        const bool isRead =
+            converted.match(here) && !never.found(e.keyword());
+        if (!isRead && e.isDict())
         {
             appendOthers(e.dict(), here + '.', converted, remarks);
         }
-        else if (!converted.match(here))
+        else if (!isRead)
         {
             OStringStream text;
             for (const token& t : e.stream())
@@ -543,8 +551,7 @@ dictionary prismEntries(const snappyCase& given, remarkList& remarks)
 
     const wordRe converted
     (
-        "castellatedMesh|snap|addLayers|singleRegionName|debug|writeFlags"
-        "|geometry(\\..*)?"
+        "castellatedMesh|snap|addLayers|singleRegionName|geometry\\..*\\..*"
         "|castellatedMeshControls\\.(features|resolveFeatureAngle"
         "|locationInMesh|nCellsBetweenLevels"
         "|refinementRegions\\..*\\.(mode|levels)"
