@@ -45,6 +45,11 @@ class farFieldMaker
     //- Appends a plane of the domain, unless it is there
     void addPlane(const sidePlane& plane, const wordList& patches);
 
+    //- Appends the planes on which the wall ends
+    void addSides();
+
+    void addBoxSides();
+
     void setSizes();
 
     void setBox();
@@ -74,6 +79,8 @@ public:
     {}
 
     fuzzFarField make();
+
+    fuzzFarField make(const prismLayerControls& controls);
 };
 
 } // End anonymous namespace
@@ -179,6 +186,33 @@ void farFieldMaker::addPlane(const sidePlane& plane, const wordList& patches)
 }
 
 
+void farFieldMaker::addSides()
+{
+    for (const sidePatch& side : sides_)
+    {
+        if (!side.isPart())
+        {
+            addPlane(side, wordList(1, side.name));
+        }
+    }
+}
+
+
+void farFieldMaker::addBoxSides()
+{
+    const farBoundaryControls& boundary = made_.controls.boundary;
+    for (const sidePatch& side : sidesOf(boundary.box))
+    {
+        word patch(side.name);
+        for (const farPatch& wanted : boundary.patches)
+        {
+            patch = wanted.sides.match(side.name) ? wanted.name : patch;
+        }
+        addPlane(side, wordList(1, patch));
+    }
+}
+
+
 void farFieldMaker::setSizes()
 {
     farFieldControls& controls = made_.controls;
@@ -232,18 +266,9 @@ void farFieldMaker::setBox()
         boundary.patches = List<farPatch>({inlet, around});
     }
 
-    if (onParts_)
+    if (!onParts_)
     {
-        return;
-    }
-    for (const sidePatch& side : sidesOf(boundary.box))
-    {
-        word patch(side.name);
-        for (const farPatch& wanted : boundary.patches)
-        {
-            patch = wanted.sides.match(side.name) ? wanted.name : patch;
-        }
-        addPlane(side, wordList(1, patch));
+        addBoxSides();
     }
 }
 
@@ -333,13 +358,7 @@ fuzzFarField farFieldMaker::make()
     made_.fluidInside = boundsFluid(wall_);
     setSizes();
 
-    for (const sidePatch& side : sides_)
-    {
-        if (!side.isPart())
-        {
-            addPlane(side, wordList(1, side.name));
-        }
-    }
+    addSides();
 
     // A mesh ends in planes that are at right angles to each other
     const bool isMeshable = sides_.size() <= 1 || isAlongAxes();
@@ -378,6 +397,19 @@ fuzzFarField farFieldMaker::make()
     return made_;
 }
 
+
+fuzzFarField farFieldMaker::make(const prismLayerControls& controls)
+{
+    made_.kind = kindOf(controls);
+    made_.controls = controls.farField;
+    made_.isChecked = true;
+    made_.fluidInside = boundsFluid(wall_);
+    addSides();
+    addBoxSides();
+
+    return made_;
+}
+
 } // End namespace Foam
 
 
@@ -391,6 +423,28 @@ Foam::fuzzFarField Foam::makeFuzzFarField
 )
 {
     return farFieldMaker(wall, thickness, random).make();
+}
+
+
+std::string Foam::kindOf(const prismLayerControls& controls)
+{
+    typedef surfaceRepairControls::method method;
+
+    return
+        (controls.surface.repair.repair == method::none ? "" : "stitch ")
+      + farFieldTypes[int(controls.farField.type)];
+}
+
+
+Foam::fuzzFarField Foam::fuzzFarFieldOf
+(
+    const wallSurface& wall,
+    const prismLayerControls& controls
+)
+{
+    Random none(0);
+
+    return farFieldMaker(wall, 0, none).make(controls);
 }
 
 

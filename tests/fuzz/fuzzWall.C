@@ -12,6 +12,35 @@
 namespace Foam
 {
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- The reason of an error that names a side and what to write; otherwise empty
+static std::string reasonOf(const std::string& message)
+{
+    static const std::string reasons[][3] =
+    {
+        {"throughSide", "goes through the side plane", "repair stitch"},
+        {"beyondSide", "is beyond the side", "repair stitch"},
+        {"touchesSide", "touches the side", "repair stitch"},
+        {"touchesPlane", "touches the side plane", "places: ("}
+    };
+
+    for (const auto& reason : reasons)
+    {
+        const auto says = [&](const std::string& words)
+        {
+            return message.find(words) != std::string::npos;
+        };
+        if (says(reason[1]) && says(reason[2]))
+        {
+            return reason[0];
+        }
+    }
+
+    return "";
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 std::string oneLine(const std::string& text)
@@ -52,7 +81,11 @@ wallSurface prepareFuzzWall
         (
             prepareWall(surface, controls, PtrList<regionSearch>(), observer)
         );
-        if (prepared.defects.size())
+        if (prepared.defects.size() && one.isAtSides)
+        {
+            tell("refused", prepared.defects[0].name());
+        }
+        else if (prepared.defects.size())
         {
             tell
             (
@@ -70,7 +103,13 @@ wallSurface prepareFuzzWall
     catch (const Foam::error& e)
     {
         // A plane may cut off all, an end may be curved too far
-        tell(one.hasSides() ? "skipped" : "failed", oneLine(e.message()));
+        const std::string message(oneLine(e.message()));
+        const std::string reason(one.isAtSides ? reasonOf(message) : "");
+        tell
+        (
+            reason.size() ? "refused" : one.hasSides() ? "skipped" : "failed",
+            reason.size() ? reason : message
+        );
     }
 
     return wallSurface();

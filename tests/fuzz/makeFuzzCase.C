@@ -46,6 +46,10 @@ static wallSurface makeSurface
     {
         return randomSurfaces::assembly(random);
     }
+    if (one.isAtSides)
+    {
+        return randomSurfaces::bodiesAtSides(one.kind, random, controls);
+    }
     if (!one.hasFarField)
     {
         return randomSurfaces::makeRandomSurface(one.kind, random, controls);
@@ -187,7 +191,10 @@ Foam::wallSurface Foam::fuzzCase::make(prismLayerControls& controls) const
     {
         return surface;
     }
-    controls.surface.repair.repair = repair;
+    if (!isAtSides)
+    {
+        controls.surface.repair.repair = repair;
+    }
     if (isRemeshed)
     {
         using randomSurfaces::logUniform;

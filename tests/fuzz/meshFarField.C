@@ -154,6 +154,11 @@ bool farFieldStage::isNearLayers() const
 
 bool farFieldStage::isJustified(const reasons reason) const
 {
+    if (asked_.isChecked)
+    {
+        return reason == reasons::any;
+    }
+
     const List<sidePatch>& sides = wall_.border.sides;
     const bool onParts = sides.size() && sides[0].isPart();
     bool offPlane = false;

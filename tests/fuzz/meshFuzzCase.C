@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "meshFuzzCase.H"
+#include "boxSides.H"
 #include "embeddingFault.H"
 #include "meshFarField.H"
 #include "meshFaults.H"
@@ -38,6 +39,50 @@ static label nAsked(const layerControls& controls, const layerSpacing& asked)
 
     // It may be that no point is left to those who ask for the most
     return min(n, max(asked.layersAsked));
+}
+
+
+//- Whether layers reach a side of a box on which the wall does not end
+static bool reachSides
+(
+    const prismLayers& layers,
+    const List<sidePatch>& freeSides
+)
+{
+    return std::any_of
+    (
+        freeSides.begin(), freeSides.end(), [&](const sidePatch& side)
+        {
+            return max(distancesTo(side, layers.points)) >= 0;
+        }
+    );
+}
+
+
+//- The far field at the sides of a box, unless a closed wall bounds the fluid
+static void meshAtSides
+(
+    const fuzzWall& made,
+    const prismLayerMesh& m,
+    const listener& tell
+)
+{
+    const farFieldControls& far = made.controls.farField;
+    const List<sidePatch>& ends = made.wall.border.sides;
+
+    if (reachSides(m.made.layers, freeSides(far.boundary, ends)))
+    {
+        tell("failed", "layers reach a side of the box");
+    }
+    else if
+    (
+        far.isWanted()
+     && (made.controls.surface.fluidOutside || ends.size())
+    )
+    {
+        const fuzzFarField asked(fuzzFarFieldOf(made.wall, made.controls));
+        meshFarField(made.wall, m, asked, tell);
+    }
 }
 
 
@@ -94,6 +139,10 @@ static void mesh
     {
         const fuzzFarField far(one.farField(wall, controls.layers));
         meshFarField(wall, m, far, tell);
+    }
+    else if (one.isAtSides)
+    {
+        meshAtSides(made, m, tell);
     }
 }
 
@@ -157,11 +206,18 @@ fuzzWall makeFuzzWall(const fuzzCase& one, const listener& tell)
         one.damage(surface, made.controls.surface.repair);
     }
 
+    if (one.isAtSides)
+    {
+        tell("farField", kindOf(made.controls));
+    }
     made.wall = prepareFuzzWall(one, surface, made.controls, tell);
     if (made.wall.faces.size())
     {
         dropEmptyPatches(made.wall, made.controls.layers);
-        one.vary(made.wall, made.controls.layers, made.local);
+        if (!one.isAtSides)
+        {
+            one.vary(made.wall, made.controls.layers, made.local);
+        }
     }
 
     return made;

@@ -44,6 +44,11 @@ Usage
         lines with the far fields of each kind, as refused/made, with the
         reasons, and what faces at the cuts are like.
 
+      - \par -sides
+        One to three bodies that the sides of a far field's box cut, touch, or
+        are near to. Each gets a mesh, or is refused before the layers, with
+        the place and the entry. At the end lines as with -farField.
+
       - \par -index \<i\>
         That case alone, in this process
 
@@ -96,6 +101,10 @@ static void addOptions()
     argList::addBoolOption
     (
         "farField", "Far fields around layers on smaller surfaces"
+    );
+    argList::addBoolOption
+    (
+        "sides", "Bodies through, on and near the sides of a far field's box"
     );
     argList::addOption("index", "i", "That case alone, in this process");
     argList::addOption
@@ -157,6 +166,7 @@ static fuzzCase caseOf(const argList& args, const label index)
     one.hasNeedles = args.found("needles");
     one.isRemeshed = args.found("remesh");
     one.hasFarField = args.found("farField");
+    one.isAtSides = args.found("sides");
     one.isAssembly = args.found("assemblies");
     if (one.isAssembly)
     {
@@ -172,7 +182,14 @@ static fuzzCase caseOf(const argList& args, const label index)
     one.kind =
         kind.size()
       ? randomSurfaces::kindOf(kind)
-      : randomSurfaces::kind(index % randomSurfaces::nKinds);
+      : randomSurfaces::kind
+        (
+            index
+          % (
+                one.isAtSides
+              ? label(randomSurfaces::kind::cutBody) : randomSurfaces::nKinds
+            )
+        );
 
     return one;
 }

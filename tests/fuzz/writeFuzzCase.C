@@ -58,6 +58,13 @@ static void writeLayers(std::FILE* out, const layerControls& layers)
         layers.heights.expansionRatio
     );
 
+    if (layers.multipleNormalsAngle > 0)
+    {
+        std::fprintf
+        (
+            out, "# multipleNormalsAngle %.17g;\n", layers.multipleNormalsAngle
+        );
+    }
     for (const patchLayers& other : layers.patches)
     {
         std::fprintf
@@ -170,10 +177,27 @@ static void writePlanes(std::FILE* out, const List<sidePatch>& planes)
 }
 
 
-//- A comment that tells the far field
-static void writeFarField(std::FILE* out, const fuzzFarField& far)
+//- A comment that tells repair, and the side of the fluid
+static void writeSurfaceControls
+(
+    std::FILE* out,
+    const wallSurfaceControls& controls
+)
 {
-    std::istringstream lines(entryOf(far.controls));
+    const bool isNone =
+        controls.repair.repair == surfaceRepairControls::method::none;
+    std::fprintf
+    (
+        out, "# surface { repair %s; fluid %s; }\n",
+        isNone ? "none" : "stitch", controls.fluidOutside ? "outside" : "inside"
+    );
+}
+
+
+//- A comment that tells the far field
+static void writeFarField(std::FILE* out, const farFieldControls& far)
+{
+    std::istringstream lines(entryOf(far));
     for (std::string line; std::getline(lines, line);)
     {
         std::fprintf(out, "# %s\n", line.c_str());
@@ -235,6 +259,7 @@ bool Foam::writeSurface(const fuzzCase& one, const fileName& file)
             const fuzzWall made(makeFuzzWall(one, [](const auto&...) {}));
             const prismLayerControls& controls = made.controls;
 
+            IOstream::defaultPrecision(17);
             std::FILE* out = std::fopen(file.c_str(), "w");
             writeLayers(out, controls.layers);
             writePlanes(out, controls.surface.sidePlanes);
@@ -244,11 +269,16 @@ bool Foam::writeSurface(const fuzzCase& one, const fileName& file)
                 (
                     one.farField(made.wall, controls.layers)
                 );
-                writeFarField(out, far);
+                writeFarField(out, far.controls);
                 if (far.core.nCells)
                 {
                     writeCore(far.core, file.lessExt());
                 }
+            }
+            if (one.isAtSides)
+            {
+                writeSurfaceControls(out, controls.surface);
+                writeFarField(out, controls.farField);
             }
             writeFaces(out, made.surface);
             std::fclose(out);

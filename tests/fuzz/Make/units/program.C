@@ -27,6 +27,7 @@
 #include "starPrism.C"
 #include "severalBodies.C"
 #include "cutBody.C"
+#include "bodiesAtSides.C"
 #include "curvedEnds.C"
 #include "assembly.C"
 #include "damageSurface.C"
