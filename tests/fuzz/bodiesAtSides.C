@@ -57,18 +57,17 @@ static scalar randomDepth(const scalar height, Random& random)
 }
 
 
-//- Bodies side by side along an axis, each at a depth of its own in the plane
+//- n bodies side by side along an axis, each at a depth of its own in the plane
 //  where the other coordinate is 0
 static wallSurface row
 (
+    const label n,
     const kind first,
     const direction along,
     const direction across,
     Random& random
 )
 {
-    const label n =
-        first == kind::severalBodies ? 1 : random.position<label>(1, 3);
     wallSurface bodies;
     scalar end = 0;
     for (label i = 0; i < n; ++i)
@@ -133,7 +132,9 @@ Foam::wallSurface Foam::randomSurfaces::bodiesAtSides
 {
     const direction across = random.position<label>(0, 2);
     const direction along = (across + 1 + random.bit()) % 3;
-    wallSurface bodies(row(first, along, across, random));
+    const bool areSeveral = first == kind::severalBodies;
+    const label n = areSeveral ? 1 : random.position<label>(1, 3);
+    wallSurface bodies(row(n, first, along, across, random));
     const boundBox box(boxAt(bodies, across, random));
 
     // The box may be upside down, of another size, and elsewhere
@@ -153,7 +154,8 @@ Foam::wallSurface Foam::randomSurfaces::bodiesAtSides
             x = cmptMultiply(scale, x) + place;
         }
     }
-    controls.surface.fluidOutside = !chance(random, 0.1);
+    const bool isRoom = n == 1 && !areSeveral && chance(random, 0.2);
+    controls.surface.fluidOutside = !isRoom;
     orientWallSurface(bodies, controls.surface.fluidOutside);
     if (chance(random, 0.7))
     {
