@@ -6,5 +6,6 @@
 #include "fuzz/meshFaultsTest.C"
 #include "fuzz/planeDomainTest.C"
 #include "fuzz/farFieldFaultsTest.C"
+#include "fuzz/fuzzWallTest.C"
 
 // ************************************************************************* //
