@@ -6,6 +6,7 @@
 #include "farFieldFaults.H"
 #include "faultText.H"
 #include "planeDomain.H"
+#include "prismQuality.H"
 #include "ranges.H"
 #include "surfaceMeasures.H"
 #include "tetBoundary.H"
@@ -75,9 +76,7 @@ bool domainJudge::isWhole(const label fronti) const
 
 scalar domainJudge::volumeLeft() const
 {
-    wallSurface outer;
-    outer.points = layers.outerPoints();
-    outer.faces = layers.faces;
+    const wallSurface outer(outerPolygons(layers));
     labelList triangleFace;
     const faceList triangles(outerTriangles(outer, triangleFace));
     const endedSurface surface

@@ -12,6 +12,7 @@
 #include "improveTets.H"
 #include "ListOps.H"
 #include "mergeCells.H"
+#include "prismQuality.H"
 #include "ranges.H"
 #include "tetBoundary.H"
 #include "tetrahedralize.H"
@@ -278,9 +279,7 @@ const word hexCoreName("hexCore");
 //- The triangles of the outer surface of the layers, and their front faces
 static wallSurface outerSurface(const prismLayers& layers, labelList& faces)
 {
-    wallSurface outer;
-    outer.points = layers.outerPoints();
-    outer.faces = layers.faces;
+    wallSurface outer(outerPolygons(layers));
     outer.faces = outerTriangles(outer, faces);
 
     return outer;

@@ -6,6 +6,7 @@
 #include "tetBoundary.H"
 #include "labelledTriangle.H"
 #include "ListOps.H"
+#include "prismQuality.H"
 #include "refineSurface.H"
 #include "sidePatchRemainders.H"
 #include "sideShape.H"
@@ -15,48 +16,6 @@
 
 namespace Foam
 {
-
-//- Six times the volume between the fan from corner k of a face and its fan
-//  from corner 0
-static scalar volumeBelow
-(
-    const pointField& points,
-    const face& f,
-    const label k
-)
-{
-    const label n = f.size();
-    const point& origin = points[f[0]];
-    const vector apex(points[f[k]] - origin);
-    scalar volume = 0;
-
-    for (label i = 1; i + 1 < n; ++i)
-    {
-        const vector a(points[f[(k + i) % n]] - origin);
-        const vector b(points[f[(k + i + 1) % n]] - origin);
-        volume += apex & (a ^ b);
-    }
-
-    return volume;
-}
-
-
-//- The corner whose fan is the highest
-static label highestFan(const pointField& points, const face& f)
-{
-    label highest = 0;
-
-    for (label k = 1; f.size() > 3 && k < f.size(); ++k)
-    {
-        if (volumeBelow(points, f, k) > volumeBelow(points, f, highest))
-        {
-            highest = k;
-        }
-    }
-
-    return highest;
-}
-
 
 faceList outerTriangles(const wallSurface& outer, labelList& triangleFace)
 {

@@ -193,6 +193,107 @@ bool hasPositivePyramids(const prismLayers& layers, const label facei)
 
 // * * * * * * * * * * * * *  Prism Intersections  * * * * * * * * * * * * * //
 
+// * * * * * * * * * * * * * * *  Outer Polygons  * * * * * * * * * * * * * * //
+
+//- Six times the volume between the fan from corner k of a face and its fan
+//  from corner 0
+static scalar volumeBelow
+(
+    const pointField& points,
+    const face& f,
+    const label k
+)
+{
+    const label n = f.size();
+    const point& origin = points[f[0]];
+    const vector apex(points[f[k]] - origin);
+    scalar volume = 0;
+
+    for (label i = 1; i + 1 < n; ++i)
+    {
+        const vector a(points[f[(k + i) % n]] - origin);
+        const vector b(points[f[(k + i + 1) % n]] - origin);
+        volume += apex & (a ^ b);
+    }
+
+    return volume;
+}
+
+
+label highestFan(const pointField& points, const face& f)
+{
+    label highest = 0;
+
+    for (label k = 1; f.size() > 3 && k < f.size(); ++k)
+    {
+        if (volumeBelow(points, f, k) > volumeBelow(points, f, highest))
+        {
+            highest = k;
+        }
+    }
+
+    return highest;
+}
+
+
+//- Whether the outermost cell on a polygon has a positive volume as OpenFOAM
+//  computes it, if the outer face is a fan of triangles from its first corner
+static bool isPositiveBelowFan(const prismLayers& layers, const face& f)
+{
+    const label n = layers.nLayers;
+    DynamicList<faceGeometry> faces(2*f.size());
+    faces.append(faceGeometry(levelPoints{layers, f, n - 1}));
+    faces[0].area *= -1;
+    forAll(f, k)
+    {
+        faces.append
+        (
+            faceGeometry(sidePoints{layers, f[k], f[f.fcIndex(k)], n})
+        );
+    }
+    for (label k = 1; k + 1 < f.size(); ++k)
+    {
+        const face triangle({f[0], f[k], f[k + 1]});
+        faces.append(faceGeometry(levelPoints{layers, triangle, n}));
+    }
+
+    return cellGeometry(faces).volume3 > 0;
+}
+
+
+face outerFan(const prismLayers& layers, const label facei)
+{
+    const face& f = layers.faces[facei];
+    if (f.size() == 3 || isPositiveBelowFan(layers, f))
+    {
+        return f;
+    }
+
+    pointField corners(f.size());
+    forAll(f, k)
+    {
+        corners[k] = layers(f[k], layers.nLayers);
+    }
+    const face all(identity(f.size()));
+
+    return face(rotateList(f, -highestFan(corners, all)));
+}
+
+
+wallSurface outerPolygons(const prismLayers& layers)
+{
+    wallSurface outer;
+    outer.points = layers.outerPoints();
+    outer.faces.setSize(layers.faces.size());
+    forAll(outer.faces, facei)
+    {
+        outer.faces[facei] = outerFan(layers, facei);
+    }
+
+    return outer;
+}
+
+
 //- Adds the triangles of one level of a front face, but for those that are
 //  degenerate. Returns whether there are such.
 static bool addTriangles
@@ -319,7 +420,7 @@ std::vector<labelledTriangle> trianglesOf
 )
 {
     std::vector<labelledTriangle> triangles;
-    const face& f = layers.faces[facei];
+    const face f(level ? outerFan(layers, facei) : layers.faces[facei]);
 
     for (label k = 1; k + 1 < f.size(); ++k)
     {
@@ -388,7 +489,12 @@ bool isPositiveStack(const prismLayers& layers, const label facei)
     stackHeights stack(layers);
     stack.compute(facei);
 
-    if (min(stack.heights()) <= 0)
+    const face& f = layers.faces[facei];
+    if
+    (
+        min(stack.heights()) <= 0
+     || (f.size() > 3 && !isPositiveBelowFan(layers, outerFan(layers, facei)))
+    )
     {
         return false;
     }

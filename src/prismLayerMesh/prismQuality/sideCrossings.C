@@ -8,6 +8,7 @@
 #include "labelledTriangle.H"
 #include "layerOverlaps.H"
 #include "ListOps.H"
+#include "prismQuality.H"
 #include "ranges.H"
 
 #include <algorithm>
@@ -153,7 +154,7 @@ static labelList facesThroughPart
     DynamicList<label> outerFaces;
     for (const label facei : near)
     {
-        addFan(layers.faces[facei], 0, outer);
+        addFan(outerFan(layers, facei), 0, outer);
         outerFaces.resize(outer.size(), facei);
     }
     const label nOuter = points.size();

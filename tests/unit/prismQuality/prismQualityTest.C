@@ -239,6 +239,33 @@ TEST(scaledJacobian, independentOfSize)
 }
 
 
+TEST(outerFan, isTheHighestWhereTheFirstLeavesNoVolume)
+{
+    // A square whose corners are above and below it by more than the height of
+    // the cell: below the diagonal of the low corners there is no volume
+    for (const scalar warp : {0.01, -0.01})
+    {
+        for (const scalar height : {0.1, 1e-3})
+        {
+            prismLayers layers;
+            layers.nLayers = 1;
+            for (label k = 0; k < 4; ++k)
+            {
+                const scalar z = k % 2 ? warp : -warp;
+                const point x(k == 1 || k == 2, k > 1, z);
+                layers.points.append(x);
+                layers.points.append(x + vector(0, 0, height));
+            }
+            layers.faces = faceList({face({0, 1, 2, 3})});
+
+            const bool isLow = warp > 0 && height < 0.01;
+            EXPECT_EQ(outerFan(layers, 0)[0] % 2, isLow ? 1 : 0);
+            EXPECT_TRUE(isPositiveStack(layers, 0));
+        }
+    }
+}
+
+
 TEST(isPositiveStack, onlyStacksOnTheFallenPointAreNot)
 {
     prismLayers layers(cubeLayers(3));
