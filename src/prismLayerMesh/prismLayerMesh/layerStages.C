@@ -259,14 +259,16 @@ madeLayers makeLayers
     const layerSpacing& request,
     const layerSpacing& spacing,
     const layerColumns& columns,
-    const qualityControls& quality,
+    const prismLayerControls& controls,
     const columnTeam& team,
     const stageObserver& observer
 )
 {
     observer.begin("prismLayers");
     layerMoveControls moves;
-    moves.quality = quality;
+    moves.quality = controls.quality;
+    moves.freeSides =
+        freeSides(controls.farField.boundary, front.surface.border.sides);
     madeLayers made(makePrismLayers(front, spacing, columns, moves, team));
 
     if (made.certified.pointsWithoutHeight.empty())

@@ -85,7 +85,7 @@ struct pipeline
             mesh.made = makeLayers
             (
                 mesh.share.front, mesh.pointKinds, mesh.request,
-                planned.spacing, planned.columns, controls.quality,
+                planned.spacing, planned.columns, controls,
                 columnTeam(mesh.share, processes), observer
             );
         }

@@ -5,11 +5,18 @@
 
 #include "layerJudge.H"
 #include "prismQuality.H"
+#include "ranges.H"
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Share of its distance from a free side that a column leaves: half of what
+//  its room leaves (boundByPlanes), which is for columns on the axes of cones
+static constexpr scalar shareLeft = 0.25;
+
+
 
 //- The items of a list for which a test holds, in their order. Many threads
 //  make the test at once.
@@ -34,6 +41,22 @@ scalar layerJudge::surelyInside(const label facei) const
 {
     return layers_.faces[facei].size() == 3
       ? controls_.centreJacobian*attainable_[facei] : GREAT;
+}
+
+
+bool layerJudge::isNearSide(const label facei) const
+{
+    const face& f = layers_.faces[facei];
+
+    return anyOf(controls_.freeSides, [&](const sidePatch& side)
+    {
+        return anyOf(f, [&](const label c)
+        {
+            // Distances in front of the side are negative
+            return side.distance(layers_(c, layers_.nLayers))
+                 > shareLeft*side.distance(layers_(c, 0));
+        });
+    });
 }
 
 
@@ -102,7 +125,11 @@ stackFault layerJudge::faultOf
     {
         return stackFault::belowAttainable;
     }
-    if (isAsked(stackFault::notPositive) && !isPositiveStack(layers_, facei))
+    if
+    (
+        isAsked(stackFault::notPositive)
+     && (isNearSide(facei) || !isPositiveStack(layers_, facei))
+    )
     {
         return stackFault::notPositive;
     }

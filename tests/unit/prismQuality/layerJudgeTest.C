@@ -76,6 +76,30 @@ TEST(layerJudge, goodLayersHaveNoFault)
 }
 
 
+TEST(layerJudge, columnsNearToAFreeSideAreFound)
+{
+    // The layers end at z = 1.05
+    judgedLayers j;
+    sidePatch side;
+    side.normal = vector(0, 0, 1);
+    for (const scalar height : {1.06, 1.07})
+    {
+        side.origin = point(0, 0, height);
+        j.controls.freeSides = List<sidePatch>(1, side);
+        const labelList found
+        (
+            j.faultyFaces(stackFault::notPositive, stackFault::notPositive)
+        );
+
+        EXPECT_EQ(found.empty(), height > 1.065) << height;
+        for (const label facei : j.around())
+        {
+            EXPECT_EQ(found.found(facei), height < 1.065);
+        }
+    }
+}
+
+
 TEST(layerJudge, cellsBelowTheAttainableAreFound)
 {
     // The column leans so far over that its cells are flat, but positive
