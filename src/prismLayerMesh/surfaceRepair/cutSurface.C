@@ -4,9 +4,11 @@
 \*---------------------------------------------------------------------------*/
 
 #include "cutSurface.H"
+#include "disjointSets.H"
 #include "EdgeMap.H"
 #include "ranges.H"
 #include "surfacePart.H"
+#include "unions.H"
 #include "wallPredicates.H"
 
 namespace Foam
@@ -76,7 +78,8 @@ struct planeCutter
         return left;
     }
 
-    void cutAll()
+    //- Cuts the faces. Points keep their labels.
+    void cutFaces()
     {
         DynamicList<face> faces(surface.faces.size());
         DynamicList<label> patchIDs(faces.size());
@@ -111,15 +114,55 @@ struct planeCutter
         surface.points.append(cutPoints);
         surface.faces.transfer(faces);
         surface.patchIDs.transfer(patchIDs);
-        removeUnusedPoints(surface.faces, surface.points);
     }
 };
 
 } // End anonymous namespace
 
 
+//- Returns the points of connected parts in front of a plane of which all
+//  points are to be put on it
+static bitSet pointsOfLostParts
+(
+    const wallSurface& surface,
+    const scalarField& distances,
+    const bitSet& onPlane
+)
+{
+    disjointSets parts(distances.size());
+    for (const face& f : surface.faces)
+    {
+        for (const edge& e : f.edges())
+        {
+            if (distances[e.start()] < 0 && distances[e.end()] < 0)
+            {
+                parts.join(e.start(), e.end());
+            }
+        }
+    }
+
+    bitSet isKept(distances.size());
+    forAll(distances, p)
+    {
+        if (distances[p] < 0 && !onPlane.test(p))
+        {
+            isKept.set(parts.find(p));
+        }
+    }
+
+    bitSet lost(distances.size());
+    forAll(distances, p)
+    {
+        lost.set(p, distances[p] < 0 && !isKept.test(parts.find(p)));
+    }
+
+    return lost;
+}
+
+
 //- Points nearer to the plane than their share, with a neighbour that is
-//  further beyond, and points that are almost on it
+//  further beyond, and points that are almost on it. Of a part in front of the
+//  plane that would be flat there are those that are almost on it alone.
 static bitSet nearTheCut
 (
     const wallSurface& surface,
@@ -145,11 +188,13 @@ static bitSet nearTheCut
         near[p] *= nearShare/max(n[p], label(1));
     }
 
-    bitSet points(distances.size());
-    forAll(points, p)
+    bitSet almostOn(distances.size());
+    forAll(near, p)
     {
-        points.set(p, mag(distances[p]) < onShare*near[p]);
+        almostOn.set(p, mag(distances[p]) < onShare*near[p]);
     }
+
+    bitSet points(almostOn);
     for (const face& f : surface.faces)
     {
         for (const edge& e : f.edges())
@@ -165,15 +210,43 @@ static bitSet nearTheCut
             }
         }
     }
+    for (const label p : pointsOfLostParts(surface, distances, points))
+    {
+        points.set(p, almostOn.test(p));
+    }
 
     return points;
 }
 
 
+//- Returns the points of a surface where faces touch that have no edge in
+//  common there once the surface is cut.
+//  onPlane: points that are put on the plane
+static DynamicList<label> pinchedPoints
+(
+    const sidePatch& plane,
+    const scalarField& distances,
+    const bitSet& onPlane,
+    wallSurface surface
+)
+{
+    scalarField cutAt(distances);
+    for (const label p : onPlane)
+    {
+        cutAt[p] = 0;
+    }
+    planeCutter{plane, cutAt, surface}.cutFaces();
+
+    return findContacts(surface).points;
+}
+
+
 //- Moves points that were put on a plane back to where they were, until no
-//  faces are in conflict. Faces that will be cut off may be.
+//  faces are in conflict, and none touch in a point alone. Faces that will be
+//  cut off may be in conflict.
 static void takeBackConflicts
 (
+    const sidePatch& plane,
     const scalarField& distances,
     const pointField& from,
     wallSurface& surface,
@@ -188,7 +261,18 @@ static void takeBackConflicts
         });
     };
 
-    for (bool more = true; more;)
+    bool more = true;
+    const auto takeBack = [&](const label p)
+    {
+        if (onPlane.test(p))
+        {
+            onPlane.unset(p);
+            surface.points[p] = from[p];
+            more = true;
+        }
+    };
+
+    while (more)
     {
         more = false;
         bitSet gone(surface.faces.size());
@@ -200,13 +284,12 @@ static void takeBackConflicts
         {
             for (const label p : surface.faces[facei])
             {
-                if (onPlane.test(p))
-                {
-                    onPlane.unset(p);
-                    surface.points[p] = from[p];
-                    more = true;
-                }
+                takeBack(p);
             }
+        }
+        for (const label p : pinchedPoints(plane, distances, onPlane, surface))
+        {
+            takeBack(p);
         }
     }
 }
@@ -246,7 +329,8 @@ void cutOff
     const scalarField& distances
 )
 {
-    planeCutter{plane, distances, surface}.cutAll();
+    planeCutter{plane, distances, surface}.cutFaces();
+    removeUnusedPoints(surface.faces, surface.points);
 }
 
 
@@ -287,7 +371,7 @@ void cutSurface
         surface.points[p] -= distances[p]*plane.normal;
     }
 
-    takeBackConflicts(distances, from, surface, onPlane);
+    takeBackConflicts(plane, distances, from, surface, onPlane);
     for (const label p : onPlane)
     {
         distances[p] = 0;

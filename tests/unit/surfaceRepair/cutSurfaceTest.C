@@ -85,6 +85,18 @@ TEST(cutSurface, leavesNoSlivers)
 }
 
 
+TEST(cutSurface, leavesALowPartInFrontOfThePlane)
+{
+    // All points in front of the plane are near to it
+    wallSurface surface(cube(1));
+    repairSteps steps;
+    cutSurface(surface, lid(0.2), steps);
+
+    EXPECT_TRUE(findWallDefects(surface, true).empty());
+    EXPECT_NEAR(volumeTo(surface, point(0, 0, 0.2)), 0.2, 1e-12);
+}
+
+
 TEST(removeCavities, closedByAPlane)
 {
     const wallSurface inner(translated(cube(2, 0.5), vector(0.25, 0.25, 0.25)));
