@@ -329,6 +329,10 @@ preparedWall prepareWall
     repair(onSides, controls.layers, observer, prepared);
     prepared.nFacesInSides =
         removeFacesInSides(prepared.surface, onSides.sidePlanes);
+    onSides.sidePlanes = withoutBareSides
+    (
+        prepared.surface, onSides.sidePlanes, controls.surface.sidePlanes.size()
+    );
 
     observer.begin("wallDefects");
     prepared.defects =

@@ -300,9 +300,17 @@ class surfaceRepairer
     {
         if (repaired_.surface.faces.empty())
         {
+            wordList names;
+            for (const sidePatch& plane : planes_)
+            {
+                names.append(plane.name);
+            }
             FatalErrorInFunction
-                << "Nothing is left of the surface after its repair. Is it in"
-                << " front of all side planes, and does it enclose a body?"
+                << "Nothing is left of the surface after its repair. Side"
+                << " planes that cut it: " << listed(names).c_str() << nl
+                << "Move a side out if the surface is beyond it, or if the box"
+                << " is within the body. If the fluid is inside of the surface,"
+                << " write" << nl << "    surface { fluid inside; }"
                 << exit(FatalError);
         }
     }

@@ -226,6 +226,30 @@ List<sidePatch> withBoxSides
 }
 
 
+List<sidePatch> withoutBareSides
+(
+    const wallSurface& surface,
+    const List<sidePatch>& planes,
+    const label nGiven
+)
+{
+    const surfaceAtPlanes at{surface};
+    const edgeList border(outline(surface.faces));
+    List<sidePatch> kept(planes);
+    label n = nGiven;
+    for (label i = nGiven; i < planes.size(); ++i)
+    {
+        if (at.hasBorderOn(planes[i], border))
+        {
+            kept[n++] = planes[i];
+        }
+    }
+    kept.setSize(n);
+
+    return kept;
+}
+
+
 boundBox boxBehind
 (
     const wallSurface& surface,
@@ -386,6 +410,15 @@ label removeFacesInSides
     }
 
     const label nGone = kept.size() - kept.count();
+    if (nGone && nGone == kept.size())
+    {
+        FatalErrorInFunction
+            << "All faces of the surface are in sides: the body fills the box"
+            << " of the far boundary" << nl
+            << "Make the box larger. Or, if the fluid is inside of the surface,"
+            << " write" << nl << "    surface { fluid inside; }" << nl
+            << "and no boundary" << exit(FatalError);
+    }
     if (nGone)
     {
         keepFaces(kept, surface);

@@ -16,7 +16,12 @@
 namespace Foam
 {
 
-void refuseAt(const UList<point>& places, const string& what)
+void refuseAt
+(
+    const UList<point>& places,
+    const string& what,
+    const string& advice
+)
 {
     if (places.empty())
     {
@@ -29,6 +34,10 @@ void refuseAt(const UList<point>& places, const string& what)
     for (label i = 0; i < min(places.size(), label(10)); ++i)
     {
         FatalError << nl << "    " << places[i];
+    }
+    if (advice.size())
+    {
+        FatalError << nl << advice.c_str();
     }
 
     FatalError << exit(FatalError);
@@ -76,7 +85,12 @@ void checkInFront
         "The surface is beyond the side plane " + plane.name
       + ", whose normal must point out of the fluid,"
     );
-    refuseAt(touching, "The wall touches the side plane " + plane.name);
+    refuseAt
+    (
+        touching, "The wall touches the side plane " + plane.name,
+        "Move the side out. Or move it in: surface.repair stitch cuts the wall"
+        " there"
+    );
 }
 
 

@@ -209,6 +209,32 @@ TEST(boxSides, errorsNameTheSideAndTheDistance)
 }
 
 
+TEST(boxSides, withoutABorderTheyAreNoSidePlanes)
+{
+    const List<sidePatch> planes
+    (
+        sidesOf(boundBox(point(-1, -1, 0), point(2, 2, 3)))
+    );
+    const auto namesOf = [&](const label nGiven)
+    {
+        wordList names;
+        for
+        (
+            const sidePatch& plane
+          : withoutBareSides(halfCube(4), planes, nGiven)
+        )
+        {
+            names.append(plane.name);
+        }
+
+        return names;
+    };
+
+    EXPECT_EQ(namesOf(0), wordList({"zMin"}));
+    EXPECT_EQ(namesOf(2), wordList({"xMin", "xMax", "zMin"}));
+}
+
+
 TEST(boxSides, facesOfClosedBodiesInSidesGo)
 {
     const label n = 3;
