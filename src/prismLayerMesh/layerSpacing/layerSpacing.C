@@ -24,24 +24,12 @@ static List<const heightEntries*> patchEntries
     List<const heightEntries*> result(patchNames.size(), nullptr);
     for (const patchLayers& entry : controls.patches)
     {
-        bool used = false;
-
         forAll(patchNames, patchi)
         {
             if (!entry.isSide && entry.patches.match(patchNames[patchi]))
             {
                 result[patchi] = &entry.heights;
-                used = true;
             }
-        }
-
-        if (!used && !entry.isSide)
-        {
-            FatalErrorInFunction
-                << "The entry " << entry.patches << " of layers.patches"
-                << " matches no patch of the surface" << nl
-                << "Its patches: " << listed(patchNames).c_str()
-                << exit(FatalError);
         }
     }
 
