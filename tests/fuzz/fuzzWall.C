@@ -22,7 +22,8 @@ static std::string reasonOf(const std::string& message)
         {"throughSide", "goes through the side plane", "repair stitch"},
         {"beyondSide", "is beyond the side", "repair stitch"},
         {"touchesSide", "touches the side", "repair stitch"},
-        {"touchesPlane", "touches the side plane", "places: ("}
+        {"fillsBox", "fills the box", "fluid inside"},
+        {"nothingLeft", "Nothing is left", "Move a side out"}
     };
 
     for (const auto& reason : reasons)
