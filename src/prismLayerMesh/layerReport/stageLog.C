@@ -66,10 +66,10 @@ void Foam::stageLog::tell(const progressStep& step)
 }
 
 
-void Foam::stageLog::writeLoopsAtBound()
+void Foam::stageLog::writeLoopsAtBound(const std::vector<loopAtBound>& loops)
 {
     const char* before = "    ";
-    for (const loopAtBound& loop : takeLoopsAtBound())
+    for (const loopAtBound& loop : loops)
     {
         os_ << before << "loop '" << loop.what << "' ended ";
 
@@ -103,6 +103,8 @@ void Foam::stageLog::begin(const word& stage)
 
 void Foam::stageLog::end(const string& sizes)
 {
+    // Whoever tells progress has the lock of the steps, then this log's
+    const std::vector<loopAtBound> loops(takeLoopsAtBound());
     const std::lock_guard<std::mutex> guard(lock_);
     nextProgress_ = GREAT;
     stageCost& cost = costs_.last();
@@ -131,7 +133,7 @@ void Foam::stageLog::end(const string& sizes)
         }
     }
 
-    writeLoopsAtBound();
+    writeLoopsAtBound(loops);
     os_ << flush;
 }
 

@@ -86,6 +86,21 @@ TEST(stageLog, aStageThatTellsNothingSaysThatItGoesOn)
 }
 
 
+TEST(stageLog, endsStagesWhileAnotherThreadTells)
+{
+    OStringStream os;
+    stageLog log(os, 1e-5);
+    for (label n = 0; n < 20000; ++n)
+    {
+        log.begin("columns");
+        tellBound("smoothing", 5);
+        log.end("quiet");
+    }
+
+    EXPECT_EQ(log.costs().size(), 20000);
+}
+
+
 TEST(stageLog, saysWhichLoopsEndedAtTheirBounds)
 {
     OStringStream os;
