@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "embeddingFault.H"
+#include "prismQuality.H"
 #include "surfacePart.H"
 #include "wallDefects.H"
 
@@ -59,7 +60,7 @@ std::string Foam::findEmbeddingFault
         f.flip();
     }
 
-    for (face f : layers.faces)
+    for (face f : outerPolygons(layers).faces)
     {
         for (label& column : f)
         {

@@ -5,6 +5,7 @@
 
 #include "caseLayers.H"
 #include "divideMesh.H"
+#include "prismQuality.H"
 #include "readPrismLayerControls.H"
 #include "StringStream.H"
 #include "throwingErrors.H"
@@ -91,9 +92,15 @@ void Foam::caseLayers::takeLayers
     {
         surfaces_.sides.reset(new wallSurface(sideSurface(wholeLayers())));
     }
-    surfaces_.outer = hasFarField || hasSides
-      ? outerSurface{wholeLayers().outerPoints(), wholeLayers().faces}
-      : outerOnMaster(layers_, mesh.share, wall, team);
+    if (hasFarField || hasSides)
+    {
+        const wallSurface outer(outerPolygons(wholeLayers()));
+        surfaces_.outer = outerSurface{outer.points, outer.faces};
+    }
+    else
+    {
+        surfaces_.outer = outerOnMaster(layers_, mesh.share, wall, team);
+    }
     if (!hasFarField)
     {
         whole_ = prismLayers();

@@ -5,6 +5,7 @@
 
 #include "gatherShares.H"
 #include "distributeFront.H"
+#include "prismQuality.H"
 
 namespace Foam
 {
@@ -83,15 +84,21 @@ outerSurface outerOnMaster
     const processTeam& processes
 )
 {
-    outerSurface outer;
-    outer.points = columnTeam(share, processes).columns.onMaster
-    (
-        own.outerPoints()
-    );
-    outer.faces = processes.size() == 1
+    // The outermost layer alone
+    pointField points(2*own.nColumns());
+    for (label c = 0; c < own.nColumns(); ++c)
+    {
+        points[2*c] = own(c, own.nLayers - 1);
+        points[2*c + 1] = own(c, own.nLayers);
+    }
+    prismLayers last;
+    last.nLayers = 1;
+    last.points = columnTeam(share, processes).columns.onMaster(points, 2);
+    last.faces = processes.size() == 1
       ? own.faces : gatherFront(share, wall, processes).surface.faces;
+    const wallSurface outer(outerPolygons(last));
 
-    return outer;
+    return outerSurface{outer.points, outer.faces};
 }
 
 } // End namespace Foam

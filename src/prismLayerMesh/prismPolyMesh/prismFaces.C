@@ -7,6 +7,7 @@
 #include "EdgeMap.H"
 #include "ListOps.H"
 #include "prismPolyMesh.H"
+#include "prismQuality.H"
 #include "ranges.H"
 
 namespace Foam
@@ -135,13 +136,18 @@ void appendFace
     DynamicList<label>& points
 )
 {
-    const face& f = layers.faces[key.front];
-
     if (key.edge >= 0)
     {
-        appendSide(layers, f.faceEdge(key.edge), key.level, points);
+        const face& front = layers.faces[key.front];
+        appendSide(layers, front.faceEdge(key.edge), key.level, points);
         return;
     }
+
+    const face f
+    (
+        key.level == layers.nLayers
+      ? outerFan(layers, key.front) : layers.faces[key.front]
+    );
 
     const label n = f.size();
     for (label k = 0; k < n; ++k)
