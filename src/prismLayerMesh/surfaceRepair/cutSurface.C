@@ -160,17 +160,12 @@ static bitSet pointsOfLostParts
 }
 
 
-//- Points nearer to the plane than their share, with a neighbour that is
-//  further beyond, and points that are almost on it. Of a part in front of the
-//  plane that would be flat there are those that are almost on it alone.
-static bitSet nearTheCut
-(
-    const wallSurface& surface,
-    const scalarField& distances
-)
+//- Returns for each point the distance [m] from a plane below which it is near
+//  to the plane
+static scalarField nearDistances(const wallSurface& surface)
 {
-    scalarField near(distances.size(), Zero);
-    labelList n(distances.size(), Zero);
+    scalarField near(surface.points.size(), Zero);
+    labelList n(near.size(), Zero);
     for (const face& f : surface.faces)
     {
         for (const edge& e : f.edges())
@@ -188,6 +183,20 @@ static bitSet nearTheCut
         near[p] *= nearShare/max(n[p], label(1));
     }
 
+    return near;
+}
+
+
+//- Returns the points near to the plane with a neighbour that is further
+//  beyond, and points that are almost on it. Of a part in front of the plane
+//  that would be flat there are those that are almost on it alone.
+static bitSet nearTheCut
+(
+    const wallSurface& surface,
+    const scalarField& distances,
+    const scalarField& near
+)
+{
     bitSet almostOn(distances.size());
     forAll(near, p)
     {
@@ -242,13 +251,15 @@ static DynamicList<label> pinchedPoints
 
 
 //- Moves points that were put on a plane back to where they were, until no
-//  faces are in conflict, and none touch in a point alone. Faces that will be
-//  cut off may be in conflict.
+//  faces are in conflict. Faces that will be cut off may be. A point on the
+//  plane in which alone faces would touch is moved beyond the plane, by as much
+//  as is near, so that no short edges are left between the faces.
 static void takeBackConflicts
 (
     const sidePatch& plane,
-    const scalarField& distances,
+    const scalarField& near,
     const pointField& from,
+    scalarField& distances,
     wallSurface& surface,
     bitSet& onPlane
 )
@@ -289,7 +300,12 @@ static void takeBackConflicts
         }
         for (const label p : pinchedPoints(plane, distances, onPlane, surface))
         {
-            takeBack(p);
+            if (onPlane.test(p))
+            {
+                takeBack(p);
+                surface.points[p] += (near[p] - distances[p])*plane.normal;
+                distances[p] = near[p];
+            }
         }
     }
 }
@@ -365,13 +381,14 @@ void cutSurface
 {
     scalarField distances(distancesTo(plane, surface.points));
     const pointField from(surface.points);
-    bitSet onPlane(nearTheCut(surface, distances));
+    const scalarField near(nearDistances(surface));
+    bitSet onPlane(nearTheCut(surface, distances, near));
     for (const label p : onPlane)
     {
         surface.points[p] -= distances[p]*plane.normal;
     }
 
-    takeBackConflicts(plane, distances, from, surface, onPlane);
+    takeBackConflicts(plane, near, from, distances, surface, onPlane);
     for (const label p : onPlane)
     {
         distances[p] = 0;
