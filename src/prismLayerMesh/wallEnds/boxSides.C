@@ -8,6 +8,7 @@
 #include "disjointSets.H"
 #include "ListOps.H"
 #include "ranges.H"
+#include "sideParts.H"
 #include "splitAtSidePatches.H"
 #include "surfacePart.H"
 
@@ -234,19 +235,20 @@ List<sidePatch> withoutBareSides
 )
 {
     const surfaceAtPlanes at{surface};
-    const edgeList border(outline(surface.faces));
-    List<sidePatch> kept(planes);
-    label n = nGiven;
-    for (label i = nGiven; i < planes.size(); ++i)
+    const pointField& x = surface.points;
+    bitSet isKept(planes.size());
+    isKept.set(labelRange(0, nGiven));
+    for (const edge& e : outline(surface.faces))
     {
-        if (at.hasBorderOn(planes[i], border))
+        const label i =
+            planeOfEdge(planes, x[e.start()], x[e.end()], at.tolerance);
+        if (i >= 0)
         {
-            kept[n++] = planes[i];
+            isKept.set(i);
         }
     }
-    kept.setSize(n);
 
-    return kept;
+    return subset(isKept, planes);
 }
 
 

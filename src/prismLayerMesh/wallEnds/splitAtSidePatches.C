@@ -16,6 +16,32 @@
 namespace Foam
 {
 
+label planeOfEdge
+(
+    const UList<sidePatch>& planes,
+    const point& a,
+    const point& b,
+    const scalar tolerance
+)
+{
+    label nearest = -1;
+    scalar least = tolerance;
+    forAll(planes, i)
+    {
+        const scalar distance =
+            max(mag(planes[i].distance(a)), mag(planes[i].distance(b)));
+
+        if (distance <= least)
+        {
+            least = distance;
+            nearest = i;
+        }
+    }
+
+    return nearest;
+}
+
+
 void refuseAt
 (
     const UList<point>& places,
@@ -109,29 +135,14 @@ struct borderFinder
     sideBorders borders{};
 
 
-    //- The side patch of the plane that is nearest to both ends of an edge, -1
-    //  if none is near
+    //- The side patch of the plane of an edge, -1 if there is none
     label planeOf(const wallSide& edge) const
     {
-        label nearest = -1;
-        scalar least = tolerance;
+        const point& a = surface.points[edge.low];
+        const point& b = surface.points[edge.high];
+        const label i = planeOfEdge(planes, a, b, tolerance);
 
-        forAll(planes, i)
-        {
-            const scalar distance = max
-            (
-                mag(planes[i].distance(surface.points[edge.low])),
-                mag(planes[i].distance(surface.points[edge.high]))
-            );
-
-            if (distance <= least)
-            {
-                least = distance;
-                nearest = parts.sides.size() + i;
-            }
-        }
-
-        return nearest;
+        return i < 0 ? -1 : parts.sides.size() + i;
     }
 
     void addPointSide(const label p, const label s)
