@@ -6,6 +6,7 @@
 #include "prismEntries.H"
 #include "HashSet.H"
 #include "OStringStream.H"
+#include "ranges.H"
 #include "surfacePart.H"
 #include "Tuple2.H"
 
@@ -50,6 +51,25 @@ static bool isCrossed(const snappyCase& given)
     return
         given.box.isBox
      && !widened(given.box.bounds, 1e-4*bounds.mag()).contains(bounds);
+}
+
+
+//- Whether the surface is open on a side of the box
+static bool isOpenOnBox(const snappyCase& given)
+{
+    const pointField& x = given.walls.surface.points;
+    const scalar tolerance = 1e-4*boundBox(x, false).mag();
+    const boundBox within(widened(given.box.bounds, -tolerance));
+    const boundBox around(widened(given.box.bounds, tolerance));
+    const auto isOnSide = [&](const label p)
+    {
+        return around.contains(x[p]) && !within.contains(x[p]);
+    };
+
+    return anyOf(outline(given.walls.surface.faces), [&](const edge& e)
+    {
+        return isOnSide(e.start()) && isOnSide(e.end());
+    });
 }
 
 
@@ -428,8 +448,8 @@ static dictionary farFieldEntries
     remarkList& remarks
 )
 {
-    const bool isOpen = outline(given.walls.surface.faces).size();
-    const bool needsDomain = !isFluidInside || isOpen || isCrossed(given);
+    const bool needsDomain =
+        !isFluidInside || isCrossed(given) || isOpenOnBox(given);
 
     dictionary farField;
     if (needsDomain && !given.box.isBox)
