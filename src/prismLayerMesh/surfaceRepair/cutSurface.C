@@ -4,9 +4,11 @@
 \*---------------------------------------------------------------------------*/
 
 #include "cutSurface.H"
+#include "boundBox.H"
 #include "disjointSets.H"
 #include "EdgeMap.H"
 #include "ranges.H"
+#include "splitAtSidePatches.H"
 #include "surfacePart.H"
 #include "unions.H"
 #include "wallPredicates.H"
@@ -157,6 +159,59 @@ static bitSet pointsOfLostParts
     }
 
     return lost;
+}
+
+
+//- Points of a border do not move along planes that meet the plane of the cut
+//  at less than 30 degrees: square of the length of wayAlong
+static constexpr scalar leastWay = 0.25;
+
+
+static bitSet borderPoints(const wallSurface& surface)
+{
+    bitSet points(surface.points.size());
+    for (const edge& e : outline(surface.faces))
+    {
+        points.set(e.start());
+        points.set(e.end());
+    }
+
+    return points;
+}
+
+
+//- Returns the part of a plane's normal along the other planes that a point is
+//  on
+static vector wayAlong
+(
+    const sidePatch& plane,
+    const UList<sidePatch>& others,
+    const point& x,
+    const scalar rounding
+)
+{
+    vector way(plane.normal);
+    DynamicList<vector> across;
+    for (const sidePatch& other : others)
+    {
+        if (&other == &plane || mag(other.distance(x)) > rounding)
+        {
+            continue;
+        }
+        vector normal(other.normal);
+        for (const vector& n : across)
+        {
+            normal -= (normal & n)*n;
+        }
+        if (mag(normal) > sideTolerance)
+        {
+            normal /= mag(normal);
+            way -= (way & normal)*normal;
+            across.append(normal);
+        }
+    }
+
+    return way;
 }
 
 
@@ -376,16 +431,33 @@ void cutSurface
 (
     wallSurface& surface,
     const sidePatch& plane,
-    repairSteps& steps
+    repairSteps& steps,
+    const UList<sidePatch>& ends
 )
 {
     scalarField distances(distancesTo(plane, surface.points));
     const pointField from(surface.points);
     const scalarField near(nearDistances(surface));
     bitSet onPlane(nearTheCut(surface, distances, near));
+    const bitSet onBorder(borderPoints(surface));
+    const scalar rounding =
+        touchShare*sideTolerance*boundBox(surface.points, false).mag();
     for (const label p : onPlane)
     {
-        surface.points[p] -= distances[p]*plane.normal;
+        point& x = surface.points[p];
+        const vector way
+        (
+            onBorder.test(p)
+          ? wayAlong(plane, ends, x, rounding) : plane.normal
+        );
+        if (magSqr(way) < leastWay)
+        {
+            onPlane.unset(p);
+        }
+        else
+        {
+            x -= distances[p]/magSqr(way)*way;
+        }
     }
 
     takeBackConflicts(plane, near, from, distances, surface, onPlane);

@@ -282,7 +282,7 @@ class surfaceRepairer
         {
             if (isBeyond(plane, tolerance_, surface))
             {
-                cutSurface(surface, plane, repaired_.steps);
+                cutSurface(surface, plane, repaired_.steps, planes_);
                 isCut = true;
             }
         }

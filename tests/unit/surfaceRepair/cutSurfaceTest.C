@@ -6,6 +6,7 @@
 #include "cutSurface.H"
 #include "openSurfaces.H"
 #include "orientOpenWall.H"
+#include "ranges.H"
 #include "splitAtSidePatches.H"
 #include "wallDefects.H"
 
@@ -94,6 +95,37 @@ TEST(cutSurface, leavesALowPartInFrontOfThePlane)
 
     EXPECT_TRUE(findWallDefects(surface, true).empty());
     EXPECT_NEAR(volumeTo(surface, point(0, 0, 0.2)), 0.2, 1e-12);
+}
+
+
+TEST(cutSurface, keepsABorderOnItsPlane)
+{
+    // Two planes at 60 degrees, which meet in the middle of a body whose points
+    // near to the second cut are on the border of the first
+    List<sidePatch> planes(2, lid(0.5));
+    planes[1].origin = point(0.3, 0, 0.5);
+    planes[1].normal = vector(::sqrt(0.75), 0, 0.5);
+    wallSurface surface(cube(7));
+    repairSteps steps;
+    for (const sidePatch& plane : planes)
+    {
+        cutSurface(surface, plane, steps, planes);
+    }
+
+    EXPECT_TRUE(findWallDefects(surface, true).empty());
+    for (const edge& e : outline(surface.faces))
+    {
+        EXPECT_TRUE
+        (
+            anyOf(planes, [&](const sidePatch& plane)
+            {
+                return plane.hasEdge
+                (
+                    surface.points[e.start()], surface.points[e.end()], 1e-12
+                );
+            })
+        );
+    }
 }
 
 
