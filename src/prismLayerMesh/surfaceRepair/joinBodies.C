@@ -333,6 +333,8 @@ public:
 
     void sweep(unionMesh& sheet)
     {
+        // The copies of extrude_mesh are wrong if elements were removed
+        sheet.collect_garbage();
         unionKernel::Vector_3 normal(CGAL::NULL_VECTOR);
         for (const auto f : sheet.faces())
         {
