@@ -186,6 +186,7 @@ layerEditor::layerEditor
     layers_.patchNames = surface.patchNames;
     layers_.patchTypes = surface.patchTypes;
     layers_.border = surface.border;
+    layers_.isCut = controls_.isCut;
     layers_.extraColumnPoints = front.extraColumnPoints();
     layers_.points.setSize(surface.points.size()*(spacing.nLayers + 1));
 

@@ -71,6 +71,7 @@ prismLayers layersOnMaster
     layers.patchNames = front.surface.patchNames;
     layers.patchTypes = front.surface.patchTypes;
     layers.border = front.surface.border;
+    layers.isCut = own.isCut;
 
     return layers;
 }
@@ -93,6 +94,7 @@ outerSurface outerOnMaster
     }
     prismLayers last;
     last.nLayers = 1;
+    last.isCut = own.isCut;
     last.points = columnTeam(share, processes).columns.onMaster(points, 2);
     last.faces = processes.size() == 1
       ? own.faces : gatherFront(share, wall, processes).surface.faces;

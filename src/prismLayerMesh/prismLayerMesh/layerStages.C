@@ -267,6 +267,7 @@ madeLayers makeLayers
     observer.begin("prismLayers");
     layerMoveControls moves;
     moves.quality = controls.quality;
+    moves.isCut = controls.farField.isWanted();
     moves.freeSides =
         freeSides(controls.farField.boundary, front.surface.border.sides);
     madeLayers made(makePrismLayers(front, spacing, columns, moves, team));

@@ -264,7 +264,7 @@ static bool isPositiveBelowFan(const prismLayers& layers, const face& f)
 face outerFan(const prismLayers& layers, const label facei)
 {
     const face& f = layers.faces[facei];
-    if (f.size() == 3 || isPositiveBelowFan(layers, f))
+    if (f.size() == 3 || !layers.isCut || isPositiveBelowFan(layers, f))
     {
         return f;
     }
@@ -493,7 +493,11 @@ bool isPositiveStack(const prismLayers& layers, const label facei)
     if
     (
         min(stack.heights()) <= 0
-     || (f.size() > 3 && !isPositiveBelowFan(layers, outerFan(layers, facei)))
+     ||
+        (
+            f.size() > 3 && layers.isCut
+         && !isPositiveBelowFan(layers, outerFan(layers, facei))
+        )
     )
     {
         return false;

@@ -249,6 +249,7 @@ TEST(outerFan, isTheHighestWhereTheFirstLeavesNoVolume)
         {
             prismLayers layers;
             layers.nLayers = 1;
+            layers.isCut = true;
             for (label k = 0; k < 4; ++k)
             {
                 const scalar z = k % 2 ? warp : -warp;
