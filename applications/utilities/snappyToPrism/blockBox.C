@@ -5,34 +5,27 @@
 
 #include "blockBox.H"
 #include "blockMesh.H"
+#include "boxSides.H"
 #include "IOdictionary.H"
 #include "OSspecific.H"
 
 namespace Foam
 {
 
-static const wordList sideNames
-({
-    "xMin", "xMax", "yMin", "yMax", "zMin", "zMax"
-});
-
-
-//- Area of the faces that are in a side of the box, by labels of sideNames
+//- Area of the faces that are in a side of the box, up to a distance [m]
 static scalar areaInSide
 (
     const faceList& faces,
     const pointField& points,
-    const boundBox& box,
-    const label side
+    const sidePatch& side,
+    const scalar tolerance
 )
 {
-    const direction d = side/2;
-    const scalar limit = side % 2 ? box.max()[d] : box.min()[d];
     scalar area = 0;
     for (const face& f : faces)
     {
-        const scalar distance = mag(f.centre(points)[d] - limit);
-        area += distance < 1e-6*box.mag() ? f.mag(points) : 0;
+        const scalar distance = mag(side.distance(f.centre(points)));
+        area += distance < tolerance ? f.mag(points) : 0;
     }
 
     return area;
@@ -70,17 +63,18 @@ static dictionary patchesOf
 {
     const wordList names(blocks.patchNames());
     const PtrList<dictionary> dicts(blocks.patchDicts());
+    const pointField& points = blocks.points();
     List<wordList> sides(names.size());
-    for (label side = 0; side < 6; ++side)
+    for (const sidePatch& side : sidesOf(box))
     {
         scalarField areas(names.size());
         forAll(names, i)
         {
             areas[i] =
-                areaInSide(blocks.patches()[i], blocks.points(), box, side);
+                areaInSide(blocks.patches()[i], points, side, 1e-6*box.mag());
         }
         const label largest = findMax(areas);
-        const word& name = sideNames[side];
+        const word& name = side.name;
         if (largest < 0 || areas[largest] <= 0)
         {
             continue;

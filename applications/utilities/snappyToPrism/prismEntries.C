@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "prismEntries.H"
+#include "boxSides.H"
 #include "HashSet.H"
 #include "OStringStream.H"
 #include "ranges.H"
@@ -59,16 +60,14 @@ static bool isOpenOnBox(const snappyCase& given)
 {
     const pointField& x = given.walls.surface.points;
     const scalar tolerance = 1e-4*boundBox(x, false).mag();
-    const boundBox within(widened(given.box.bounds, -tolerance));
-    const boundBox around(widened(given.box.bounds, tolerance));
-    const auto isOnSide = [&](const label p)
-    {
-        return around.contains(x[p]) && !within.contains(x[p]);
-    };
+    const List<sidePatch> sides(sidesOf(given.box.bounds));
 
     return anyOf(outline(given.walls.surface.faces), [&](const edge& e)
     {
-        return isOnSide(e.start()) && isOnSide(e.end());
+        return anyOf(sides, [&](const sidePatch& side)
+        {
+            return side.hasEdge(x[e.start()], x[e.end()], tolerance);
+        });
     });
 }
 
@@ -316,7 +315,7 @@ static label checkLayers(const snappyCase& given, remarkList& remarks)
 }
 
 
-//- The entries of the largest patch are those of layers
+//- Returns layers: it has the entries of the largest patch
 static dictionary layerEntries(const snappyCase& given, remarkList& remarks)
 {
     const List<snappyPatch>& walls = given.walls.patches;

@@ -29,12 +29,12 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "argList.H"
-#include "IFstream.H"
 #include "IOdictionary.H"
 #include "OFstream.H"
 #include "OSspecific.H"
 #include "prismEntries.H"
 #include "readPrismLayerControls.H"
+#include "StringStream.H"
 
 using namespace Foam;
 
@@ -59,26 +59,39 @@ static void addOptions()
 }
 
 
+//- Returns entries as they will be written, after a check.
+//  Errors: FatalIOError of readPrismLayerControls, as harmonicPrismMesh has it
+static string readableText(const dictionary& entries)
+{
+    OStringStream os;
+    os.precision(10);
+    for (const entry& e : entries)
+    {
+        os << e << nl;
+    }
+    IStringStream is(os.str());
+    readPrismLayerControls(dictionary(is));
+
+    return os.str();
+}
+
+
 static void writeDict
 (
     const fileName& file,
-    const dictionary& entries,
+    const string& entries,
     const remarkList& remarks
 )
 {
     OFstream os(file);
-    os.precision(10);
     IOobject::writeBanner(os)
         << "FoamFile" << nl << '{' << nl
         << "    version     2.0;" << nl << "    format      ascii;" << nl
         << "    class       dictionary;" << nl
         << "    object      harmonicPrismMeshDict;" << nl << '}' << nl;
     IOobject::writeDivider(os) << nl;
-    for (const entry& e : entries)
-    {
-        os << e << nl;
-    }
-    os << "// What was not converted: see doc/fromSnappyHexMesh.md" << nl;
+    os << entries.c_str()
+        << "// What was not converted: see doc/fromSnappyHexMesh.md" << nl;
     for (const string& remark : remarks)
     {
         os << "// - " << remark.c_str() << nl;
@@ -130,11 +143,8 @@ int main(int argc, char *argv[])
     given.snappy = dict;
     given.box = readBlockBox(runTime, remarks);
     given.walls = readSnappyWalls(dict, runTime, remarks);
-    const dictionary entries(prismEntries(given, remarks));
+    const string entries(readableText(prismEntries(given, remarks)));
     writeDict(file, entries, remarks);
-
-    // What harmonicPrismMesh would refuse
-    readPrismLayerControls(dictionary(IFstream(file)()));
 
     Info<< nl << "Surfaces: " << flatOutput(given.walls.files) << nl
         << "Comments: " << remarks.size() << nl << "Dictionary: " << file << nl
