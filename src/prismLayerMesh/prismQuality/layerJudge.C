@@ -12,8 +12,8 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Share of its distance from a free side that a column leaves: half of what
-//  its room leaves (boundByPlanes), which is for columns on the axes of cones
+//- A column leaves at least this share of its distance from a free side. Room
+//  (boundByPlanes) leaves twice as much to columns on the axes of their cones.
 static constexpr scalar shareLeft = 0.25;
 
 

@@ -176,8 +176,8 @@ class bodyJoiner
         return kept;
     }
 
-    //- Replaces a body by what join makes of it and of some others. Returns
-    //  whether it made something.
+    //- Joins some others to a body: join makes one body of them, which replaces
+    //  the body. Returns whether join made one.
     template<class Join>
     bool joinTo(const label i, const labelUList& others, const Join& join)
     {
