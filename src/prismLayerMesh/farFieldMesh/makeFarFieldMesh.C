@@ -14,6 +14,7 @@
 #include "mergeCells.H"
 #include "prismQuality.H"
 #include "ranges.H"
+#include "replacedPatches.H"
 #include "tetBoundary.H"
 #include "tetrahedralize.H"
 
@@ -464,6 +465,38 @@ static void dropEmptySides(const UList<sidePatch>& sides, farFieldMesh& far)
 }
 
 
+//- Names the patches of the core that the patches of the wall replace, also to
+//  the user
+static void setReplaced
+(
+    const prismLayers& layers,
+    const polyMeshParts& core,
+    const coreCut& cut,
+    farFieldMesh& far
+)
+{
+    const labelList replaced(replacedPatches(layers, core, cut.wallPatches));
+    forAll(replaced, patchi)
+    {
+        const label old = replaced[patchi];
+        const word name(old < 0 ? word::null : core.patches.names[old]);
+        far.replaced.names.append(name);
+        far.replaced.entries.append
+        (
+            old < 0 ? dictionary() : core.patches.entries[old]
+        );
+        if (name.size() && name != layers.patchNames[patchi])
+        {
+            far.notes.append
+            (
+                "The patch " + layers.patchNames[patchi] + " of the wall has"
+              + " the name " + name + " of the patch that it replaces"
+            );
+        }
+    }
+}
+
+
 //- Names the hexahedra of a core. They come after the tetrahedra. Then merges
 //  tetrahedra, if the controls ask for polyhedra, and sets the grade.
 static void finish
@@ -538,6 +571,7 @@ farFieldMesh makeFarFieldMesh
 
     farFieldMesh made(joinCells(mesh, domain.core, cut));
     made.notes = coreNotes(domain.core, cut, made, std::cref(fromLayers));
+    setReplaced(layers, domain.core, cut, made);
     finish(layers, controls, mesh.tets.size(), made);
 
     return made;

@@ -34,9 +34,23 @@ static const word& typeOfSide(const wallBorder& border, const word& name)
 }
 
 
-static meshPatches patchesOfWall(const prismLayers& layers)
+//- The patches of the wall, with names and entries of those that they replace
+static meshPatches patchesOfWall
+(
+    const prismLayers& layers,
+    const meshPatches& replaced = meshPatches()
+)
 {
-    const wordList names(prismPatchNames(layers.patchNames));
+    wordList names(layers.patchNames);
+    forAll(replaced.names, patchi)
+    {
+        if (replaced.names[patchi].size())
+        {
+            names[patchi] = replaced.names[patchi];
+        }
+    }
+    names = prismPatchNames(names);
+
     meshPatches wall;
     forAll(names, patchi)
     {
@@ -46,6 +60,10 @@ static meshPatches patchesOfWall(const prismLayers& layers)
             patchi < layers.patchTypes.size()
           ? layers.patchTypes[patchi] : word("wall")
         );
+        if (patchi < replaced.names.size() && replaced.names[patchi].size())
+        {
+            wall.entries[patchi] = replaced.entries[patchi];
+        }
     }
 
     return wall;
@@ -135,7 +153,7 @@ meshPatches patchesOfMesh
         return patchesOfLayers(layers, nOpen);
     }
 
-    meshPatches patches(patchesOfWall(layers));
+    meshPatches patches(patchesOfWall(layers, far.replaced));
     dropPatchesOfWall(patches.names, far);
     patches.names.append(far.patches.names);
     patches.entries.append(far.patches.entries);

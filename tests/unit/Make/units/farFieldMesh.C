@@ -8,6 +8,7 @@
 #include "farFieldMesh/cellSizesTest.C"
 #include "farFieldMesh/coarsenCutsTest.C"
 #include "farFieldMesh/refineSurfaceTest.C"
+#include "farFieldMesh/replacedPatchesTest.C"
 #include "farFieldMesh/farBoundaryTest.C"
 #include "farFieldMesh/outerTrianglesTest.C"
 #include "farFieldMesh/layerBorderTest.C"
