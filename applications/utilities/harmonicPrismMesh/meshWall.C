@@ -7,6 +7,7 @@
 #include "boxSides.H"
 #include "cellSizes.H"
 #include "farFieldReport.H"
+#include "planarColumns.H"
 #include "layerStages.H"
 #include "OSspecific.H"
 #include "OStringStream.H"
@@ -51,6 +52,11 @@ static string boundByWidth
     sizeBounds& bounds
 )
 {
+    if (emptySides(wall.border).first() >= 0)
+    {
+        return "";
+    }
+
     const scalar width = leastWidth(controls.boundary, wall.border.sides);
     const bool isHexCore = controls.type == farFieldType::hexCore;
     if (isHexCore)

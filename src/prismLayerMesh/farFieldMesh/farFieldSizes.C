@@ -25,16 +25,57 @@ static scalarField sizesOf(const tetBoundary& far)
 }
 
 
+//- The mean lengths of the edges in the first of two empty sides, at their
+//  points and across
+static scalarField meanEdgesInPlane
+(
+    const wallSurface& outer,
+    const wallAddressing& addressing,
+    const labelUList& across
+)
+{
+    scalarField sums(across.size(), Zero);
+    scalarField numbers(across.size(), Zero);
+    for (const edge& e : addressing.edges)
+    {
+        if (across[e.start()] >= 0 && across[e.end()] >= 0)
+        {
+            for (const label c : {e.start(), e.end()})
+            {
+                sums[c] += e.mag(outer.points);
+                ++numbers[c];
+            }
+        }
+    }
+    forAll(across, c)
+    {
+        if (across[c] >= 0)
+        {
+            sums[across[c]] = sums[c];
+            numbers[across[c]] = numbers[c];
+        }
+    }
+
+    return sums/max(numbers, scalar(1));
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 scalarField layerSizesOf
 (
     const wallSurface& outer,
     const wallAddressing& addressing,
+    const labelUList& across,
     const scalar growthRate
 )
 {
-    scalarField sizes(meanEdges(outer, addressing));
+    scalarField sizes
+    (
+        across.empty()
+      ? meanEdges(outer, addressing)
+      : meanEdgesInPlane(outer, addressing, across)
+    );
     limitGradient(outer, addressing, growthRate - 1, sizes);
 
     return sizes;

@@ -12,6 +12,8 @@
 #include "improveTets.H"
 #include "ListOps.H"
 #include "mergeCells.H"
+#include "planarColumns.H"
+#include "planarFarField.H"
 #include "prismQuality.H"
 #include "ranges.H"
 #include "replacedPatches.H"
@@ -521,24 +523,19 @@ static void finish
 }
 
 
-farFieldMesh makeFarFieldMesh
+//- Tetrahedra, and beside them what stays of a core.
+//  layerSizes, fromLayers: see layerSizesOf and sizesFromLayers
+static farFieldMesh fillWithCells
 (
     const prismLayers& layers,
-    farFieldDomain domain,
-    const farFieldControls& controls
+    const wallSurface& outer,
+    const scalarField& layerSizes,
+    const cellSizes& fromLayers,
+    farFieldDomain& domain,
+    const farFieldControls& controls,
+    farFieldTets& mesh
 )
 {
-    farFieldTets mesh;
-    const wallSurface outer(outerSurface(layers, mesh.outerFaces));
-    const scalarField layerSizes
-    (
-        layerSizesOf(outer, frontAddressing(layers), controls.growthRate)
-    );
-    const cellSizes fromLayers
-    (
-        sizesFromLayers(outer, layerSizes, domain, controls)
-    );
-
     coreCut cut;
     const tetBoundary far
     (
@@ -572,6 +569,49 @@ farFieldMesh makeFarFieldMesh
     farFieldMesh made(joinCells(mesh, domain.core, cut));
     made.notes = coreNotes(domain.core, cut, made, std::cref(fromLayers));
     setReplaced(layers, domain.core, cut, made);
+
+    return made;
+}
+
+
+farFieldMesh makeFarFieldMesh
+(
+    const prismLayers& layers,
+    farFieldDomain domain,
+    const farFieldControls& controls
+)
+{
+    farFieldTets mesh;
+    const wallSurface outer(outerSurface(layers, mesh.outerFaces));
+    const labelList across
+    (
+        columnsAcross(layers.faces, layers.border, layers.pointsOf(0))
+    );
+    const scalarField layerSizes
+    (
+        layerSizesOf
+        (
+            outer, frontAddressing(layers), across, controls.growthRate
+        )
+    );
+    const cellSizes fromLayers
+    (
+        sizesFromLayers(outer, layerSizes, domain, controls)
+    );
+
+    farFieldMesh made
+    (
+        across.size()
+      ? makePlanarFarField
+        (
+            layers, across,
+            makeTetBoundary(layers, domain.boundary, std::cref(fromLayers))
+        )
+      : fillWithCells
+        (
+            layers, outer, layerSizes, fromLayers, domain, controls, mesh
+        )
+    );
     finish(layers, controls, mesh.tets.size(), made);
 
     return made;

@@ -8,6 +8,7 @@
 #include "distributeFront.H"
 #include "levelSets.H"
 #include "makePrismLayers.H"
+#include "planarColumns.H"
 #include "returnMemory.H"
 #include "stageText.H"
 #include "unitConversion.H"
@@ -85,6 +86,12 @@ static shareOfWall makeWhole
 {
     observer.begin("wallVisibility");
     wallAddressing addressing(makeWallAddressing(wall));
+    if (isShared && emptySides(wall.border).first() >= 0)
+    {
+        FatalErrorInFunction
+            << "A mesh of two dimensions is made in one process"
+            << exit(FatalError);
+    }
     checkSidesOf(wall, addressing);
     wallVisibility visibility(makeWallVisibility(wall, addressing));
     shareOfWall whole;
@@ -274,6 +281,18 @@ madeLayers makeLayers
 
     if (made.certified.pointsWithoutHeight.empty())
     {
+        if (team.isAlone())
+        {
+            makePlanar
+            (
+                columnsAcross
+                (
+                    front.surface.faces, front.surface.border,
+                    front.surface.points
+                ),
+                made.layers
+            );
+        }
         nameCauses
         (
             front, kinds, request.at(front.wallPoints), spacing, columns, made

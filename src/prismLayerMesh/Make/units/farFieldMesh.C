@@ -18,6 +18,7 @@
 #include "farFieldMesh/coreBoundary.C"
 #include "farFieldMesh/mergingMesh.C"
 #include "farFieldMesh/mergeCells.C"
+#include "farFieldMesh/planarFarField.C"
 #include "farFieldMesh/makeFarFieldMesh.C"
 #include "farFieldMesh/farFieldSizes.C"
 

@@ -1,0 +1,338 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "planarFarField.H"
+#include "cellPredicates.H"
+#include "EdgeMap.H"
+#include "makeFarFieldMesh.H"
+#include "planarColumns.H"
+
+#include <algorithm>
+
+namespace Foam
+{
+
+namespace
+{
+
+//- A side of a prism: an edge of its triangle, as the triangle runs along it
+struct prismSide
+{
+    label cell;
+    edge along;
+};
+
+
+class planarJoiner
+{
+    const prismLayers& layers_;
+    const labelUList& across_;
+    const tetBoundary& boundary_;
+
+    //- Labels of the patches in both planes
+    label first_;
+    label second_;
+
+    //- The triangles in the first plane, with labels of points here
+    faceList triangles_;
+
+    //- Labels here of the points of the boundary, and of the image of each
+    //  point here
+    labelList points_;
+    DynamicList<label> images_;
+
+    //- The sides without a neighbour: on the layers, by front face, and on each
+    //  patch
+    DynamicList<std::pair<label, prismSide>> onLayers_;
+    List<DynamicList<prismSide>> onPatches_;
+
+    farFieldMesh mesh_;
+
+    label patchOf(const word& name) const
+    {
+        return boundary_.surface.patchNames.find(name);
+    }
+
+    void addPoints()
+    {
+        mesh_.points = layers_.outerPoints();
+        const label nColumns = mesh_.points.size();
+        images_ = across_;
+
+        // The points in the first plane, then their images
+        const vector way(layers_(across_[firstColumn()], 0)
+          - layers_(firstColumn(), 0));
+        const wallSurface& s = boundary_.surface;
+        points_ = labelList(s.points.size(), -1);
+        SubList<label>(points_, boundary_.columns.size()) = boundary_.columns;
+        DynamicList<point> more;
+        forAll(s.faces, i)
+        {
+            for (const label p : s.faces[i])
+            {
+                if (s.patchIDs[i] == first_ && points_[p] < 0)
+                {
+                    points_[p] = nColumns + more.size();
+                    more.append(s.points[p]);
+                }
+            }
+        }
+        const label nMore = more.size();
+        for (label i = 0; i < nMore; ++i)
+        {
+            images_.append(nColumns + nMore + i);
+            more.append(more[i] + way);
+        }
+        mesh_.points.append(more);
+    }
+
+    label firstColumn() const
+    {
+        label c = 0;
+        while (across_[c] < 0)
+        {
+            ++c;
+        }
+
+        return c;
+    }
+
+    face side(const edge& e) const
+    {
+        return face({e[0], e[1], images_[e[1]], images_[e[0]]});
+    }
+
+    void addTriangles()
+    {
+        const wallSurface& s = boundary_.surface;
+        DynamicList<face> triangles(s.faces.size());
+        forAll(s.faces, i)
+        {
+            if (s.patchIDs[i] == first_)
+            {
+                triangles.append(renumber(points_, s.faces[i]));
+            }
+        }
+        triangles_.transfer(triangles);
+        mesh_.nCells = triangles_.size();
+
+        for (const face& f : triangles_)
+        {
+            if
+            (
+                orientation
+                (
+                    mesh_.points[f[0]], mesh_.points[f[1]], mesh_.points[f[2]],
+                    mesh_.points[images_[f[0]]]
+                ) <= 0
+            )
+            {
+                FatalErrorInFunction
+                    << "A prism of the far field is not positive, at "
+                    << f.centre(mesh_.points) << exit(FatalError);
+            }
+        }
+    }
+
+    template<class Visit>
+    void allSides(const Visit& visit) const
+    {
+        forAll(triangles_, c)
+        {
+            for (label k = 0; k < 3; ++k)
+            {
+                visit(c, edge(triangles_[c][k], triangles_[c].nextLabel(k)));
+            }
+        }
+    }
+
+    //- The internal faces, and the sides at the boundary
+    void addSides()
+    {
+        List<DynamicList<std::pair<label, edge>>> neighbours
+        (
+            triangles_.size()
+        );
+        EdgeMap<prismSide> single(triangles_.size());
+        allSides([&](const label c, const edge& e)
+        {
+            const auto other = single.cfind(e);
+            if (other.found())
+            {
+                const prismSide owner(*other);
+                neighbours[owner.cell].append(std::make_pair(c, owner.along));
+                single.erase(e);
+            }
+            else
+            {
+                single.insert(e, prismSide{c, e});
+            }
+        });
+
+        forAll(neighbours, c)
+        {
+            auto& own = neighbours[c];
+            std::sort
+            (
+                own.begin(), own.end(),
+                [](const auto& a, const auto& b) { return a.first < b.first; }
+            );
+            for (const auto& n : own)
+            {
+                mesh_.topology.append(side(n.second), c, n.first);
+            }
+        }
+        sortOpen(single);
+    }
+
+    //- The front face on each outer edge in the first plane
+    EdgeMap<label> frontsInPlane() const
+    {
+        EdgeMap<label> fronts(layers_.faces.size());
+        forAll(layers_.faces, facei)
+        {
+            const face& f = layers_.faces[facei];
+            for (label k = 0; k < f.size(); ++k)
+            {
+                if (across_[f[k]] >= 0 && across_[f.nextLabel(k)] >= 0)
+                {
+                    fronts.insert(edge(f[k], f.nextLabel(k)), facei);
+                }
+            }
+        }
+
+        return fronts;
+    }
+
+    //- Sides at the boundary are on the patch of the boundary's triangle beside
+    //  the first plane; if there is none, on the layers
+    void sortOpen(const EdgeMap<prismSide>& single)
+    {
+        const wallSurface& s = boundary_.surface;
+        onPatches_.setSize(s.patchNames.size());
+        EdgeMap<label> patches;
+        forAll(s.faces, i)
+        {
+            const face& f = s.faces[i];
+            for (label k = 0; s.patchIDs[i] != first_ && k < f.size(); ++k)
+            {
+                const edge e(points_[f[k]], points_[f.nextLabel(k)]);
+                if (e[0] >= 0 && e[1] >= 0 && single.found(e))
+                {
+                    patches.insert(e, s.patchIDs[i]);
+                }
+            }
+        }
+
+        const EdgeMap<label> fronts(frontsInPlane());
+        allSides([&](const label c, const edge& e)
+        {
+            if (!single.found(e))
+            {
+                return;
+            }
+            if (patches.found(e))
+            {
+                onPatches_[patches[e]].append(prismSide{c, e});
+            }
+            else
+            {
+                onLayers_.append(std::make_pair(fronts[e], prismSide{c, e}));
+            }
+        });
+        std::sort
+        (
+            onLayers_.begin(), onLayers_.end(),
+            [](const auto& a, const auto& b) { return a.first < b.first; }
+        );
+    }
+
+    void addLayersPatch()
+    {
+        mesh_.topology.startPatch();
+        DynamicList<label> fronts(onLayers_.size());
+        for (const auto& s : onLayers_)
+        {
+            fronts.append(s.first);
+            mesh_.topology.append(side(s.second.along), s.second.cell);
+        }
+        mesh_.frontFaces = fronts;
+    }
+
+    void addPatches()
+    {
+        const wallSurface& s = boundary_.surface;
+        forAll(s.patchNames, patchi)
+        {
+            mesh_.patches.append(s.patchNames[patchi], s.patchTypes[patchi]);
+            mesh_.topology.startPatch();
+            for (const prismSide& open : onPatches_[patchi])
+            {
+                mesh_.topology.append(side(open.along), open.cell);
+            }
+            forAll(triangles_, c)
+            {
+                if (patchi == first_)
+                {
+                    mesh_.topology.append(triangles_[c].reverseFace(), c);
+                }
+                else if (patchi == second_)
+                {
+                    mesh_.topology.append(renumber(images_, triangles_[c]), c);
+                }
+            }
+        }
+    }
+
+public:
+
+    planarJoiner
+    (
+        const prismLayers& layers,
+        const labelUList& across,
+        const tetBoundary& boundary
+    )
+    :
+        layers_(layers),
+        across_(across),
+        boundary_(boundary)
+    {
+        const labelPair empty(emptySides(layers.border));
+        first_ = patchOf(layers.border.sides[empty.first()].name);
+        second_ = patchOf(layers.border.sides[empty.second()].name);
+    }
+
+    farFieldMesh join()
+    {
+        addPoints();
+        addTriangles();
+        addSides();
+        addLayersPatch();
+        addPatches();
+        mesh_.cellZones.append
+        (
+            cellZoneParts(farFieldName, identity(mesh_.nCells))
+        );
+
+        return std::move(mesh_);
+    }
+};
+
+} // End anonymous namespace
+
+
+farFieldMesh makePlanarFarField
+(
+    const prismLayers& layers,
+    const labelUList& across,
+    const tetBoundary& boundary
+)
+{
+    return planarJoiner(layers, across, boundary).join();
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
