@@ -6,7 +6,10 @@
 #include "readPrismLayerControls.H"
 #include "controlEntries.H"
 #include "diffusionTensor.H"
+#include "planarWall.H"
+#include "ranges.H"
 #include "readControls.H"
+#include "unitConversion.H"
 
 namespace Foam
 {
@@ -130,6 +133,35 @@ static surfaceRepairControls readRepair(const dictionary& dict)
 }
 
 
+static planarControls readPlanar(const dictionary& dict)
+{
+    planarControls controls;
+    if (!dict.found("twoDimensional"))
+    {
+        return controls;
+    }
+
+    const dictionary& planar = dict.subDict("twoDimensional");
+    checkKeys(planar, {"normal", "thickness", "maxEdge", "maxTurn"});
+    planar.readIfPresent("normal", controls.normal);
+    if (mag(cmptMax(cmptMag(controls.normal)) - mag(controls.normal)) > 0)
+    {
+        entryError(planar, "normal")
+            << "The normal " << controls.normal << " of twoDimensional is not"
+            << " along an axis" << exit(FatalIOError);
+    }
+    controls.normal.normalise();
+    controls.thickness = 1;
+    readBounded(planar, "thickness", SMALL, GREAT, controls.thickness);
+    readBounded(planar, "maxEdge", SMALL, GREAT, controls.maxEdge);
+    scalar maxTurn = radToDeg(controls.maxTurn);
+    readBounded(planar, "maxTurn", 0.1, 30, maxTurn);
+    controls.maxTurn = degToRad(maxTurn);
+
+    return controls;
+}
+
+
 static wallSurfaceControls readSurface(const dictionary& dict)
 {
     checkKeys
@@ -221,8 +253,8 @@ static qualityControls readQuality(const dictionary& dict)
 }
 
 
-//- Refuses side patches of type empty: a far field has several cells between
-//  them
+//- Refuses side patches of type empty beside a far field that has several cells
+//  between them: all but two planes with tetrahedra
 static void refuseEmptySides
 (
     const dictionary& dict,
@@ -236,14 +268,25 @@ static void refuseEmptySides
             entryError(dict, "farField")
                 << "The side patch " << name.c_str() << " is of type empty,"
                 << " which needs a mesh of one cell between two sides. A far"
-                << " field has several: use the type symmetry"
+                << " field has that only of type tet, between two planes in"
+                << " surface.sidePlanes: else use the type symmetry"
                 << exit(FatalIOError);
         }
     };
 
+    const label nEmpty = countOf
+    (
+        controls.surface.sidePlanes,
+        [](const sidePatch& plane) { return plane.type == "empty"; }
+    );
+    const bool isPlanar =
+        controls.farField.type == farFieldType::tet && nEmpty == 2;
     for (const sidePatch& plane : controls.surface.sidePlanes)
     {
-        refuse(plane.name, plane.type);
+        if (!isPlanar)
+        {
+            refuse(plane.name, plane.type);
+        }
     }
     for (const patchLayers& entry : controls.layers.patches)
     {
@@ -270,13 +313,22 @@ prismLayerControls readPrismLayerControls(const dictionary& dict)
             "backgroundMesh",
             "field",
             "quality",
-            "farField"
+            "farField",
+            "twoDimensional"
         }
     );
 
     prismLayerControls controls;
     controls.surface = readSurface(mandatoryDict(dict, "surface"));
+    controls.surface.planar = readPlanar(dict);
     controls.layers = readLayerControls(mandatoryDict(dict, "layers"));
+    if (controls.surface.planar.isWanted())
+    {
+        controls.surface.sidePlanes.append(planesOf(controls.surface.planar));
+        controls.layers.alongField =
+            controls.layers.alongField
+         && dict.subDict("layers").found("marchingDirections");
+    }
     controls.envelope = readEnvelope(optionalDict(dict, "envelope"));
     controls.backgroundMesh =
         readBackgroundMesh

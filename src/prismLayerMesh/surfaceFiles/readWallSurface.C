@@ -8,6 +8,7 @@
 #include "boundBox.H"
 #include "cadSurface.H"
 #include "ListOps.H"
+#include "planarWall.H"
 #include "ranges.H"
 #include "surfaceFile.H"
 #include "surfacePart.H"
@@ -336,6 +337,27 @@ static wallSurface readPart
 {
     wallSurface part;
 
+    if (isCurveFile(file))
+    {
+        if (!controls.planar.isWanted())
+        {
+            FatalErrorInFunction
+                << "The file " << file << " has a curve: a mesh of two"
+                << " dimensions needs the entry twoDimensional"
+                << exit(FatalError);
+        }
+        List<planeCurve> curves(readCurveFile(file));
+        for (planeCurve& curve : curves)
+        {
+            for (vector2D& x : curve.points)
+            {
+                x *= controls.scale;
+            }
+        }
+
+        return stripOn(curves, controls.planar);
+    }
+
     if (cadType(file).size())
     {
         string remark;
@@ -354,7 +376,8 @@ static wallSurface readPart
     checkFinite(file, part.points);
     mergePatches(part);
 
-    return part;
+    return controls.planar.isWanted()
+      ? stripOn(part, controls.planar) : std::move(part);
 }
 
 

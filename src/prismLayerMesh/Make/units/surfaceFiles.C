@@ -4,6 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "surfaceFiles/surfaceFile.C"
+#include "surfaceFiles/curveFile.C"
+#include "surfaceFiles/planarWall.C"
 #include "surfaceFiles/readWallSurface.C"
 
 // ************************************************************************* //
