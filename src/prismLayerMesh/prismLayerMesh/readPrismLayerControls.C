@@ -299,6 +299,20 @@ static void refuseEmptySides
 }
 
 
+//- The defaults of two dimensions that differ, and the sides
+static void setPlanar(const dictionary& layers, prismLayerControls& controls)
+{
+    controls.surface.sidePlanes.append(planesOf(controls.surface.planar));
+    controls.layers.alongField =
+        controls.layers.alongField && layers.found("marchingDirections");
+    if (!layers.found("multipleNormalsAngle"))
+    {
+        // Two columns at sharp trailing edges: benchmarks/solvable.md
+        controls.layers.multipleNormalsAngle = 30;
+    }
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 prismLayerControls readPrismLayerControls(const dictionary& dict)
@@ -324,10 +338,7 @@ prismLayerControls readPrismLayerControls(const dictionary& dict)
     controls.layers = readLayerControls(mandatoryDict(dict, "layers"));
     if (controls.surface.planar.isWanted())
     {
-        controls.surface.sidePlanes.append(planesOf(controls.surface.planar));
-        controls.layers.alongField =
-            controls.layers.alongField
-         && dict.subDict("layers").found("marchingDirections");
+        setPlanar(dict.subDict("layers"), controls);
     }
     controls.envelope = readEnvelope(optionalDict(dict, "envelope"));
     controls.backgroundMesh =
