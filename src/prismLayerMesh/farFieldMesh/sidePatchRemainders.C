@@ -254,8 +254,9 @@ class farFieldBoundaryMaker
         boundBox box(far.surface.points, false);
         if (box.empty())
         {
+            // It bounds nothing: what it adds to side planes is not filled
             box = boundBox(layers.points, false);
-            box.inflate(1);
+            box.inflate(0.01);
         }
         return box;
     }

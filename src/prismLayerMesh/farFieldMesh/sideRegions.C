@@ -9,6 +9,7 @@
 #include "farFieldMeshControls.H"
 #include "HashSet.H"
 #include "linePointRef.H"
+#include "MinMax.H"
 #include "ranges.H"
 #include "sideShape.H"
 #include "sparsePoints.H"
@@ -174,6 +175,10 @@ class planeSquares
     vector e1_;
     vector e2_;
 
+    //- The rectangle around the region, along e1 and e2
+    scalarMinMax range1_;
+    scalarMinMax range2_;
+
     //- Longer than a side patch is high above its plane
     const scalar reach_;
 
@@ -238,6 +243,14 @@ class planeSquares
 
     void divide(const scalar a, const scalar b, const scalar width)
     {
+        // The first square may be much longer than the region is wide
+        const scalarMinMax along1(a - 0.5*width, a + 0.5*width);
+        const scalarMinMax along2(b - 0.5*width, b + 0.5*width);
+        if (!range1_.overlaps(along1) || !range2_.overlaps(along2))
+        {
+            return;
+        }
+
         point x(at(a, b));
         const bool isOn = lift(x);
         const scalar size = size_(x);
@@ -291,11 +304,12 @@ public:
         e2_ = side.normal ^ e1_;
 
         const vectorField d(vertices - side.origin);
-        const scalarField a(d & e1_), b(d & e2_);
+        range1_ = minMax(scalarField(d & e1_));
+        range2_ = minMax(scalarField(d & e2_));
         divide
         (
-            0.5*(min(a) + max(a)), 0.5*(min(b) + max(b)),
-            1.001*max(max(a) - min(a), max(b) - min(b))
+            range1_.centre(), range2_.centre(),
+            1.001*max(range1_.mag(), range2_.mag())
         );
     }
 
