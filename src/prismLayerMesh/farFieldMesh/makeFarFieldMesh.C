@@ -509,9 +509,13 @@ static void finish
     farFieldMesh& far
 )
 {
-    if (controls.type == farFieldType::hexCore)
+    const bool isHexCore = controls.type == farFieldType::hexCore;
+    if (isHexCore || emptySides(layers.border).first() >= 0)
     {
         dropEmptySides(layers.border.sides, far);
+    }
+    if (isHexCore)
+    {
         far.cellZones.append
         (
             cellZoneParts(hexCoreName, identity(far.nCells - nTets, nTets))
