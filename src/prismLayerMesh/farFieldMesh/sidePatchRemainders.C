@@ -254,8 +254,12 @@ class farFieldBoundaryMaker
         boundBox box(far.surface.points, false);
         if (box.empty())
         {
-            // It bounds nothing: what it adds to side planes is not filled
+            // Wall and side patches enclose the fluid: the box bounds nothing
             box = boundBox(layers.points, false);
+            for (const sidePatch& side : layers.border.sides)
+            {
+                box.add(side.points);
+            }
             box.inflate(0.01);
         }
         return box;
