@@ -101,7 +101,8 @@ static List<DynamicList<vector2D>> readRuns(const fileName& file)
 }
 
 
-//- From the end of the upper curve over the leading edge to that of the lower
+//- The upper curve backwards, then the lower curve: both begin at the leading
+//  edge
 static DynamicList<vector2D> joinedAtNose
 (
     const UList<vector2D>& upper,
