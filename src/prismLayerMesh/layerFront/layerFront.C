@@ -4,7 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layerFront.H"
+#include "ListOps.H"
 #include "normalSectors.H"
+#include "planarFan.H"
 #include "sidePatch.H"
 #include "sideShape.H"
 
@@ -202,38 +204,72 @@ struct frontBuilder
     }
 
 
+    //- The columns of a point at edge i, from the face before the edge to the
+    //  face after it: one, or those of the sectors that meet there
+    labelList columnsAt(const label p, const label i) const
+    {
+        const label before = addressing.pointFaces[p].rcIndex(i);
+        labelList columns(1, column(p, before));
+        const label k = divided.indices[p];
+        if (k >= 0)
+        {
+            const normalSectors& sectors = divided.sectors[k];
+            forAll(sectors.starts, s)
+            {
+                if (sectors.starts[s] == i)
+                {
+                    columns.append(sectorColumn(k, s));
+                }
+            }
+        }
+
+        return columns;
+    }
+
+
     //- On the edges where sectors of point k meet
     void addEdgeFaces(const label k)
     {
         const label p = divided.points[k];
 
-        for (const label i : divided.sectors[k].starts)
+        forAll(addressing.pointPoints[p], i)
         {
-            if (i == 0 && addressing.isOnBorder(p)) continue;
-
-            const label before = addressing.pointFaces[p].rcIndex(i);
-            const label q = addressing.pointPoints[p][i];
-
-            // Right of the edge from p to q is left of that from q to p
-            const label back = addressing.pointPoints[q].find(p);
-            const label right = column(q, back);
-            const label left =
-                column(q, addressing.pointFaces[q].rcIndex(back));
-
-            if (left == right)
+            const labelList here(columnsAt(p, i));
+            if (here.size() == 1 || (i == 0 && addressing.isOnBorder(p)))
             {
-                addFace(face({left, column(p, i), column(p, before)}));
+                continue;
             }
-            else if (p < q)
+
+            // What is before the edge seen from p is after it from q
+            const label q = addressing.pointPoints[p][i];
+            const labelList there
+            (
+                reverseList
+                (
+                    columnsAt(q, addressing.pointPoints[q].find(p))
+                )
+            );
+            for (label s = 1; s < here.size(); ++s)
             {
-                addFace(face({column(p, before), right, left, column(p, i)}));
+                if (there.size() == 1)
+                {
+                    addFace(face({there[0], here[s], here[s - 1]}));
+                }
+                else if (p < q)
+                {
+                    addFace
+                    (
+                        face({here[s - 1], there[s - 1], there[s], here[s]})
+                    );
+                }
             }
         }
     }
 
 
     //- The edges of the border stand on the columns of their sectors; further
-    //  ones are between the first and the last column of each divided point
+    //  ones are between the first and the last column of each divided point, or
+    //  between all columns of a fan
     void moveBorder()
     {
         wallBorder& border = front.surface.border;
@@ -252,14 +288,19 @@ struct frontBuilder
             if (addressing.isOnBorder(divided.points[k]))
             {
                 const label last = divided.sectors[k].starts.size() - 1;
-                border.edges.append
-                (
-                    edge(sectorColumn(k, last), sectorColumn(k, 0))
-                );
-                border.edgeSides.append
-                (
-                    addressing.sidesOf(divided.points[k])[0]
-                );
+                const label step = divided.sectors[k].triangles.empty()
+                  ? 1 : last;
+                for (label s = last; s > 0; s -= step)
+                {
+                    border.edges.append
+                    (
+                        edge(sectorColumn(k, s), sectorColumn(k, s - step))
+                    );
+                    border.edgeSides.append
+                    (
+                        addressing.sidesOf(divided.points[k])[0]
+                    );
+                }
             }
         }
     }
@@ -291,6 +332,12 @@ struct frontBuilder
             forAll(divided.sectors[k].starts, s)
             {
                 const label c = sectorColumn(k, s);
+                if (visibility.cornerNormals[c].empty())
+                {
+                    const vector& axis = divided.sectors[k].axes[s];
+                    visibility.cornerNormals[c] = vectorField(1, axis);
+                    visibility.meanNormals[c] = axis;
+                }
                 visibility.polygonNormals[c].append
                 (
                     divided.sectors[k].planes[s]
@@ -334,7 +381,12 @@ layerFront makeBareFront
     front.wallPoints = identity(wall.points.size());
     front.nWallFaces = wall.faces.size();
 
-    const boolList narrow(visibility.narrowCones(smallestAngle));
+    boolList narrow(visibility.narrowCones(smallestAngle));
+    forAll(narrow, p)
+    {
+        const label q = pointAcross(wall, addressing, p);
+        narrow[p] = narrow[p] || (q >= 0 && narrow[q]);
+    }
 
     if (narrow.found(true))
     {

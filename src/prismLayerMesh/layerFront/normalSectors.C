@@ -5,6 +5,7 @@
 
 #include "normalSectors.H"
 #include "faceSectors.H"
+#include "planarFan.H"
 #include "sectorSearch.H"
 #include "stageProgress.H"
 
@@ -93,6 +94,11 @@ struct pointDivider
 
     normalSectors sectorsOf(const label p) const
     {
+        if (pointAcross(wall, addressing, p) >= 0)
+        {
+            return makePlanarFan(wall, addressing, visibility, p);
+        }
+
         vectorField neighbourDirections(addressing.pointPoints[p].size());
         vectorField normals(neighbourDirections.size());
         bitSet shared(neighbourDirections.size());

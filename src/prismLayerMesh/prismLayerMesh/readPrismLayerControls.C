@@ -307,8 +307,8 @@ static void setPlanar(const dictionary& layers, prismLayerControls& controls)
         controls.layers.alongField && layers.found("marchingDirections");
     if (!layers.found("multipleNormalsAngle"))
     {
-        // Two columns at sharp trailing edges: benchmarks/solvable.md
-        controls.layers.multipleNormalsAngle = 30;
+        // A fan at each corner that turns by more than 30 degrees
+        controls.layers.multipleNormalsAngle = 75;
     }
 }
 

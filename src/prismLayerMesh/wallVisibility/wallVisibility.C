@@ -402,6 +402,12 @@ static void setPoint
         others.append(polygonNormals(wall, facei, p));
     }
 
+    // A column of a fan has no faces of the wall
+    if (normals.empty())
+    {
+        return;
+    }
+
     const labelList sides(addressing.sidesOf(p));
     addReflections(wall, sides, p, normals, angles, others);
     setSideLine(wall, sides, p, normals, visibility);

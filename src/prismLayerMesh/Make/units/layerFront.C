@@ -5,6 +5,7 @@
 
 #include "layerFront/columnConstraint.C"
 #include "layerFront/sectorSearch.C"
+#include "layerFront/planarFan.C"
 #include "layerFront/normalSectors.C"
 #include "layerFront/faceSectors.C"
 #include "layerFront/layerFront.C"

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "layerFront/normalSectorsTest.C"
+#include "layerFront/planarFanTest.C"
 #include "layerFront/faceSectorsTest.C"
 #include "layerFront/layerFrontTest.C"
 
