@@ -5,12 +5,14 @@
 
 #include "caseWriter.H"
 #include "ListOps.H"
+#include "meshFiles.H"
 #include "polyMesh.H"
 #include "prismCase.H"
 #include "prismPolyMesh.H"
 #include "sidePatchRemainders.H"
 #include "throwingErrors.H"
 #include "Time.H"
+#include "wedgeMesh.H"
 
 namespace Foam
 {
@@ -182,15 +184,27 @@ Foam::label Foam::caseWriter::writeMesh
 (
     const prismLayers& layers,
     farFieldMesh& far,
+    const planarControls& planar,
     replacedFiles& files
 ) const
 {
     label nFaces = 0;
-    writeMeshFolder
-    (
-        files,
-        [&](const IOobject& io) { nFaces = writePrismMesh(layers, far, io); }
-    );
+    const auto write = [&](const IOobject& io)
+    {
+        if (planar.wedgeAngle > 0)
+        {
+            autoPtr<polyMesh> mesh(makePrismPolyMesh(layers, far, io));
+            makeWedge(planar, *mesh);
+            mesh->setInstance(io.instance());
+            writeWhole(*mesh);
+            nFaces = mesh->nFaces();
+        }
+        else
+        {
+            nFaces = writePrismMesh(layers, far, io);
+        }
+    };
+    writeMeshFolder(files, write);
 
     return nFaces;
 }

@@ -163,6 +163,7 @@ static string writeMesh
     const caseWriter& writer,
     autoPtr<caseLayers>& made,
     farFieldMesh& farField,
+    const planarControls& planar,
     dictionary& processes,
     replacedFiles& replaced
 )
@@ -186,13 +187,13 @@ static string writeMesh
     made.clear();
     returnMemory();
 
-    return name(writer.writeMesh(layers, farField, replaced)) + " faces";
+    return
+        name(writer.writeMesh(layers, farField, planar, replaced)) + " faces";
 }
 
 
 //- On the master: writes mesh, outer surface and report. Consumes the layers
 //  and the far field.
-//  bounds: of the quality of faces
 static void writeCase
 (
     const prismCase& files,
@@ -201,7 +202,7 @@ static void writeCase
     const caseWall& given,
     autoPtr<caseLayers>& made,
     farFieldMesh&& farField,
-    const qualityControls& bounds,
+    const prismLayerControls& controls,
     stageLog& log,
     replacedFiles& replaced
 )
@@ -212,14 +213,18 @@ static void writeCase
     const farFieldReport far
     (
         hasFarField
-      ? makeFarFieldReport(made->wholeLayers(), farField, bounds)
+      ? makeFarFieldReport(made->wholeLayers(), farField, controls.quality)
       : farFieldReport()
     );
 
     dictionary processes;
     const string size
     (
-        writeMesh(parallel, writer, made, farField, processes, replaced)
+        writeMesh
+        (
+            parallel, writer, made, farField, controls.surface.planar,
+            processes, replaced
+        )
     );
     log.end(name(report.nCells + far.nCells) + " cells, " + size);
     report.stages = log.costs();
@@ -444,7 +449,7 @@ void meshWall
         writeCase
         (
             files, parallel, writer, given, made, std::move(farField),
-            controls.quality, log, replaced
+            controls, log, replaced
         );
     });
     rm(files.failedPointsFile());

@@ -142,7 +142,10 @@ static planarControls readPlanar(const dictionary& dict)
     }
 
     const dictionary& planar = dict.subDict("twoDimensional");
-    checkKeys(planar, {"normal", "thickness", "maxEdge", "maxTurn"});
+    checkKeys
+    (
+        planar, {"normal", "thickness", "maxEdge", "maxTurn", "wedgeAngle"}
+    );
     planar.readIfPresent("normal", controls.normal);
     if (mag(cmptMax(cmptMag(controls.normal)) - mag(controls.normal)) > 0)
     {
@@ -157,6 +160,9 @@ static planarControls readPlanar(const dictionary& dict)
     scalar maxTurn = radToDeg(controls.maxTurn);
     readBounded(planar, "maxTurn", 0.1, 30, maxTurn);
     controls.maxTurn = degToRad(maxTurn);
+    scalar wedgeAngle = 0;
+    readBounded(planar, "wedgeAngle", 0.01, 20, wedgeAngle);
+    controls.wedgeAngle = degToRad(wedgeAngle);
 
     return controls;
 }

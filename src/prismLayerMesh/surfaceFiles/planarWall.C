@@ -35,22 +35,13 @@ struct stripMaker
 };
 
 
-//- The first and the second direction of the coordinates of curves
-static labelPair directionsIn(const vector& normal)
-{
-    return
-        mag(normal.z()) > 0.5 ? labelPair(0, 1)
-      : mag(normal.y()) > 0.5 ? labelPair(0, 2) : labelPair(1, 2);
-}
-
-
 wallSurface stripOn
 (
     const UList<planeCurve>& curves,
     const planarControls& controls
 )
 {
-    const labelPair in(directionsIn(controls.normal));
+    const labelPair in(controls.directions());
     stripMaker maker;
     for (const planeCurve& given : curves)
     {

@@ -9,6 +9,7 @@
 #include "prismPolyMesh/meshOrder.C"
 #include "prismPolyMesh/meshFiles.C"
 #include "prismPolyMesh/prismPolyMesh.C"
+#include "prismPolyMesh/wedgeMesh.C"
 #include "prismPolyMesh/divideFarField.C"
 #include "prismPolyMesh/assemblePiece.C"
 #include "prismPolyMesh/divideMesh.C"

@@ -10,5 +10,6 @@
 #include "prismPolyMesh/divideMeshTest.C"
 #include "prismPolyMesh/multipleNormalsMeshTest.C"
 #include "prismPolyMesh/endedMeshTest.C"
+#include "prismPolyMesh/wedgeMeshTest.C"
 
 // ************************************************************************* //
