@@ -440,14 +440,13 @@ public:
             on_.triangulate();
             const label first = on_.points().size();
             on_.points().append(far_.surface.points);
-            forAll(far_.surface.faces, facei)
+            faceList around(far_.surface.faces);
+            for (face& f : around)
             {
-                on_.addTriangle
-                (
-                    face(labelList(far_.surface.faces[facei] + first)),
-                    far_.surface.patchIDs[facei]
-                );
+                f = face(labelList(f + first));
             }
+            on_.made.surface.faces.append(around);
+            on_.made.surface.patchIDs.append(far_.surface.patchIDs);
         }
 
         removeUnusedPoints(on_.made.surface.faces, on_.made.surface.points);

@@ -431,10 +431,13 @@ void sideRegions::triangulate()
         region.points = identity(inside.size(), points().size());
         points().append(inside);
 
-        for (const face& f : triangulatePlane(points(), region))
-        {
-            addTriangle(f, made.firstSide + s);
-        }
+        // All at once: a list that grows face by face takes quadratic time
+        const faceList triangles(triangulatePlane(points(), region));
+        made.surface.faces.append(triangles);
+        made.surface.patchIDs.append
+        (
+            labelList(triangles.size(), made.firstSide + s)
+        );
     }
 }
 

@@ -197,7 +197,7 @@ faceList planeTriangulator::inside(const planeRegion& region) const
         }
     }
 
-    faceList result;
+    DynamicList<face> result;
     for (std::size_t k = 0; k < found.size(); ++k)
     {
         const auto f = found[k];
@@ -215,7 +215,7 @@ faceList planeTriangulator::inside(const planeRegion& region) const
         result.append(t);
     }
 
-    return result;
+    return faceList(std::move(result));
 }
 
 } // End anonymous namespace
