@@ -381,6 +381,7 @@ layerFront makeBareFront
     front.wallPoints = identity(wall.points.size());
     front.nWallFaces = wall.faces.size();
 
+    // In two dimensions both ends of an edge are alike, whatever rounding says
     boolList narrow(visibility.narrowCones(smallestAngle));
     forAll(narrow, p)
     {
