@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "memoryMesh.H"
+#include "SubField.H"
 #include "wedgeMesh.H"
 
 #include <gtest/gtest.h>
@@ -79,7 +80,7 @@ TEST(wedgeMesh, cellsOnTheAxisEndInAnEdge)
         const polyPatch& side = mesh.boundaryMesh()[name];
         EXPECT_EQ(side.type(), "wedge");
         EXPECT_EQ(side.size(), 2);
-        EXPECT_NEAR(mag(sum(side.faceAreas())), 2, 1e-14);
+        EXPECT_NEAR(mag(sum(vectorField(side.faceAreas()))), 2, 1e-14);
     }
     EXPECT_FALSE(mesh.checkMesh(false));
 }
