@@ -176,6 +176,7 @@ void gainMerger::mergeOnPolygon
     if
     (
         !mesh_.isStar(cells[0])
+     || !mesh_.isBehindPolygon(cells[0], triangles[0])
      || largestScore(left) > max(before, controls_.gain)
     )
     {

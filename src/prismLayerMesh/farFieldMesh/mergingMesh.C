@@ -219,6 +219,28 @@ bool mergingMesh::isStar(const label c) const
 }
 
 
+bool mergingMesh::isBehindPolygon(const label c, const label polygon) const
+{
+    const bool fromOwner = faces_[polygon].owner == c;
+    for (const label f : cells_[c].faces)
+    {
+        for (const label p : far_.topology.faces[f])
+        {
+            if
+            (
+                polygons_[polygon].find(p) < 0
+             && !isBehind(far_.points[p], polygon, fromOwner)
+            )
+            {
+                return false;
+            }
+        }
+    }
+
+    return true;
+}
+
+
 void mergingMesh::appendNeighbours(const label c, fewLabels& cells) const
 {
     for (const label f : cells_[c].faces)
