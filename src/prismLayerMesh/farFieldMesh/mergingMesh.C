@@ -374,6 +374,8 @@ void mergingMesh::unite(const labelUList& triangles, const face& polygon)
     }
     polygons_.insert(first, polygon);
     faces_[first].geometry = faceGeometry(pointsOf(first));
+    setCentre(faces_[first].owner);
+    setCentre(faces_[first].neighbour);
 }
 
 
