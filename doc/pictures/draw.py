@@ -16,8 +16,12 @@
 #             slice       normal of a plane through the centre: the mesh in it
 #     cut     the cells of the mesh in a plane
 #             centre, normal, up, height
+#             field       of the last time: cells are coloured by its magnitude,
+#                         over the largest one in the plane; default: layers in
+#                         one colour, other cells in another
 #
-# All panels have one colour map, from 0 to 1, and a scale in metres.
+# All panels have one colour map, from 0 to 1, and a scale in metres. Only body
+# needs -writeFields.
 #------------------------------------------------------------------------------
 import math
 import os
@@ -68,7 +72,8 @@ def read_wall(case):
 
 
 def read_mesh(case):
-    """The cells of constant/polyMesh, with the labels of their owners' zones"""
+    """The cells of constant/polyMesh, with their labels, and with the fields of the
+    last time"""
     stub = os.path.join(case, "draw.foam")
     open(stub, "w").close()
     try:
@@ -78,6 +83,9 @@ def read_mesh(case):
         reader.DisableAllPatchArrays()
         reader.SetPatchArrayStatus("internalMesh", 1)
         reader.DecomposePolyhedraOff()
+        reader.CreateCellToPointOff()
+        times = reader.GetTimeValues()
+        reader.SetTimeValue(times.GetRange()[1] if times.GetNumberOfValues() else 0)
         reader.Update()
     finally:
         os.remove(stub)
@@ -133,22 +141,17 @@ def cut_of(mesh, centre, normal):
     return cutter.GetOutput()
 
 
-def add_cut(renderer, cut, n_layers, width):
-    """Cells in a plane: those of layers in one colour, others in another"""
-    def shown(n, values):
-        colours = vtk.vtkUnsignedCharArray()
-        colours.SetNumberOfComponents(3)
-        colours.SetName("colour")
-        cells = values.GetCellData().GetArray("cell")
-        for i in range(values.GetNumberOfCells()):
-            own = LAYERS if cells.GetValue(i) < n else FAR
-            colours.InsertNextTuple3(*(255*c for c in own))
-        values.GetCellData().SetScalars(colours)
-
-        return values
+def add_cut(renderer, cut, colour_of, width):
+    """Cells in a plane; colour_of: of each of them"""
+    colours = vtk.vtkUnsignedCharArray()
+    colours.SetNumberOfComponents(3)
+    colours.SetName("colour")
+    for i in range(cut.GetNumberOfCells()):
+        colours.InsertNextTuple3(*(255*c for c in colour_of(i)))
+    cut.GetCellData().SetScalars(colours)
 
     mapper = vtk.vtkPolyDataMapper()
-    mapper.SetInputData(shown(n_layers, cut))
+    mapper.SetInputData(cut)
     mapper.SetScalarModeToUseCellData()
     actor = vtk.vtkActor()
     actor.SetMapper(mapper)
@@ -157,6 +160,26 @@ def add_cut(renderer, cut, n_layers, width):
     actor.GetProperty().SetEdgeColor(*LINES)
     actor.GetProperty().SetLineWidth(width)
     renderer.AddActor(actor)
+
+
+def add_layers(renderer, case, cut, width):
+    """Layers in one colour, other cells in another"""
+    n = layer_cells(case)
+    cells = cut.GetCellData().GetArray("cell")
+    add_cut(renderer, cut,
+            lambda i: LAYERS if cells.GetValue(i) < n else FAR, width)
+
+
+def add_field(renderer, cut, field, width):
+    """Cells by the magnitude of a field, over the largest one"""
+    values = cut.GetCellData().GetArray(field)
+    if values is None:
+        fail("no field " + field)
+    sizes = [math.hypot(*values.GetTuple(i))
+             for i in range(values.GetNumberOfTuples())]
+    largest = max(sizes)
+    table = colour_map()
+    add_cut(renderer, cut, lambda i: table.GetColor(sizes[i]/largest), width)
 
 
 def look(renderer, centre, view, up, height):
@@ -246,7 +269,7 @@ def draw_body(renderer, case, values):
 
     if "slice" in values:
         cut = cut_of(read_mesh(case), centre, vector(values, "slice", None))
-        add_cut(renderer, cut, layer_cells(case), 1)
+        add_layers(renderer, case, cut, 1)
 
     look(renderer, centre, vector(values, "view", (1, -1, 0.6)),
          vector(values, "up", (0, 0, 1)), height)
@@ -258,8 +281,11 @@ def draw_cut(renderer, case, values):
     centre = vector(values, "centre", None)
     normal = vector(values, "normal", (0, 0, 1))
     height = float(values["height"])
-    add_cut(renderer, cut_of(read_mesh(case), centre, normal),
-            layer_cells(case), 1.5)
+    cut = cut_of(read_mesh(case), centre, normal)
+    if "field" in values:
+        add_field(renderer, cut, values["field"], 1)
+    else:
+        add_layers(renderer, case, cut, 1.5)
     look(renderer, centre, normal, vector(values, "up", (0, 1, 0)), height)
     add_scale(renderer, height)
 
