@@ -195,7 +195,6 @@ Foam::label Foam::caseWriter::writeMesh
         {
             autoPtr<polyMesh> mesh(makePrismPolyMesh(layers, far, io));
             makeWedge(planar, *mesh);
-            mesh->setInstance(io.instance());
             writeWhole(*mesh);
             nFaces = mesh->nFaces();
         }

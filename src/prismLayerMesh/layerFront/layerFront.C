@@ -204,8 +204,8 @@ struct frontBuilder
     }
 
 
-    //- The columns of a point at edge i, from the face before the edge to the
-    //  face after it: one, or those of the sectors that meet there
+    //- The columns of point p at its edge i: the column of the face before the
+    //  edge, then the columns of the sectors that begin at the edge
     labelList columnsAt(const label p, const label i) const
     {
         const label before = addressing.pointFaces[p].rcIndex(i);
@@ -267,9 +267,9 @@ struct frontBuilder
     }
 
 
-    //- The edges of the border stand on the columns of their sectors; further
-    //  ones are between the first and the last column of each divided point, or
-    //  between all columns of a fan
+    //- The edges of the border stand on the columns of their sectors. At each
+    //  divided point there is a further edge, from the last column to the first
+    //  one. A fan has such an edge between each two of its columns.
     void moveBorder()
     {
         wallBorder& border = front.surface.border;

@@ -16,7 +16,8 @@ namespace Foam
 namespace
 {
 
-//- A distance from the axis below this share of the largest one is none
+//- A point is on the axis if its distance from the axis is at most this share
+//  of the largest distance
 static constexpr scalar axisShare = 1e-9;
 
 
@@ -56,11 +57,11 @@ public:
     {}
 
 
-    //- The points on the second side that those on the first side take in, at
-    //  the axis; others are themselves
-    labelList pointsLeft() const
+    //- The point that each point becomes: on the axis, a point of the second
+    //  side becomes the point across. The other points stay.
+    labelList mergedPoints() const
     {
-        labelList left(identity(mesh_.nPoints()));
+        labelList merged(identity(mesh_.nPoints()));
         for (const face& f : mesh_.faces())
         {
             for (const edge& e : f.edges())
@@ -74,12 +75,12 @@ public:
                  && isOnAxis(e.start()) && isOnAxis(e.end())
                 )
                 {
-                    left[e.end()] = e.start();
+                    merged[e.end()] = e.start();
                 }
             }
         }
 
-        return left;
+        return merged;
     }
 
 
@@ -106,7 +107,7 @@ public:
 };
 
 
-//- A face without the points that follow an equal one
+//- A face in which no point follows itself
 face withoutRepeats(const face& f)
 {
     DynamicList<label> points(f.size());
@@ -142,8 +143,8 @@ void requirePositive(const polyMesh& mesh)
 }
 
 
-//- Replaces the patches: those of type empty become wedges, and those without
-//  faces go
+//- Sets the patches. A patch of type empty becomes a wedge. A patch without
+//  faces goes.
 void setPatches
 (
     const labelUList& sizes,
@@ -187,13 +188,13 @@ void setPatches
 void makeWedge(const planarControls& controls, polyMesh& mesh)
 {
     const planarMesh planar(controls, mesh);
-    const labelList left(planar.pointsLeft());
+    const labelList merged(planar.mergedPoints());
     labelList newPoints(mesh.nPoints());
     autoPtr<pointField> points(new pointField(mesh.nPoints()));
     label nPoints = 0;
-    forAll(left, p)
+    forAll(merged, p)
     {
-        if (left[p] == p)
+        if (merged[p] == p)
         {
             points()[nPoints] = planar.turned(p);
             newPoints[p] = nPoints++;
@@ -212,7 +213,7 @@ void makeWedge(const planarControls& controls, polyMesh& mesh)
         face turned(mesh.faces()[f]);
         for (label& p : turned)
         {
-            p = newPoints[left[p]];
+            p = newPoints[merged[p]];
         }
         turned = withoutRepeats(turned);
         if (patchi >= 0 && sizes[patchi] == 0)
@@ -230,6 +231,7 @@ void makeWedge(const planarControls& controls, polyMesh& mesh)
         }
     }
 
+    const fileName instance(mesh.facesInstance());
     mesh.resetPrimitives
     (
         std::move(points), autoPtr<faceList>(new faceList(std::move(faces))),
@@ -237,6 +239,7 @@ void makeWedge(const planarControls& controls, polyMesh& mesh)
         autoPtr<labelList>(new labelList(mesh.faceNeighbour())),
         sizes, starts, false
     );
+    mesh.setInstance(instance);
     setPatches(sizes, starts, mesh);
     requirePositive(mesh);
 }
