@@ -72,7 +72,7 @@ static bool moveToAll
 }
 
 
-bool openComponent::turnsCorner() const
+List<borderCorner> openComponent::corners() const
 {
     Map<label> planeOfStart;
     forAll(borders, i)
@@ -80,15 +80,69 @@ bool openComponent::turnsCorner() const
         planeOfStart.insert(borders[i].start(), planes[i]);
     }
 
+    DynamicList<borderCorner> found;
     forAll(borders, i)
     {
-        if (planeOfStart.lookup(borders[i].end(), -1) != planes[i])
+        const label p = borders[i].end();
+        const label next = planeOfStart.lookup(p, planes[i]);
+        if (next != planes[i])
         {
-            return true;
+            found.append(borderCorner{p, planes[i], next});
         }
     }
 
-    return false;
+    return List<borderCorner>(std::move(found));
+}
+
+
+//- Returns a point in each plane of a component: one in all planes, or two,
+//  each in all planes but one; nothing if there are none
+static pointField capPoints
+(
+    const UList<sidePatch>& planes,
+    const openComponent& component,
+    const UList<borderCorner>& corners,
+    const scalar tolerance,
+    const point& near
+)
+{
+    const labelList all(labelHashSet(component.planes).sortedToc());
+    point x(near);
+    if (moveToAll(planes, all, tolerance, x))
+    {
+        return pointField(planes.size(), x);
+    }
+
+    const auto moveToAllBut = [&](const label one, point& x)
+    {
+        const labelList others
+        (
+            subsetList(all, [&](const label s) { return s != one; })
+        );
+        x = near;
+
+        return moveToAll(planes, others, tolerance, x);
+    };
+
+    for (const label a : all)
+    {
+        for (const label b : all)
+        {
+            const bool isApart = !anyOf(corners, [&](const borderCorner& c)
+            {
+                return (c.from == a && c.to == b) || (c.from == b && c.to == a);
+            });
+            point onB;
+            if (a < b && isApart && moveToAllBut(b, x) && moveToAllBut(a, onB))
+            {
+                pointField points(planes.size(), x);
+                points[b] = onB;
+                return points;
+            }
+        }
+    }
+
+    return pointField();
 }
 
 
@@ -135,15 +189,25 @@ List<triPoints> cappedTriangles
 {
     const pointField& points = surface.points;
     const scalar size = boundBox(points, false).mag();
-    const labelList some(labelHashSet(component.planes).sortedToc());
-    const bool turns = component.turnsCorner();
-    point apex(points[surface.faces[component.faces[0]][0]]);
+    const List<borderCorner> corners(component.corners());
 
-    // Caps are triangles from an apex in their plane: from one in all planes
-    // where borders go from one to another
-    if (turns && !moveToAll(planes, some, 1e-6*size, apex))
+    // Caps are triangles from a point in their plane
+    pointField tops(planes.size());
+    forAll(planes, s)
     {
-        return List<triPoints>();
+        tops[s] = planes[s].origin;
+    }
+    if (corners.size())
+    {
+        tops = capPoints
+        (
+            planes, component, corners, 1e-6*size,
+            points[surface.faces[component.faces[0]][0]]
+        );
+        if (tops.empty())
+        {
+            return List<triPoints>();
+        }
     }
 
     DynamicList<triPoints> triangles;
@@ -162,8 +226,20 @@ List<triPoints> cappedTriangles
     forAll(component.borders, i)
     {
         const edge& e = component.borders[i];
-        const point& top = turns ? apex : planes[component.planes[i]].origin;
+        const point& top = tops[component.planes[i]];
         triangles.append(triPoints(points[e.end()], points[e.start()], top));
+    }
+
+    // Between two points in caps, in the plane that has both
+    for (const borderCorner& corner : corners)
+    {
+        triangles.append
+        (
+            triPoints
+            (
+                points[corner.point], tops[corner.from], tops[corner.to]
+            )
+        );
     }
 
     return List<triPoints>(std::move(triangles));
