@@ -467,6 +467,28 @@ static void dropEmptySides(const UList<sidePatch>& sides, farFieldMesh& far)
 }
 
 
+//- Tells the user of patches that were asked for and have no faces
+static void noteEmptyPatches
+(
+    const List<farPatch>& wanted,
+    farFieldMesh& far
+)
+{
+    for (const farPatch& patch : wanted)
+    {
+        const label patchi = far.patches.names.find(patch.name);
+        if (patchi < 0 || far.topology.patchSizes[1 + patchi] == 0)
+        {
+            far.notes.append
+            (
+                "The patch " + patch.name + " of the far boundary has no faces:"
+              + " the fluid reaches none of its sides"
+            );
+        }
+    }
+}
+
+
 //- Names the patches of the core that the patches of the wall replace, also to
 //  the user
 static void setReplaced
@@ -510,6 +532,7 @@ static void finish
 )
 {
     const bool isHexCore = controls.type == farFieldType::hexCore;
+    noteEmptyPatches(controls.boundary.patches, far);
     if (isHexCore || emptySides(layers.border).first() >= 0)
     {
         dropEmptySides(layers.border.sides, far);
