@@ -21,6 +21,7 @@ static std::string reasonOf(const std::string& message)
     {
         {"throughSide", "goes through the side plane", "repair stitch"},
         {"beyondSide", "is beyond the side", "repair stitch"},
+        {"allBeyondSide", "is all beyond the side", "Move the side out"},
         {"touchesSide", "touches the side", "repair stitch"},
         {"fillsBox", "fills the box", "fluid inside"},
         {"nothingLeft", "Nothing is left", "Move a side out"}

@@ -374,17 +374,27 @@ void requireInFront
     for (const sidePatch& plane : planes)
     {
         const scalarField distances(distancesTo(plane, surface.points));
-        if (min(distances) < -tolerance && max(distances) > tolerance)
+        if (max(distances) <= tolerance)
         {
-            FatalErrorInFunction
-                << "The surface goes through the side plane " << plane.name
-                << ", up to " << max(distances) << " m beyond it at "
-                << surface.points[findMax(distances)] << nl
-                << "To cut the surface there, write" << nl
-                << "    surface { repair stitch; }" << nl
-                << "The fluid is where the normal " << plane.normal
-                << " does not point" << exit(FatalError);
+            continue;
         }
+
+        const bool isCut = min(distances) < -tolerance;
+        FatalErrorInFunction
+            << "The surface " << (isCut ? "goes through" : "is all beyond")
+            << " the side plane " << plane.name << ", up to "
+            << max(distances) << " m beyond it at "
+            << surface.points[findMax(distances)] << nl
+            <<
+            (
+                isCut
+              ? "To cut the surface there, write\n"
+                "    surface { repair stitch; }\n"
+                "The normal must"
+              : "Move the side out. Or turn the normal of the plane: it must"
+            )
+            << " point out of the fluid, and is " << plane.normal
+            << exit(FatalError);
     }
 }
 

@@ -193,6 +193,18 @@ TEST(boxSides, errorsNameTheSideAndTheDistance)
     );
     requireInFront(halfCube(2), halfPlanes());
 
+    // Its upper face is in the side
+    List<sidePatch> above(halfPlanes());
+    above[0].origin.z() = 1;
+    expectWords
+    (
+        thrownMessage<Foam::error>
+        (
+            [&]() { requireInFront(quadCube(2), above); }
+        ),
+        {"all beyond the side plane", "1 m", "Move the side out"}
+    );
+
     const auto errorIn = [](const scalar ground)
     {
         return thrownMessage<Foam::error>([&]()
