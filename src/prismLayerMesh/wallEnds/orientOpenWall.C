@@ -95,8 +95,9 @@ List<borderCorner> openComponent::corners() const
 }
 
 
-//- Returns a point in each plane of a component: one in all planes, or two,
-//  each in all planes but one; nothing if there are none
+//- Returns a point in each plane; nothing if there are no caps. Where a border
+//  of a component goes from one plane to another, it is one point in all planes
+//  of the component, or two, each in all planes but one.
 static pointField capPoints
 (
     const UList<sidePatch>& planes,
@@ -106,6 +107,16 @@ static pointField capPoints
     const point& near
 )
 {
+    if (corners.empty())
+    {
+        pointField origins(planes.size());
+        forAll(planes, s)
+        {
+            origins[s] = planes[s].origin;
+        }
+        return origins;
+    }
+
     const labelList all(labelHashSet(component.planes).sortedToc());
     point x(near);
     if (moveToAll(planes, all, tolerance, x))
@@ -192,22 +203,17 @@ List<triPoints> cappedTriangles
     const List<borderCorner> corners(component.corners());
 
     // Caps are triangles from a point in their plane
-    pointField tops(planes.size());
-    forAll(planes, s)
-    {
-        tops[s] = planes[s].origin;
-    }
-    if (corners.size())
-    {
-        tops = capPoints
+    const pointField tops
+    (
+        capPoints
         (
             planes, component, corners, 1e-6*size,
             points[surface.faces[component.faces[0]][0]]
-        );
-        if (tops.empty())
-        {
-            return List<triPoints>();
-        }
+        )
+    );
+    if (corners.size() && tops.empty())
+    {
+        return List<triPoints>();
     }
 
     DynamicList<triPoints> triangles;
