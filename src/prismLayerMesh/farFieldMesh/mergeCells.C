@@ -69,14 +69,23 @@ class gainMerger
         scores_[c] = scoreOf(gains_[c], seen);
     }
 
-    //- The pairs of tetrahedra, or polyhedra of them, at a cell
-    DynamicList<labelPair> pairsAt(const label c) const;
+    //- The pairs of tetrahedra, or polyhedra of them, at a cell, ascending
+    DynamicList<labelList> pairsAt(const label c) const;
 
-    //- Returns by how much the excess falls if a pair merges, 0 if it must not
-    scalar dropOf(const labelPair& pair);
+    //- A tetrahedron, or a polyhedron, with each two cells beside it, ascending
+    DynamicList<labelList> triplesAt(const label c) const;
 
-    //- Merges the best pair at a cell. Returns the cells around it; none if no
-    //  pair may merge.
+    void mergeInto(const labelUList& group);
+
+    //- Returns by how much the excess falls if a group merges, 0 if it must not
+    scalar dropOf(const labelUList& group);
+
+    //- The group with the largest drop; empty if none may merge
+    labelList bestOf(const UList<labelList>& groups);
+
+    //- Merges the best pair at a cell, or the best triple if no pair may merge:
+    //  a flat tetrahedron goes with both cells of one of its sides. Returns the
+    //  cells around; none if there is no such group.
     fewLabels mergeAt(const label c);
 
 public:
@@ -159,10 +168,7 @@ void gainMerger::mergeOnPolygon
     const scalar before = largestScore(around);
 
     const mergingMesh::state state(mesh_.stateOf(changed));
-    for (label k = 1; k < cells.size(); ++k)
-    {
-        mesh_.merge(cells[0], cells[k]);
-    }
+    mergeInto(cells);
     mesh_.unite(triangles, polygon);
 
     fewLabels left;
@@ -211,7 +217,7 @@ scalar gainMerger::largestScore(const labelUList& cells)
 }
 
 
-DynamicList<labelPair> gainMerger::pairsAt(const label c) const
+DynamicList<labelList> gainMerger::pairsAt(const label c) const
 {
     fewLabels starts;
     if (mesh_.nTets(c))
@@ -223,7 +229,7 @@ DynamicList<labelPair> gainMerger::pairsAt(const label c) const
         mesh_.appendNeighbours(c, starts);
     }
 
-    DynamicList<labelPair> pairs;
+    DynamicList<labelList> pairs;
     for (const label a : starts)
     {
         fewLabels others;
@@ -237,21 +243,64 @@ DynamicList<labelPair> gainMerger::pairsAt(const label c) const
              && (a < b || starts.find(b) < 0)
             )
             {
-                pairs.append(labelPair(min(a, b), max(a, b)));
+                pairs.append(labelList({min(a, b), max(a, b)}));
             }
         }
     }
-    std::sort(pairs.begin(), pairs.end());
+    std::sort
+    (
+        pairs.begin(), pairs.end(), [](const labelList& p, const labelList& q)
+        {
+            return p[0] < q[0] || (p[0] == q[0] && p[1] < q[1]);
+        }
+    );
 
     return pairs;
 }
 
 
-scalar gainMerger::dropOf(const labelPair& pair)
+DynamicList<labelList> gainMerger::triplesAt(const label c) const
 {
-    const label a = pair.first();
-    const labelList both({a, pair.second()});
-    const fewLabels around(withNeighbours(both));
+    fewLabels others;
+    mesh_.appendNeighbours(c, others);
+    DynamicList<labelList> triples;
+    forAll(others, i)
+    {
+        for (label j = 0; j < i; ++j)
+        {
+            labelList cells({c, others[i], others[j]});
+            label nTets = 0;
+            bool areTets = true;
+            for (const label p : cells)
+            {
+                nTets += mesh_.nTets(p);
+                areTets = areTets && mesh_.nTets(p);
+            }
+            if (areTets && nTets <= controls_.maxTets)
+            {
+                Foam::sort(cells);
+                triples.append(cells);
+            }
+        }
+    }
+
+    return triples;
+}
+
+
+void gainMerger::mergeInto(const labelUList& group)
+{
+    for (label k = 1; k < group.size(); ++k)
+    {
+        mesh_.merge(group[0], group[k]);
+    }
+}
+
+
+scalar gainMerger::dropOf(const labelUList& group)
+{
+    const label a = group[0];
+    const fewLabels around(withNeighbours(group));
     scalar before = 0;
     scalar largest = 0;
     for (const label c : around)
@@ -259,16 +308,16 @@ scalar gainMerger::dropOf(const labelPair& pair)
         before += excess(scores_[c]);
         largest = max(largest, scores_[c]);
     }
-    before += mesh_.excessOfFaces(a, pair.second(), controls_);
+    before += mesh_.excessOfFaces(group, controls_);
 
-    const mergingMesh::state state(mesh_.stateOf(both));
-    mesh_.merge(a, pair.second());
+    const mergingMesh::state state(mesh_.stateOf(group));
+    mergeInto(group);
     const scalar allowed = (1 - controls_.leastDrop)*before;
-    scalar after = mesh_.excessOfFaces(a, a, controls_);
+    scalar after = mesh_.excessOfFaces(labelList(1, a), controls_);
     bool better = after < allowed && mesh_.isStar(a);
     for (label k = 0; better && k < around.size(); ++k)
     {
-        if (around[k] != pair.second())
+        if (around[k] == a || group.find(around[k]) < 0)
         {
             const scalar score = scoreAt(around[k]);
             after += excess(score);
@@ -281,27 +330,42 @@ scalar gainMerger::dropOf(const labelPair& pair)
 }
 
 
-fewLabels gainMerger::mergeAt(const label c)
+labelList gainMerger::bestOf(const UList<labelList>& groups)
 {
-    labelPair best(-1, -1);
+    labelList best;
     scalar largest = 0;
-    for (const labelPair& pair : pairsAt(c))
+    for (const labelList& group : groups)
     {
-        const scalar drop = dropOf(pair);
+        const scalar drop = dropOf(group);
         if (drop > largest)
         {
             largest = drop;
-            best = pair;
+            best = group;
         }
     }
 
-    fewLabels around;
-    if (largest > 0)
+    return best;
+}
+
+
+fewLabels gainMerger::mergeAt(const label c)
+{
+    labelList best(bestOf(pairsAt(c)));
+    if (best.empty() && mesh_.nTets(c))
     {
-        mesh_.merge(best.first(), best.second());
-        scores_[best.second()] = gains_[best.second()] = 0;
-        around.append(best.first());
-        mesh_.appendNeighbours(best.first(), around);
+        best = bestOf(triplesAt(c));
+    }
+
+    fewLabels around;
+    if (best.size())
+    {
+        mergeInto(best);
+        for (label k = 1; k < best.size(); ++k)
+        {
+            scores_[best[k]] = gains_[best[k]] = 0;
+        }
+        around.append(best[0]);
+        mesh_.appendNeighbours(best[0], around);
         for (const label r : around)
         {
             rate(r, seen_);

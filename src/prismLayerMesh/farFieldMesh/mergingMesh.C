@@ -388,8 +388,7 @@ void mergingMesh::separate(const labelUList& triangles)
 
 scalar mergingMesh::excessOfFaces
 (
-    const label a,
-    const label b,
+    const labelUList& cells,
     const mergeControls& controls
 ) const
 {
@@ -426,15 +425,15 @@ scalar mergingMesh::excessOfFaces
         }
         sum += controls.faceWeight*excess;
     };
-    for (const label f : cells_[a].faces)
+    forAll(cells, i)
     {
-        add(f);
-    }
-    for (const label f : cells_[b].faces)
-    {
-        if (b != a && across(f, b) != a)
+        for (const label f : cells_[cells[i]].faces)
         {
-            add(f);
+            const label j = cells.find(across(f, cells[i]));
+            if (j < 0 || j > i)
+            {
+                add(f);
+            }
         }
     }
 

@@ -61,7 +61,8 @@ TEST(mergeCells, gainsOfTheWholeMeshFall)
     const scalarField gainsBefore(explicitGains(volumesOf(before())));
     const scalarField gainsAfter(explicitGains(volumesOf(after())));
     EXPECT_LE(max(gainsAfter), max(gainsBefore)*(1 + 1e-9));
-    EXPECT_LT(excessOf(gainsAfter), 0.7*excessOf(gainsBefore));
+    // Pairs alone leave 0.16 of it
+    EXPECT_LT(excessOf(gainsAfter), 0.13*excessOf(gainsBefore));
 }
 
 
