@@ -5,6 +5,7 @@
 
 #include "refineSurface.H"
 #include "DynamicList.H"
+#include "edgeCollapser.H"
 #include "EdgeMap.H"
 #include "farFieldMeshControls.H"
 #include "ListOps.H"
@@ -12,6 +13,8 @@
 #include "ranges.H"
 #include "stageProgress.H"
 #include "triPointRef.H"
+
+#include <algorithm>
 
 namespace Foam
 {
@@ -89,6 +92,28 @@ static scalarField keptLengths
 }
 
 
+namespace
+{
+
+//- The wanted lengths of edges
+struct wantedLengths
+{
+    const pointField& points;
+    const std::function<scalar(const point&)>& size;
+    const scalarField floors;
+
+    scalar operator()(const edge& e) const
+    {
+        return max
+        (
+            size(e.centre(points)), 0.5*(floors[e.start()] + floors[e.end()])
+        );
+    }
+};
+
+} // End anonymous namespace
+
+
 //- The edges to divide: those that are too long, and the longest edge of each
 //  triangle that has one of them (Rivara)
 static EdgeMap<label> markEdges
@@ -99,20 +124,17 @@ static EdgeMap<label> markEdges
 )
 {
     const pointField& points = surface.points;
-    const scalarField lengths(keptLengths(surface, kept));
+    const wantedLengths wanted{points, size, keptLengths(surface, kept)};
     EdgeMap<label> marked;
 
     for (const face& f : surface.faces)
     {
         for (const edge& e : f.edges())
         {
-            const scalar floor = 0.5*(lengths[e.start()] + lengths[e.end()]);
-
             if
             (
                 !kept.found(e)
-             && e.mag(points)
-              > farFieldTuned.maxLength*max(size(e.centre(points)), floor)
+             && e.mag(points) > farFieldTuned.maxLength*wanted(e)
             )
             {
                 marked.insert(e, -1);
@@ -423,6 +445,57 @@ static void smoothPoints
 }
 
 
+//- Collapses edges that are much shorter than the wanted lengths, the shortest
+//  first, where a point between triangles of one patch in a plane can go.
+//  Returns whether there were any.
+static bool collapseOnce
+(
+    wallSurface& surface,
+    const std::function<scalar(const point&)>& size,
+    const bool inPlane
+)
+{
+    const edgeHashSet kept(outline(surface.faces));
+    const wantedLengths wanted
+    {
+        surface.points, size, keptLengths(surface, kept)
+    };
+    const boolList isFree(findFree(surface, findInner(surface), inPlane));
+    std::vector<std::pair<scalar, edge>> shorts;
+    for (const face& f : surface.faces)
+    {
+        for (const edge& e : f.edges())
+        {
+            const scalar length = e.mag(surface.points);
+            if
+            (
+                isFree[e.start()]
+             && length < farFieldTuned.minLength*wanted(e)
+            )
+            {
+                shorts.emplace_back(length, e);
+            }
+        }
+    }
+    std::sort
+    (
+        shorts.begin(), shorts.end(), [](const auto& a, const auto& b)
+        {
+            return a.first < b.first
+                || (a.first == b.first && a.second.start() < b.second.start());
+        }
+    );
+
+    edgeCollapser collapser(surface);
+    for (const auto& one : shorts)
+    {
+        collapser.collapse(one.second.start(), one.second.end());
+    }
+
+    return collapser.finish();
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 void refineSurface
@@ -469,6 +542,16 @@ void refineSurface
     repeatUntilStable
     (
         "dividing long edges", farFieldTuned.maxDivisions, divideOnce
+    );
+
+    repeatUntilStable
+    (
+        "collapsing short edges", farFieldTuned.maxCollapses,
+        [&]()
+        {
+            flipEdges(surface, !project);
+            return collapseOnce(surface, size, !project);
+        }
     );
 
     // Not before each division: that would not come to an end

@@ -206,6 +206,47 @@ TEST(refineSurface, longTrianglesBecomeBetter)
 }
 
 
+TEST(refineSurface, trianglesBesideAnEdgeAreGood)
+{
+    // A triangle is cut out of the lower side of a box, close to an edge
+    wallSurface surface;
+    surface.points = pointField
+    ({
+        point(0, 0, 0), point(10, 0, 0), point(10, 2, 0), point(0, 2, 0),
+        point(0, 0, 2), point(10, 0, 2), point(10, 2, 2), point(0, 2, 2),
+        point(1, 0.001, 0), point(1.1, 0.002, 0), point(1.05, 0.1, 0)
+    });
+    surface.faces = faceList
+    ({
+        face({0, 9, 1}), face({0, 8, 9}), face({1, 10, 2}), face({1, 9, 10}),
+        face({2, 10, 3}), face({3, 10, 8}), face({3, 8, 0}),
+        face({4, 5, 6}), face({4, 6, 7}), face({0, 1, 5}), face({0, 5, 4}),
+        face({1, 2, 6}), face({1, 6, 5}), face({2, 3, 7}), face({2, 7, 6}),
+        face({3, 0, 4}), face({3, 4, 7})
+    });
+    surface.patchIDs = labelList
+    ({
+        0, 0, 0, 0, 0, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4, 5, 5
+    });
+    const point hole(surface.points[10]);
+    const auto size = [&](const point& x) { return 0.1 + 0.2*mag(x - hole); };
+    refineSurface(surface, size, nullptr);
+
+    const scalarField quality(qualities(surface));
+    scalar worst = 1;
+    forAll(quality, facei)
+    {
+        if (mag(surface.faces[facei].centre(surface.points) - hole) > 1)
+        {
+            worst = min(worst, quality[facei]);
+        }
+    }
+    EXPECT_GT(worst, 0.3);
+    EXPECT_EQ(outline(surface.faces).size(), 3);
+    EXPECT_LE(longestOverSize(surface, size), 2);
+}
+
+
 TEST(refineSurface, pointsFollowASphere)
 {
     farBoundaryControls controls;

@@ -12,6 +12,7 @@
 #include "farFieldMesh/sideRegions.C"
 #include "farFieldMesh/sidePatchRemainders.C"
 #include "farFieldMesh/tetBoundary.C"
+#include "farFieldMesh/edgeCollapser.C"
 #include "farFieldMesh/farBoundary.C"
 #include "farFieldMesh/improveTets.C"
 #include "farFieldMesh/tetImprover.C"
