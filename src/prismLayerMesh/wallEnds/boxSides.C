@@ -384,17 +384,21 @@ void requireInFront
             << "The surface " << (isCut ? "goes through" : "is all beyond")
             << " the side plane " << plane.name << ", up to "
             << max(distances) << " m beyond it at "
-            << surface.points[findMax(distances)] << nl
-            <<
-            (
-                isCut
-              ? "To cut the surface there, write\n"
-                "    surface { repair stitch; }\n"
-                "The normal must"
-              : "Move the side out. Or turn the normal of the plane: it must"
-            )
-            << " point out of the fluid, and is " << plane.normal
-            << exit(FatalError);
+            << surface.points[findMax(distances)] << nl;
+        if (isCut)
+        {
+            FatalError
+                << "To cut the surface there, write" << nl
+                << "    surface { repair stitch; }" << nl;
+        }
+        else
+        {
+            FatalError
+                << "Move the side out, or turn the normal of the plane" << nl;
+        }
+        FatalError
+            << "The normal must point out of the fluid, and is "
+            << plane.normal << exit(FatalError);
     }
 }
 

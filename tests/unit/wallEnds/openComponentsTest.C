@@ -71,8 +71,11 @@ TEST(openComponents, capsCloseABodyBetweenTwoWalls)
 
     wallSurface inverted(reversed(body));
     EXPECT_EQ(orientOpenWall(inverted, planes, true), body.faces.size());
-    EXPECT_EQ(inverted.faces[0].unitNormal(inverted.points),
-        body.faces[0].unitNormal(body.points));
+    EXPECT_EQ
+    (
+        inverted.faces[0].unitNormal(inverted.points),
+        body.faces[0].unitNormal(body.points)
+    );
     EXPECT_EQ(orientOpenWall(inverted, planes, true), 0);
 }
 
