@@ -6,6 +6,7 @@
 #include "edgeCollapser.H"
 #include "HashSet.H"
 #include "ListOps.H"
+#include "surfacePart.H"
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -19,8 +20,7 @@ Foam::edgeCollapser::edgeCollapser(wallSurface& surface)
             surface.points.size(), surface.faces
         )
     ),
-    isTouched_(surface.points.size(), false),
-    isGone_(surface.points.size())
+    isTouched_(surface.points.size(), false)
 {}
 
 
@@ -98,38 +98,20 @@ void Foam::edgeCollapser::collapse(const label v, const label w)
         UIndirectList<bool>(isTouched_, f) = true;
         f[f.find(v)] = w;
     }
-    isGone_.set(v);
 }
 
 
 bool Foam::edgeCollapser::finish()
 {
-    labelList renumbering(surface_.points.size(), -1);
-    label n = 0;
-    forAll(renumbering, p)
-    {
-        if (!isGone_.test(p))
-        {
-            surface_.points[n] = surface_.points[p];
-            renumbering[p] = n++;
-        }
-    }
-    surface_.points.setSize(n);
-
-    label nFaces = 0;
+    bitSet kept(surface_.faces.size());
     forAll(surface_.faces, facei)
     {
-        const face f(renumber(renumbering, surface_.faces[facei]));
-        if (f[0] != f[1] && f[1] != f[2] && f[2] != f[0])
-        {
-            surface_.patchIDs[nFaces] = surface_.patchIDs[facei];
-            surface_.faces[nFaces++] = f;
-        }
+        const face& f = surface_.faces[facei];
+        kept.set(facei, f[0] != f[1] && f[1] != f[2] && f[2] != f[0]);
     }
-    surface_.patchIDs.setSize(nFaces);
-    surface_.faces.setSize(nFaces);
+    keepFaces(kept, surface_);
 
-    return isGone_.any();
+    return !kept.all();
 }
 
 

@@ -247,13 +247,7 @@ DynamicList<labelList> gainMerger::pairsAt(const label c) const
             }
         }
     }
-    std::sort
-    (
-        pairs.begin(), pairs.end(), [](const labelList& p, const labelList& q)
-        {
-            return p[0] < q[0] || (p[0] == q[0] && p[1] < q[1]);
-        }
-    );
+    std::sort(pairs.begin(), pairs.end());
 
     return pairs;
 }
@@ -263,21 +257,19 @@ DynamicList<labelList> gainMerger::triplesAt(const label c) const
 {
     fewLabels others;
     mesh_.appendNeighbours(c, others);
+    const auto n = [&](const label i) { return mesh_.nTets(others[i]); };
     DynamicList<labelList> triples;
     forAll(others, i)
     {
         for (label j = 0; j < i; ++j)
         {
-            labelList cells({c, others[i], others[j]});
-            label nTets = 0;
-            bool areTets = true;
-            for (const label p : cells)
+            if
+            (
+                n(i) && n(j)
+             && mesh_.nTets(c) + n(i) + n(j) <= controls_.maxTets
+            )
             {
-                nTets += mesh_.nTets(p);
-                areTets = areTets && mesh_.nTets(p);
-            }
-            if (areTets && nTets <= controls_.maxTets)
-            {
+                labelList cells({c, others[i], others[j]});
                 Foam::sort(cells);
                 triples.append(cells);
             }

@@ -15,6 +15,8 @@
 #include "triPointRef.H"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 namespace Foam
 {
@@ -461,7 +463,7 @@ static bool collapseOnce
         surface.points, size, keptLengths(surface, kept)
     };
     const boolList isFree(findFree(surface, findInner(surface), inPlane));
-    std::vector<std::pair<scalar, edge>> shorts;
+    std::vector<std::pair<scalar, labelPair>> shorts;
     for (const face& f : surface.faces)
     {
         for (const edge& e : f.edges())
@@ -473,23 +475,16 @@ static bool collapseOnce
              && length < farFieldTuned.minLength*wanted(e)
             )
             {
-                shorts.emplace_back(length, e);
+                shorts.emplace_back(length, labelPair(e.start(), e.end()));
             }
         }
     }
-    std::sort
-    (
-        shorts.begin(), shorts.end(), [](const auto& a, const auto& b)
-        {
-            return a.first < b.first
-                || (a.first == b.first && a.second.start() < b.second.start());
-        }
-    );
+    std::sort(shorts.begin(), shorts.end());
 
     edgeCollapser collapser(surface);
     for (const auto& one : shorts)
     {
-        collapser.collapse(one.second.start(), one.second.end());
+        collapser.collapse(one.second.first(), one.second.second());
     }
 
     return collapser.finish();
