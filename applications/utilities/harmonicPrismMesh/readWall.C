@@ -220,8 +220,8 @@ caseWall readWall
     }
     if (prepared.nCut)
     {
-        Info<< "    faces cut into triangles, because a point cannot see all"
-            << " its faces " << prepared.nCut << endl;
+        Info<< "    faces cut into triangles, because no cell is good on"
+            << " them " << prepared.nCut << endl;
     }
 
     controls.farField.boundary.box = prepared.farBox;

@@ -353,6 +353,10 @@ preparedWall prepareWall
     prepared.nFlips = flipCaps(wall);
     // Repair may have folded some
     prepared.nCut = cutReflexFaces(wall);
+    if (controls.farField.isWanted())
+    {
+        prepared.nCut += cutCrowdedFaces(wall);
+    }
     prepared.nCut += cutBlindFaces(wall);
     renumberWall(wall);
 

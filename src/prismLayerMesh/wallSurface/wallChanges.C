@@ -7,8 +7,11 @@
 #include "boundBox.H"
 #include "DynamicList.H"
 #include "edgeHashes.H"
+#include "labelledTriangle.H"
 #include "ranges.H"
 #include "wallSides.H"
+
+#include <functional>
 
 namespace Foam
 {
@@ -38,7 +41,14 @@ static bool hasReflexOrFoldedCorner(const face& f, const pointField& points)
 }
 
 
-label cutFaces(wallSurface& wall, const boolList& isCut)
+//- As cutFaces.
+//  cut: returns the triangles of a face
+static label cutFacesBy
+(
+    wallSurface& wall,
+    const boolList& isCut,
+    const std::function<faceList(const face&)>& cut
+)
 {
     if (!isCut.found(true))
     {
@@ -58,11 +68,7 @@ label cutFaces(wallSurface& wall, const boolList& isCut)
             continue;
         }
 
-        faceList parts(f.nTriangles());
-        label n = 0;
-        f.triangles(wall.points, n, parts);
-
-        for (const face& part : parts)
+        for (const face& part : cut(f))
         {
             triangles.append(part);
             triangleIDs.append(wall.patchIDs[facei]);
@@ -79,6 +85,19 @@ label cutFaces(wallSurface& wall, const boolList& isCut)
 }
 
 
+label cutFaces(wallSurface& wall, const boolList& isCut)
+{
+    return cutFacesBy(wall, isCut, [&](const face& f)
+    {
+        faceList parts(f.nTriangles());
+        label n = 0;
+        f.triangles(wall.points, n, parts);
+
+        return parts;
+    });
+}
+
+
 label cutReflexFaces(wallSurface& wall)
 {
     boolList isCut(wall.faces.size());
@@ -92,6 +111,72 @@ label cutReflexFaces(wallSurface& wall)
     }
 
     return cutFaces(wall, isCut);
+}
+
+
+//- The fan of triangles of a face from its corner k
+static faceList fanFrom(const face& f, const label k)
+{
+    faceList fan(f.size() - 2);
+    forAll(fan, i)
+    {
+        fan[i] = face
+        ({
+            f[k], f[(k + i + 1) % f.size()], f[(k + i + 2) % f.size()]
+        });
+    }
+
+    return fan;
+}
+
+
+label cutCrowdedFaces(wallSurface& wall)
+{
+    // The fans from other corners count as further faces
+    const label n = wall.faces.size();
+    DynamicList<face> others;
+    DynamicList<label> otherFaces;
+    forAll(wall.faces, facei)
+    {
+        const face& f = wall.faces[facei];
+        for (label k = 1; f.size() > 3 && k < f.size(); ++k)
+        {
+            const faceList fan(fanFrom(f, k));
+            others.append(fan);
+            otherFaces.append(labelList(fan.size(), n + facei));
+        }
+    }
+    if (others.empty())
+    {
+        return 0;
+    }
+
+    labelList wallFaces;
+    const faceList triangles(wallTriangles(wall, wallFaces));
+    DynamicList<labelPair> pairs;
+    addIntersections
+    (
+        labelledTriangles(others, wall.points, otherFaces),
+        labelledTriangles(triangles, wall.points, wallFaces),
+        pairs
+    );
+
+    boolList isCut(n, false);
+    for (const labelPair& pair : pairs)
+    {
+        for (const label facei : pair)
+        {
+            if (facei >= n && pair.first() % n != pair.second() % n)
+            {
+                isCut[facei - n] = true;
+            }
+        }
+    }
+
+    return cutFacesBy
+    (
+        wall, isCut, [](const face& f) { return fanFrom(f, 0); }
+    );
 }
 
 

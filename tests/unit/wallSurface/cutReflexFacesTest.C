@@ -77,4 +77,43 @@ TEST(cutReflexFaces, warpedQuadrilateralStaysUntilItIsFolded)
     EXPECT_EQ(folded.faces.size(), 2);
 }
 
+
+//- A warped quadrilateral, and a triangle above it, whose tip is at a height.
+//  The diagonal that the wall does not have is 0.5 above the one that it has.
+static wallSurface warpedBelowTriangle(const scalar height)
+{
+    wallSurface wall;
+    wall.points = pointField
+    ({
+        Zero, point(1, 0, 0.5), point(1, 1, 0), point(0, 1, 0.5),
+        point(0.5, 0.5, height), point(0.6, 0.5, 2), point(0.5, 0.5, 2)
+    });
+    wall.faces = faceList({face({0, 1, 2, 3}), face({4, 5, 6})});
+    wall.patchIDs = labelList({1, 0});
+    wall.patchNames = wordList({"a", "b"});
+
+    return wall;
+}
+
+
+TEST(cutCrowdedFaces, facesBetweenBothDiagonalsCutAsTheWallIs)
+{
+    wallSurface wall(warpedBelowTriangle(0.25));
+
+    EXPECT_EQ(cutCrowdedFaces(wall), 1);
+    ASSERT_EQ(wall.faces.size(), 3);
+    EXPECT_EQ(wall.faces[1], face({0, 1, 2}));
+    EXPECT_EQ(wall.faces[2], face({0, 2, 3}));
+    EXPECT_EQ(wall.patchIDs, labelList({0, 1, 1}));
+}
+
+
+TEST(cutCrowdedFaces, facesBeyondBothDiagonalsCutNothing)
+{
+    wallSurface wall(warpedBelowTriangle(0.6));
+
+    EXPECT_EQ(cutCrowdedFaces(wall), 0);
+    EXPECT_EQ(wall.faces.size(), 2);
+}
+
 // ************************************************************************* //
