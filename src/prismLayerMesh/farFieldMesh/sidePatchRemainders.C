@@ -254,13 +254,14 @@ class farFieldBoundaryMaker
         boundBox box(far.surface.points, false);
         if (box.empty())
         {
-            // Wall and side patches enclose the fluid: the box bounds nothing
+            // Wall and side patches enclose the fluid: the box bounds nothing.
+            // The corner of three planes may be outside of the box of the wall.
             box = boundBox(layers.points, false);
             for (const sidePatch& side : layers.border.sides)
             {
                 box.add(side.points);
             }
-            box.inflate(0.01);
+            box.inflate(1);
         }
         return box;
     }
