@@ -227,9 +227,40 @@ static void readSurface(const dictionary& dict, farBoundaryControls& boundary)
 }
 
 
+cyclicControls readCyclic(const word& type, const dictionary& dict)
+{
+    cyclicControls cyclic;
+    dict.readIfPresent("partner", cyclic.partner);
+    const dictionary& rotation = optionalDict(dict, "rotation");
+    checkKeys(rotation, {"axis", "origin", "angle"});
+    if (rotation.size())
+    {
+        rotation.readEntry("axis", cyclic.axis);
+        rotation.readEntry("origin", cyclic.origin);
+        cyclic.angle = readMandatory(rotation, "angle", -180, 180);
+    }
+
+    const bool isCyclic = type == "cyclic";
+    if ((cyclic.partner.size() || rotation.size()) && !isCyclic)
+    {
+        entryError(dict, "type")
+            << "Patches with a partner or a rotation are of type cyclic, not "
+            << type << exit(FatalIOError);
+    }
+    if (rotation.size() && (!(mag(cyclic.axis) > 0) || cyclic.partner.empty()))
+    {
+        entryError(dict, "rotation")
+            << "The rotation must have an axis that is not zero, and is of the"
+            << " patch that has the partner" << exit(FatalIOError);
+    }
+
+    return cyclic;
+}
+
+
 static farPatch readFarPatch(const keyType& key, const dictionary& dict)
 {
-    checkKeys(dict, {"type", "sides"});
+    checkKeys(dict, {"type", "sides", "partner"});
 
     if (key.isPattern())
     {
@@ -241,10 +272,22 @@ static farPatch readFarPatch(const keyType& key, const dictionary& dict)
     farPatch patch;
     patch.name = key;
     patch.sides = wordRes(1, wordRe(key));
-    readChoice(dict, "type", sideTypes, patch.type);
+    readChoice(dict, "type", planeTypes, patch.type);
+    patch.cyclic = readCyclic(patch.type, dict);
     dict.readIfPresent("sides", patch.sides);
 
     return patch;
+}
+
+
+//- Whether one of some patches is of type cyclic
+template<class Patch>
+static bool anyCyclic(const UList<Patch>& patches)
+{
+    return anyOf
+    (
+        patches, [](const Patch& patch) { return patch.type == "cyclic"; }
+    );
 }
 
 
@@ -273,6 +316,12 @@ static farBoundaryControls readBoundary(const dictionary& dict)
     }
 
     boundary.patches = readEntries<farPatch>(dict, "patches", readFarPatch);
+    if (boundary.type != farBoundaryType::box && anyCyclic(boundary.patches))
+    {
+        entryError(dict, "type")
+            << "Patches of type cyclic are sides of a box"
+            << exit(FatalIOError);
+    }
 
     return boundary;
 }
@@ -320,6 +369,29 @@ static void refuseOtherTypes(const dictionary& dict, const farFieldType type)
 }
 
 
+//- Refuses cyclic patches beside cells that are not the same on both of a pair
+static void refuseCyclic
+(
+    const dictionary& dict,
+    const farFieldControls& controls,
+    const wallSurfaceControls& surface
+)
+{
+    if
+    (
+        (controls.type == farFieldType::hexCore
+      || controls.type == farFieldType::mesh)
+     && (anyCyclic(controls.boundary.patches) || anyCyclic(surface.sidePlanes))
+    )
+    {
+        entryError(dict, "type")
+            << "Beside patches of type cyclic the far field is of type tet:"
+            << " other cells are not the same on both patches of a pair"
+            << exit(FatalIOError);
+    }
+}
+
+
 farFieldControls readFarFieldControls
 (
     const dictionary& dict,
@@ -356,6 +428,8 @@ farFieldControls readFarFieldControls
     {
         controls.boundary = readBoundary(optionalDict(dict, "boundary"));
     }
+
+    refuseCyclic(dict, controls, surface);
 
     // An open wall inside of which the fluid is may have one
     const bool fluidOutside = surface.fluidOutside;

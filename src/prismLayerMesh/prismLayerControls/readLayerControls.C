@@ -127,6 +127,12 @@ const wordList sideTypes
 });
 
 
+const wordList planeTypes
+({
+    "patch", "wall", "symmetryPlane", "symmetry", "empty", "cyclic"
+});
+
+
 //- Number of layers of a patch or region; 0 if it is the general number
 static label readNumber(const dictionary& dict, const layerControls& general)
 {

@@ -54,13 +54,14 @@ static fileNameList readFiles(const dictionary& dict)
 
 static sidePatch readSidePlane(const keyType& key, const dictionary& dict)
 {
-    checkKeys(dict, {"point", "normal", "type"});
+    checkKeys(dict, {"point", "normal", "type", "partner", "rotation"});
 
     sidePatch plane;
     plane.name = key;
     dict.readEntry("point", plane.origin);
     dict.readEntry("normal", plane.normal);
-    readChoice(dict, "type", sideTypes, plane.type);
+    readChoice(dict, "type", planeTypes, plane.type);
+    plane.cyclic = readCyclic(plane.type, dict);
 
     if (key.isPattern() || !(mag(plane.normal) > 0))
     {

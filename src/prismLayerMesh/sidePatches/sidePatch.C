@@ -372,6 +372,14 @@ void checkSides
 
         for (const sidePatch& other : sides)
         {
+            if (other.name == side.name && other.type != side.type)
+            {
+                FatalErrorInFunction
+                    << "Two side patches have the name " << side.name
+                    << " and the types " << side.type << " and " << other.type
+                    << nl << "Rename one of them" << exit(FatalError);
+            }
+
             if
             (
                 other.name == side.name && side.type == "symmetryPlane"

@@ -37,6 +37,7 @@ static List<sidePatch> sidesOf(const farBoundaryControls& boundary)
             {
                 plane.name = patch.name;
                 plane.type = patch.type;
+                plane.cyclic = patch.cyclic;
             }
         }
     }
@@ -298,6 +299,22 @@ List<sidePatch> freeSides
         {
             return !end.isPart() && isSamePlane(side, end, tolerance);
         });
+    });
+}
+
+
+List<sidePatch> cyclicSides
+(
+    const farBoundaryControls& boundary,
+    const UList<sidePatch>& ends
+)
+{
+    List<sidePatch> sides(ends);
+    sides.append(freeSides(boundary, ends));
+
+    return subsetList(sides, [](const sidePatch& side)
+    {
+        return side.type == "cyclic";
     });
 }
 

@@ -64,14 +64,83 @@ TEST(sidePlanes, wrongEntriesAreErrors)
     expectWords(errorOfPlanes("middle { point (0 0 1); }"), {"normal"});
     expectWords
     (
-        errorOfPlanes("middle { point (0 0 0); normal (0 0 1); type cyclic; }"),
-        {"type is cyclic", "symmetryPlane"}
+        errorOfPlanes("middle { point (0 0 0); normal (0 0 1); type wedge; }"),
+        {"type is wedge", "symmetryPlane"}
     );
     expectWords
     (
         errorOfPlanes("middle { point (0 0 0); normals (0 0 1); }"),
         {"Unknown key normals", "did you mean normal"}
     );
+}
+
+
+TEST(sidePlanes, cyclicOnesHaveAPartnerAndARotation)
+{
+    const auto cyclic = [](const std::string& entries)
+    {
+        return readControls
+        (
+            "surface { file a.stl; sidePlanes { a { point (0 0 0);"
+            " normal (0 -1 0); " + entries + " } } }" + layers
+        ).surface.sidePlanes[0];
+    };
+
+    const sidePatch plane
+    (
+        cyclic
+        (
+            "type cyclic; partner b;"
+            " rotation { axis (0 0 1); origin (0 0 2); angle 72; }"
+        )
+    );
+    EXPECT_EQ(plane.type, "cyclic");
+    EXPECT_EQ(plane.cyclic.partner, "b");
+    EXPECT_EQ(plane.cyclic.axis, vector(0, 0, 1));
+    EXPECT_EQ(plane.cyclic.origin, point(0, 0, 2));
+    EXPECT_EQ(plane.cyclic.angle, 72);
+
+    const auto errorOf = [&](const std::string& entries)
+    {
+        return thrownMessage([&]() { cyclic(entries); });
+    };
+    expectWords(errorOf("partner b;"), {"partner", "cyclic", "patch"});
+    expectWords
+    (
+        errorOf("type cyclic; rotation { axis (0 0 1); origin (0 0 0);"
+            " angle 9; }"),
+        {"rotation", "partner"}
+    );
+    expectWords
+    (
+        errorOf("type cyclic; partner b; rotation { axis (0 0 0);"
+            " origin (0 0 0); angle 9; }"),
+        {"axis"}
+    );
+    expectWords
+    (
+        errorOf("type cyclic; partner b; rotation { axis (0 0 1);"
+            " origin (0 0 0); }"),
+        {"angle"}
+    );
+}
+
+
+TEST(sidePlanes, besideCyclicOnesTheFarFieldIsOfTets)
+{
+    const auto read = [](const std::string& type)
+    {
+        readControls
+        (
+            surface + layers + "farField { type " + type + "; boundary {"
+            " type box; min (0 0 0); max (1 1 1); patches {"
+            " a { type cyclic; partner b; sides (xMin); }"
+            " b { type cyclic; sides (xMax); } } } }"
+        );
+    };
+
+    EXPECT_NO_THROW(read("tet"));
+    expectWords(thrownMessage([&]() { read("hexCore"); }), {"cyclic", "tet"});
 }
 
 

@@ -3,6 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
+#include "sidePatches/sidePair.C"
 #include "sidePatches/sidePatch.C"
 
 // ************************************************************************* //
