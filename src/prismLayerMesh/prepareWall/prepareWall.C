@@ -7,6 +7,7 @@
 #include "boundBox.H"
 #include "boxSides.H"
 #include "cutSurface.H"
+#include "cyclicSides.H"
 #include "flushSides.H"
 #include "OStringStream.H"
 #include "ranges.H"
@@ -113,7 +114,8 @@ static string sizesOf
 (
     const wallSurface& wall,
     const wallReading& reading,
-    const label nFacesInSides
+    const label nFacesInSides,
+    const cyclicAlignment& aligned
 )
 {
     wordHashSet curved;
@@ -135,6 +137,12 @@ static string sizesOf
         << "points put on their planes " << reading.pointsPutOnSides << ", by "
         << reading.largestMove << " m at most, faces turned to the fluid "
         << reading.flippedFaces;
+    if (pairsOf(wall.border.sides).size())
+    {
+        os  << nl << "points on cyclic sides added " << aligned.nAdded
+            << ", moved along the border " << aligned.nMoved << ", all by "
+            << aligned.largestMove << " m at most";
+    }
     if (nFacesInSides)
     {
         os  << nl << "faces of bodies that stand on sides, removed "
@@ -281,7 +289,9 @@ static void split
     }
 
     observer.begin("sidePatches");
-    observer.end(sizesOf(wall, reading, prepared.nFacesInSides));
+    const scalar size = boundBox(wall.points, false).mag();
+    const cyclicAlignment aligned(alignCyclicSides(wall, sideTolerance*size));
+    observer.end(sizesOf(wall, reading, prepared.nFacesInSides, aligned));
     const List<wallDefect> defects(findWallDefects(wall, true));
     if (defects.size())
     {

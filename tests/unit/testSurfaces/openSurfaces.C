@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "openSurfaces.H"
+#include "cyclicSides.H"
 #include "mathematicalConstants.H"
 #include "surfacePart.H"
 #include "splitAtSidePatches.H"
@@ -159,6 +160,47 @@ wallSurface testSurfaces::sheet(const label n, const scalar height)
     }
 
     return top;
+}
+
+
+wallSurface testSurfaces::waves(const label n)
+{
+    using constant::mathematical::twoPi;
+
+    wallSurface wall(triangulated(sheet(n, 0)));
+    for (point& x : wall.points)
+    {
+        x.z() = 0.1*::sin(twoPi*x.x() + 0.7)*::cos(twoPi*x.y() + 0.3);
+    }
+
+    return wall;
+}
+
+
+List<sidePatch> testSurfaces::cyclicPlanes()
+{
+    List<sidePatch> planes(4);
+    const char* names[] = {"left", "right", "front", "back"};
+    forAll(planes, i)
+    {
+        planes[i].name = names[i];
+        planes[i].type = "cyclic";
+        planes[i].normal[i/2] = i % 2 ? 1 : -1;
+        planes[i].origin[i/2] = i % 2;
+    }
+    planes[0].cyclic.partner = "right";
+    planes[2].cyclic.partner = "back";
+
+    return planes;
+}
+
+
+wallSurface testSurfaces::periodicWaves(const label n)
+{
+    wallSurface wall(endedOn(waves(n), cyclicPlanes()));
+    alignCyclicSides(wall, 1e-6);
+
+    return wall;
 }
 
 

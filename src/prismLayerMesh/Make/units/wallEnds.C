@@ -9,6 +9,8 @@
 #include "wallEnds/orientOpenWall.C"
 #include "wallEnds/sideParts.C"
 #include "wallEnds/splitAtSidePatches.C"
+#include "wallEnds/cyclicSides.C"
+#include "wallEnds/periodicWall.C"
 #include "wallEnds/planesOfBorder.C"
 #include "wallEnds/convexPolyhedron.C"
 

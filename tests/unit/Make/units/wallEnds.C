@@ -5,6 +5,7 @@
 
 #include "wallEnds/convexPolyhedronTest.C"
 #include "wallEnds/boxSidesTest.C"
+#include "wallEnds/periodicWallTest.C"
 #include "wallEnds/planesOfBorderTest.C"
 #include "wallEnds/sideBordersTest.C"
 #include "wallEnds/sideFacesTest.C"

@@ -1,0 +1,214 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "periodicWall.H"
+#include "boundBox.H"
+#include "cyclicSides.H"
+#include "DynamicList.H"
+#include "ListOps.H"
+#include "splitAtSidePatches.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * *  Periodic Wall  * * * * * * * * * * * * * * //
+
+//- Distance [m] within which points are equal but for rounding
+static scalar roundingOf(const wallSurface& wall)
+{
+    return touchShare*sideTolerance*boundBox(wall.points, false).mag();
+}
+
+
+//- Moves the sides of a pair to the ends of the images, and makes other sides
+//  whole planes.
+static void moveSides(const sidePair& pair, wallSurface& wall)
+{
+    List<sidePatch>& sides = wall.border.sides;
+    const scalar tolerance = roundingOf(wall);
+    forAll(sides, s)
+    {
+        sidePatch& side = sides[s];
+        if (s == pair.first || s == pair.second)
+        {
+            static_cast<sidePlane&>(side) = moved
+            (
+                side,
+                s == pair.first ? pair.toSecond.inverse() : pair.toSecond
+            );
+            side.type = "patch";
+        }
+        else if
+        (
+            side.isCurved()
+         || !isSamePlane(side, moved(side, pair.toSecond), tolerance)
+        )
+        {
+            FatalErrorInFunction
+                << "The side patch " << side.name << " is not the same beyond"
+                << " the cyclic side patches " << sides[pair.first].name
+                << " and " << sides[pair.second].name << nl
+                << "Beside cyclic sides layers end only on planes that are"
+                << " perpendicular to them" << exit(FatalError);
+        }
+        side.points.clear();
+        side.faces.clear();
+    }
+}
+
+
+namespace
+{
+
+//- Adds the images of a wall on both sides of a pair
+struct imageMaker
+{
+    periodicWall& wall;
+    const sidePair& pair;
+    const Map<label> toSecond;
+
+    const wallSurface given = wall.surface;
+    const labelList givenBases = wall.bases;
+    const labelList givenMotions = wall.motionOfPoint;
+    const List<rigidMotion> motions = wall.motions;
+
+    DynamicList<edge> edges{};
+    DynamicList<label> edgeSides{};
+
+    //- The edges of the border that stay of an image
+    void addBorder(const labelUList& labels, const label within)
+    {
+        forAll(given.border.edges, i)
+        {
+            const label side = given.border.edgeSides[i];
+            const edge& e = given.border.edges[i];
+            const bool isWithin =
+                (side == pair.first || side == pair.second) && side != within;
+            if (!isWithin)
+            {
+                edges.append(edge(labels[e.start()], labels[e.end()]));
+                edgeSides.append(side);
+            }
+        }
+    }
+
+    //- Adds an image.
+    //  joined: by point of the given wall that the image has in common with it,
+    //  the label of that point there
+    //  end: the side on which the image ends
+    void add
+    (
+        const rigidMotion& motion,
+        const Map<label>& joined,
+        const label end
+    )
+    {
+        const label firstMotion = wall.motions.size();
+        for (const rigidMotion& m : motions)
+        {
+            wall.motions.append(motion.after(m));
+        }
+
+        wallSurface& surface = wall.surface;
+        labelList labels(given.points.size());
+        DynamicList<point> points(surface.points);
+        DynamicList<label> bases(wall.bases), motionOf(wall.motionOfPoint);
+        forAll(labels, p)
+        {
+            labels[p] = joined.lookup(p, -1);
+            if (labels[p] < 0)
+            {
+                labels[p] = points.size();
+                points.append(motion(given.points[p]));
+                bases.append(givenBases[p]);
+                motionOf.append(firstMotion + givenMotions[p]);
+            }
+        }
+        surface.points.transfer(points);
+        wall.bases = std::move(bases);
+        wall.motionOfPoint = std::move(motionOf);
+
+        faceList faces(given.faces);
+        for (face& f : faces)
+        {
+            inplaceRenumber(labels, f);
+        }
+        surface.faces.append(faces);
+        surface.patchIDs.append(given.patchIDs);
+        addBorder(labels, end);
+    }
+};
+
+} // End anonymous namespace
+
+
+//- Points on the second side become images of those on the first
+static void joinSides
+(
+    const Map<label>& toSecond,
+    const rigidMotion& motion,
+    periodicWall& wall
+)
+{
+    const label firstMotion = wall.motions.size();
+    const List<rigidMotion> motions(wall.motions);
+    for (const rigidMotion& m : motions)
+    {
+        wall.motions.append(motion.after(m));
+    }
+    for (const label p : toSecond.sortedToc())
+    {
+        const label image = toSecond[p];
+        wall.bases[image] = wall.bases[p];
+        wall.motionOfPoint[image] = firstMotion + wall.motionOfPoint[p];
+    }
+}
+
+
+static Map<label> inverseOf(const Map<label>& map)
+{
+    Map<label> inverse(2*map.size());
+    forAllConstIters(map, iter)
+    {
+        inverse.insert(iter.val(), iter.key());
+    }
+
+    return inverse;
+}
+
+
+periodicWall::periodicWall(const wallSurface& given)
+:
+    surface(given),
+    nPoints(given.points.size()),
+    nFaces(given.faces.size()),
+    bases(identity(nPoints)),
+    motionOfPoint(nPoints, Zero),
+    motions(1)
+{
+    for (const sidePair& pair : pairsOf(given.border.sides))
+    {
+        const Map<label> toSecond
+        (
+            imagesOnBorder(surface, pair, roundingOf(surface))
+        );
+        joinSides(toSecond, pair.toSecond, *this);
+
+        imageMaker maker{*this, pair, toSecond};
+        maker.addBorder(identity(surface.points.size()), -1);
+        maker.add(pair.toSecond, toSecond, pair.second);
+        maker.add
+        (
+            pair.toSecond.inverse(), inverseOf(toSecond), pair.first
+        );
+        surface.border.edges = std::move(maker.edges);
+        surface.border.edgeSides = std::move(maker.edgeSides);
+        moveSides(pair, surface);
+    }
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
