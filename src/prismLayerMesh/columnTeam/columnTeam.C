@@ -55,7 +55,7 @@ columnTeam::columnTeam(const shareLabels& share, const processTeam& processes)
 :
     share_(share),
     processes_(processes),
-    isAlone_(processes.size() == 1),
+    isAlone_(processes.size() == 1 && share.columns.whole.empty()),
     columns(share.columns, processes),
     points(share.points, processes),
     faces(share.faces, processes)

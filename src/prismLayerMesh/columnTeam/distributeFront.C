@@ -542,7 +542,7 @@ boolList countedWallFaces(const layerFront& front, const columnTeam& team)
     boolList counted(front.nWallFaces);
     forAll(counted, facei)
     {
-        counted[facei] = team.counts(front.surface.faces[facei]);
+        counted[facei] = team.countsFace(facei);
     }
 
     return counted;

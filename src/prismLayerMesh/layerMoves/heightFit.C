@@ -261,7 +261,12 @@ fittedWall makeFittedWall
     fittedWall w;
     w.counted = subsetList(faces, [&](const label facei)
     {
-        return team.counts(columnsOf[facei])
+        // Images of faces are beside own columns, too
+        const bool counts =
+            team.hasImages()
+          ? team.hasOwn(columnsOf[facei]) : team.countsFace(facei);
+
+        return counts
             && max(scalarField(mobilities, columnsOf[facei])) > 0;
     });
 

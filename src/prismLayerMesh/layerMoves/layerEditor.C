@@ -43,7 +43,7 @@ static label colourOf
             {
                 others.append(colours[q]);
             }
-            else if (isBefore(team.wholeColumn(q), team.wholeColumn(c)))
+            else if (isBefore(team.stateColumn(q), team.stateColumn(c)))
             {
                 return -1;
             }
@@ -180,14 +180,8 @@ layerEditor::layerEditor
     journal_(identity(front.surface.faces.size()))
 {
     const wallSurface& surface = front.surface;
-    layers_.nLayers = spacing.nLayers;
-    layers_.faces = surface.faces;
-    layers_.patchIDs = SubList<label>(surface.patchIDs, front.nWallFaces);
-    layers_.patchNames = surface.patchNames;
-    layers_.patchTypes = surface.patchTypes;
-    layers_.border = surface.border;
+    layers_ = layersWithoutPoints(front, spacing.nLayers);
     layers_.isCut = controls_.isCut;
-    layers_.extraColumnPoints = front.extraColumnPoints();
     layers_.points.setSize(surface.points.size()*(spacing.nLayers + 1));
 
     #pragma omp parallel for schedule(static, 64)
@@ -203,6 +197,11 @@ layerEditor::layerEditor
             layers_.points[layers_.index(c, i)] =
                 constraint(c).allowedPoint(surface.points[c] + h*offset);
         }
+    }
+
+    if (team.hasImages())
+    {
+        publish(team.ownOf(identity(surface.points.size())));
     }
 }
 
@@ -444,7 +443,9 @@ void layerEditor::publish(const labelUList& changed)
         for (label i = 0; i < states.size(); ++i)
         {
             const label c = team_.columns.received()[p][states.place(i)];
-            restore(c, states[i]);
+            columnState state(states[i]);
+            team_.moveToImage(c, state.points);
+            restore(c, state);
             touch(c);
         }
     }

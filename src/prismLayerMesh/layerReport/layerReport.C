@@ -130,7 +130,7 @@ static List<labelPair> edgesOfShare
     for (const labelPair& two : neighboursOnWall(front))
     {
         const label lower = min(two.first(), two.second());
-        if (team.counts(front.surface.faces[lower]))
+        if (team.countsFace(lower))
         {
             edges.append(two);
         }

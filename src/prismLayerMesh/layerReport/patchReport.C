@@ -398,7 +398,7 @@ patchReport wallSample::report(const word& name, const labelUList& faces) const
         subsetList
         (
             faces,
-            [&](const label facei) { return team.counts(layers.faces[facei]); }
+            [&](const label facei) { return team.countsFace(facei); }
         )
     );
     addFaces(counted, patch);

@@ -58,19 +58,17 @@ prismLayers layersOnMaster
     const processTeam& processes
 )
 {
-    layerFront front(gatherFront(share, wall, processes));
-    prismLayers layers;
-    layers.nLayers = own.nLayers;
+    prismLayers layers
+    (
+        layersWithoutPoints
+        (
+            gatherFront(share, wall, processes), own.nLayers
+        )
+    );
     layers.points = columnTeam(share, processes).columns.onMaster
     (
         own.points, own.nLayers + 1
     );
-    layers.extraColumnPoints = front.extraColumnPoints();
-    layers.faces = std::move(front.surface.faces);
-    layers.patchIDs = SubList<label>(front.surface.patchIDs, front.nWallFaces);
-    layers.patchNames = front.surface.patchNames;
-    layers.patchTypes = front.surface.patchTypes;
-    layers.border = front.surface.border;
     layers.isCut = own.isCut;
 
     return layers;

@@ -10,6 +10,7 @@
 #include "makePrismLayers.H"
 #include "planarColumns.H"
 #include "returnMemory.H"
+#include "sidePair.H"
 #include "stageText.H"
 #include "unitConversion.H"
 #include "wallClearance.H"
@@ -86,11 +87,18 @@ static shareOfWall makeWhole
 {
     observer.begin("wallVisibility");
     wallAddressing addressing(makeWallAddressing(wall));
-    if (isShared && emptySides(wall.border).first() >= 0)
+    if
+    (
+        isShared
+     && (
+            emptySides(wall.border).first() >= 0
+         || pairsOf(wall.border.sides).size()
+        )
+    )
     {
         FatalErrorInFunction
-            << "A mesh of two dimensions is made in one process"
-            << exit(FatalError);
+            << "A mesh of two dimensions, or with cyclic side patches, is made"
+            << " in one process" << exit(FatalError);
     }
     checkSidesOf(wall, addressing);
     wallVisibility visibility(makeWallVisibility(wall, addressing));

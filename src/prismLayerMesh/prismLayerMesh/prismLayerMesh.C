@@ -5,7 +5,11 @@
 
 #include "prismLayerMesh.H"
 #include "layerStages.H"
+#include "periodicShare.H"
+#include "periodicStages.H"
 #include "returnMemory.H"
+
+#include <optional>
 
 namespace Foam
 {
@@ -14,14 +18,6 @@ namespace Foam
 
 namespace
 {
-
-//- Columns, and the heights that they are to have
-struct plannedColumns
-{
-    layerColumns columns;
-    layerSpacing spacing;
-};
-
 
 //- All stages, see makePrismLayerMesh
 struct pipeline
@@ -33,6 +29,11 @@ struct pipeline
     const bool keepStages;
     const processTeam& processes;
 
+    //- The wall with its images, if it ends on cyclic side patches; 'wall' is
+    //  their surface then
+    const wallSurface& given;
+    const std::optional<periodicWall>& images;
+
 
     //- From the wall to columns
     plannedColumns plan(const scalar angle, prismLayerMesh& mesh) const
@@ -43,6 +44,10 @@ struct pipeline
         );
         mesh.share = std::move(start.share);
         mesh.pointKinds = std::move(start.kinds);
+        if (images)
+        {
+            constrainToCyclicSides(given, *images, mesh.share.front);
+        }
         const layerFront& front = mesh.share.front;
         const columnTeam team(mesh.share, processes);
         const wallUnderShare under(front, mesh.pointKinds, start.curvature);
@@ -74,6 +79,29 @@ struct pipeline
     }
 
 
+    void makeLayersOn
+    (
+        const plannedColumns& planned,
+        prismLayerMesh& mesh
+    ) const
+    {
+        if (images)
+        {
+            makePeriodicLayers
+            (
+                given, *images, planned, controls, observer, mesh
+            );
+            return;
+        }
+        mesh.made = makeLayers
+        (
+            mesh.share.front, mesh.pointKinds, mesh.request, planned.spacing,
+            planned.columns, controls, columnTeam(mesh.share, processes),
+            observer
+        );
+    }
+
+
     //- The mesh with multiple normals at angles below one [deg]. If points have
     //  no layers, made.certified names them.
     prismLayerMesh make(const scalar angle) const
@@ -82,12 +110,7 @@ struct pipeline
         {
             const plannedColumns planned(plan(angle, mesh));
             returnMemory();
-            mesh.made = makeLayers
-            (
-                mesh.share.front, mesh.pointKinds, mesh.request,
-                planned.spacing, planned.columns, controls,
-                columnTeam(mesh.share, processes), observer
-            );
+            makeLayersOn(planned, mesh);
         }
         if (mesh.made.certified.pointsWithoutHeight.size())
         {
@@ -123,10 +146,26 @@ prismLayerMesh makePrismLayerMesh
     const processTeam& processes
 )
 {
+    const List<sidePair> pairs(pairsOf(wall.border.sides));
+    const bool isPeriodic = pairs.size() && processes.size() == 1;
+    std::optional<periodicWall> images;
+    if (isPeriodic)
+    {
+        observer.begin("periodicWall");
+        images.emplace(wall);
+        observer.end(text(images->surface.faces.size(), " faces with images"));
+    }
+    const prismLayerControls& onImages = withImages(controls, pairs);
+    const localHeights ofImages
+    (
+        isPeriodic ? withImages(local, *images) : localHeights()
+    );
     const pipeline stages
     {
-        wall, controls, local, observer, keepStages && processes.size() == 1,
-        processes
+        isPeriodic ? images->surface : wall, onImages,
+        isPeriodic ? ofImages : local, observer,
+        keepStages && processes.size() == 1 && !isPeriodic, processes, wall,
+        images
     };
     const scalar angle = controls.layers.multipleNormalsAngle;
 

@@ -6,6 +6,7 @@
 #include "prismLayers.H"
 #include "bitSet.H"
 #include "error.H"
+#include "layerFront.H"
 
 namespace Foam
 {
@@ -72,6 +73,22 @@ pointField prismLayers::pointsOf(const label i) const
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+prismLayers layersWithoutPoints(const layerFront& front, const label nLayers)
+{
+    const wallSurface& surface = front.surface;
+    prismLayers layers;
+    layers.nLayers = nLayers;
+    layers.faces = surface.faces;
+    layers.patchIDs = SubList<label>(surface.patchIDs, front.nWallFaces);
+    layers.patchNames = surface.patchNames;
+    layers.patchTypes = surface.patchTypes;
+    layers.border = surface.border;
+    layers.extraColumnPoints = front.extraColumnPoints();
+
+    return layers;
+}
+
 
 void requireCountable(const std::int64_t nWallEdges, const std::int64_t nLayers)
 {

@@ -75,7 +75,7 @@ struct countedStacks
 
     bool isCounted(const label facei) const
     {
-        return team.counts(layers.faces[facei]);
+        return team.countsFace(facei);
     }
 };
 

@@ -202,7 +202,7 @@ faceQualityCounts faceQualityOfLayers
         #pragma omp for schedule(static, 64)
         forAll(layers.faces, facei)
         {
-            if (team.counts(layers.faces[facei]))
+            if (team.countsFace(facei))
             {
                 addStack(layers, geometry, bounds, team, facei, ofThread);
             }

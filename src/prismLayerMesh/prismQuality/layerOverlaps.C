@@ -190,7 +190,7 @@ layerBodies findBodies(const prismLayers& layers, const columnTeam& team)
     forAll(layers.faces, facei)
     {
         const face& f = layers.faces[facei];
-        if (first[f[0]] == team.wholeFace(facei) && team.counts(f))
+        if (first[f[0]] == team.wholeFace(facei) && team.countsFace(facei))
         {
             own.append({first[f[0]], middleOf(layers, facei)});
         }
@@ -544,7 +544,7 @@ static DynamicList<overlappingStack> intersectingStacks
         subsetList
         (
             outerFaces,
-            [&](const label facei) { return team.counts(layers.faces[facei]); }
+            [&](const label facei) { return team.countsFace(facei); }
         )
     );
     stackExchange others(layers, own, groups, thickness, team);

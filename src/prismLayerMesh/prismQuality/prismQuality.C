@@ -367,7 +367,7 @@ static void addNear
         }
         for (const label facei : groups.faces(group))
         {
-            const bool counts = team.counts(layers.faces[facei]);
+            const bool counts = team.countsFace(facei);
             near[facei][0] = counts && grid.mayTouch(boxOf(layers, facei, 0));
             near[facei][1] = counts && !candidates[facei]
              && grid.mayTouch(boxOf(layers, facei, layers.nLayers));
@@ -528,7 +528,7 @@ layerCertificate certify(const prismLayers& layers, const columnTeam& team)
         reduction(+: nCounted, nNotPositive)
     for (label facei = 0; facei < nFaces; ++facei)
     {
-        if (!team.counts(layers.faces[facei]))
+        if (!team.countsFace(facei))
         {
             continue;
         }

@@ -47,7 +47,7 @@ static List<sideOnPatch> sidesOn
     forAll(border.edges, i)
     {
         const edge& e = border.edges[i];
-        if (border.edgeSides[i] == s && team.counts(labelList(e)))
+        if (border.edgeSides[i] == s && team.countsEdge(e))
         {
             for (label level = 0; level < layers.nLayers; ++level)
             {

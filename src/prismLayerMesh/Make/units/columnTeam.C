@@ -6,6 +6,7 @@
 #include "columnTeam/processTeam.C"
 #include "columnTeam/frontPart.C"
 #include "columnTeam/frontShare.C"
+#include "columnTeam/periodicShare.C"
 #include "columnTeam/distributeFront.C"
 #include "columnTeam/columnTeam.C"
 

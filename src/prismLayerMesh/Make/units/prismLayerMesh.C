@@ -9,6 +9,7 @@
 #include "prismLayerMesh/fieldStages.C"
 #include "prismLayerMesh/columnGuide.C"
 #include "prismLayerMesh/layerStages.C"
+#include "prismLayerMesh/periodicStages.C"
 #include "prismLayerMesh/gatherShares.C"
 #include "prismLayerMesh/prismLayerMesh.C"
 

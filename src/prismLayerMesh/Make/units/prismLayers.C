@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "prismLayers/prismLayers.C"
+#include "prismLayers/cyclicColumns.C"
 #include "prismLayers/planarColumns.C"
 
 // ************************************************************************* //

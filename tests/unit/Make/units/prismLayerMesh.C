@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "prismLayerMesh/adviceOnPointsTest.C"
+#include "prismLayerMesh/periodicLayersTest.C"
 #include "prismLayerMesh/makePrismLayerMeshTest.C"
 
 // ************************************************************************* //

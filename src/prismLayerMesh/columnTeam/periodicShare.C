@@ -1,0 +1,337 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "periodicShare.H"
+#include "EdgeMap.H"
+#include "ListOps.H"
+#include "ranges.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Constraints * * * * * * * * * * * * * * * * //
+
+//- The constraint of a column that must stay on a side, too
+static columnConstraint alsoOn
+(
+    const sidePlane& side,
+    const label other,
+    const UList<sidePatch>& sides,
+    const point& x
+)
+{
+    return other < 0
+      ? columnConstraint::inPlane(side.origin, side.normal)
+      : columnConstraint::onLine
+        (
+            x, normalised(side.normal ^ sides[other].normal)
+        );
+}
+
+
+void constrainToCyclicSides
+(
+    const wallSurface& given,
+    const periodicWall& wall,
+    layerFront& whole
+)
+{
+    const List<sidePatch>& sides = given.border.sides;
+    whole.constraints.setSize(whole.wallPoints.size());
+    const Map<labelPair> pointSides(given.border.pointSides());
+    forAll(whole.wallPoints, c)
+    {
+        const label p = whole.wallPoints[c];
+        const auto found = pointSides.cfind(p);
+        if (!found.found())
+        {
+            continue;
+        }
+
+        const labelPair& on = found.val();
+        const label cyclic =
+            sides[on.first()].type == "cyclic" ? on.first() : on.second();
+        if (sides[cyclic].type == "cyclic")
+        {
+            const label other =
+                on.first() == on.second() ? -1
+              : cyclic == on.first() ? on.second() : on.first();
+            whole.constraints[c] =
+                alsoOn(sides[cyclic], other, sides, wall.surface.points[p]);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * Periodic Share  * * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Finds the own column that a column of the whole front is the image of
+struct ownColumnFinder
+{
+    const periodicWall& wall;
+    const layerFront& whole;
+
+    //- Columns of points that have several, ascending
+    Map<labelList> several{};
+
+    ownColumnFinder(const periodicWall& w, const layerFront& front)
+    :
+        wall(w),
+        whole(front)
+    {
+        const labelList extra(front.extraColumnPoints());
+        const label first = front.wallPoints.size() - extra.size();
+        forAll(extra, i)
+        {
+            labelList& columns = several(extra[i]);
+            if (columns.empty())
+            {
+                columns.append(extra[i]);
+            }
+            columns.append(first + i);
+        }
+    }
+
+    labelList columnsOn(const label p) const
+    {
+        return several.lookup(p, labelList(1, p));
+    }
+
+    [[noreturn]] void refuse(const label p) const
+    {
+        FatalErrorInFunction
+            << "The point at " << wall.surface.points[p] << " has other columns"
+            << " than its image beyond the cyclic side patch at "
+            << wall.surface.points[wall.bases[p]] << exit(FatalError);
+        std::abort();
+    }
+
+    //- The place, among the columns on a point, of a column that stands on an
+    //  image of a corner of a face of the given wall
+    label placeAt
+    (
+        const labelUList& columns,
+        const label baseFace,
+        const label corner
+    ) const
+    {
+        forAll(columns, i)
+        {
+            for
+            (
+                const label facei
+              : whole.addressing.pointFaces[columns[i]]
+            )
+            {
+                if
+                (
+                    facei < whole.nWallFaces
+                 && wall.baseFace(facei) == baseFace
+                 && whole.surface.faces[facei][corner] == columns[i]
+                )
+                {
+                    return i;
+                }
+            }
+        }
+
+        return -1;
+    }
+
+    //- The columns on the base of a point, for those on the point. Around both
+    //  points they are in the same order, but may begin elsewhere.
+    labelList ownColumns(const label p) const
+    {
+        const labelList columns(columnsOn(p));
+        labelList own(columnsOn(wall.bases[p]));
+        if (own.size() != columns.size())
+        {
+            refuse(p);
+        }
+        if (own.size() == 1)
+        {
+            return own;
+        }
+
+        for (const label facei : whole.addressing.pointFaces[columns[0]])
+        {
+            if (facei < whole.nWallFaces)
+            {
+                const label corner =
+                    whole.surface.faces[facei].find(columns[0]);
+                const label i = placeAt(own, wall.baseFace(facei), corner);
+                if (i < 0)
+                {
+                    break;
+                }
+                return rotateList(own, -i);
+            }
+        }
+        refuse(p);
+    }
+};
+
+} // End anonymous namespace
+
+
+//- For each column of the whole front the own column
+static labelList ownColumnsOf
+(
+    const periodicWall& wall,
+    const layerFront& whole,
+    const labelUList& columns
+)
+{
+    const ownColumnFinder finder(wall, whole);
+    labelList own(columns.size());
+    forAll(columns, c)
+    {
+        const label p = whole.wallPoints[columns[c]];
+        own[c] = wall.isBase(p)
+          ? columns[c]
+          : finder.ownColumns(p)[finder.columnsOn(p).find(columns[c])];
+    }
+
+    return own;
+}
+
+
+//- The edges of the border of counted faces, and their sides
+static void setBorder
+(
+    const wallSurface& given,
+    const boolList& isCounted,
+    layerFront& front,
+    const labelUList& pointOfColumn
+)
+{
+    EdgeMap<label> sideOf;
+    forAll(given.border.edges, i)
+    {
+        sideOf.insert(given.border.edges[i], given.border.edgeSides[i]);
+    }
+    const Map<labelPair> pointSides(given.border.pointSides());
+
+    wallBorder& border = front.surface.border;
+    border.sides = given.border.sides;
+    border.edges = outline(subset(isCounted, front.surface.faces));
+    border.edgeSides.setSize(border.edges.size());
+    forAll(border.edges, i)
+    {
+        const label p = pointOfColumn[border.edges[i].start()];
+        const label q = pointOfColumn[border.edges[i].end()];
+        border.edgeSides[i] =
+            p == q ? pointSides[p].first() : sideOf[edge(p, q)];
+    }
+}
+
+
+frontShare makePeriodicShare
+(
+    const wallSurface& given,
+    const periodicWall& wall,
+    const layerFront& whole
+)
+{
+    labelList owners(wall.surface.points.size());
+    forAll(owners, p)
+    {
+        owners[p] = !wall.isBase(p);
+    }
+    frontShare share
+    (
+        makeFrontShare
+        (
+            whole, whole.addressing, whole.visibility, owners, 2, 0
+        )
+    );
+    share.owners = pointOwners();
+
+    // The only process gives its own columns to their images
+    const labelList& columns = share.columns.whole;
+    share.ownColumns = ownColumnsOf(wall, whole, columns);
+    share.motions = wall.motions;
+    share.motionOfColumn = UIndirectList<label>
+    (
+        wall.motionOfPoint, whole.pointsUnder(columns)
+    )();
+    const labelList images(findIndices(share.columns.isOwn, false));
+    labelList sent(images.size());
+    forAll(images, i)
+    {
+        sent[i] = findSortedIndex(columns, share.ownColumns[images[i]]);
+    }
+    share.columns.received = labelListList(1, images);
+    share.columns.sent = labelListList(1, sent);
+    share.points = sharedLabels();
+
+    // It counts the faces of the given wall, and those between their columns
+    const auto isGiven = [&](const label c)
+    {
+        return whole.wallPoints[columns[c]] < wall.nPoints;
+    };
+    forAll(share.faces.isOwn, i)
+    {
+        const label facei = share.faces.whole[i];
+        share.faces.isOwn[i] =
+            facei < whole.nWallFaces
+          ? facei < wall.nFaces : allOf(share.front.surface.faces[i], isGiven);
+    }
+    share.faces.nWhole =
+        countOf(share.faces.isOwn, [](const bool own) { return own; });
+    setBorder
+    (
+        given, share.faces.isOwn, share.front, whole.pointsUnder(columns)
+    );
+
+    return share;
+}
+
+
+layerFront givenFront
+(
+    const wallSurface& given,
+    const frontShare& share,
+    labelList& columns
+)
+{
+    const layerFront& from = share.front;
+    const labelList faces(findIndices(share.faces.isOwn, true));
+    bitSet isUsed(from.wallPoints.size());
+    for (const label facei : faces)
+    {
+        isUsed.set(from.surface.faces[facei]);
+    }
+    columns = isUsed.toc();
+
+    layerFront front;
+    front.surface = partOf(from.surface, columns, faces);
+    labelList newColumns(from.wallPoints.size(), -1);
+    forAll(columns, i)
+    {
+        newColumns[columns[i]] = i;
+    }
+    front.surface.border = from.surface.border;
+    for (edge& e : front.surface.border.edges)
+    {
+        e = edge(newColumns[e.start()], newColumns[e.end()]);
+    }
+    front.wallPoints =
+        UIndirectList<label>(from.wallPoints, columns)();
+    inplaceRenumber(newColumns, front.wallPoints);
+    front.nWallFaces = given.faces.size();
+    front.addressing = makeWallAddressing(front.surface);
+    front.visibility = makeWallVisibility(front.surface, front.addressing);
+    front.setConstraints(front.addressing, front.visibility.sideLines);
+
+    return front;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
