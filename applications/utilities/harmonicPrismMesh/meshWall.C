@@ -85,6 +85,23 @@ static string boundByWidth
 }
 
 
+//- The type and the patches of a far boundary
+static string textOf(const farBoundaryType type, const wordList& patches)
+{
+    string names;
+    if (type != farBoundaryType::none)
+    {
+        names = farBoundaryTypes[int(type)];
+    }
+    for (const word& patch : patches)
+    {
+        names += ' ' + patch;
+    }
+
+    return names;
+}
+
+
 //- Reads the far boundary, or the mesh into which the layers go, and bounds of
 //  the sizes; the domain is empty if no far field is wanted.
 //  Errors: FatalError if the fluid is inside of a closed wall and there is a
@@ -125,7 +142,6 @@ static farFieldDomain readFarField
         log.begin("readMesh");
         domain.core = files.readCore(controls.region);
         log.end(name(domain.core.nCells) + " cells");
-
         return domain;
     }
 
@@ -136,17 +152,18 @@ static farFieldDomain readFarField
         [&](const fileName& file) { return files.surfaceFile(file); }
     );
 
-    string names;
-    if (controls.boundary.type != farBoundaryType::none)
-    {
-        names = farBoundaryTypes[int(controls.boundary.type)];
-    }
+    domain.boundary.cyclicSides =
+        cyclicSides(controls.boundary, wall.border.sides);
+
     for (const word& patch : domain.boundary.surface.patchNames)
     {
-        names += ' ' + patch;
         requireNotOf(wall, patch);
     }
-    log.end(names + boundByWidth(wall, controls, domain.bounds));
+    log.end
+    (
+        textOf(controls.boundary.type, domain.boundary.surface.patchNames)
+      + boundByWidth(wall, controls, domain.bounds)
+    );
 
     return domain;
 }

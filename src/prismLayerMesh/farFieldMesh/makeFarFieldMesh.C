@@ -632,7 +632,8 @@ farFieldMesh makeFarFieldMesh
       ? makePlanarFarField
         (
             layers, across,
-            makeTetBoundary(layers, domain.boundary, std::cref(fromLayers))
+            makeTetBoundary(layers, domain.boundary, std::cref(fromLayers)),
+            domain.boundary.cyclicSides
         )
       : fillWithCells
         (
@@ -640,6 +641,7 @@ farFieldMesh makeFarFieldMesh
         )
     );
     finish(layers, controls, mesh.tets.size(), made);
+    setCyclic(domain.boundary.cyclicSides, made.patches);
 
     return made;
 }

@@ -4,10 +4,14 @@
 \*---------------------------------------------------------------------------*/
 
 #include "planarFarField.H"
+#include "boundBox.H"
 #include "cellPredicates.H"
 #include "EdgeMap.H"
+#include "HashSet.H"
+#include "ListOps.H"
 #include "makeFarFieldMesh.H"
 #include "planarColumns.H"
+#include "sidePair.H"
 
 #include <algorithm>
 
@@ -23,6 +27,103 @@ struct prismSide
     label cell;
     edge along;
 };
+
+
+//- From the first plane to the second
+vector wayAcross(const prismLayers& layers, const labelUList& across)
+{
+    label c = 0;
+    while (across[c] < 0)
+    {
+        ++c;
+    }
+
+    return layers(across[c], 0) - layers(c, 0);
+}
+
+
+//- The front face on each outer edge in the first plane
+EdgeMap<label> frontsInPlane
+(
+    const prismLayers& layers,
+    const labelUList& across
+)
+{
+    EdgeMap<label> fronts(layers.faces.size());
+    forAll(layers.faces, facei)
+    {
+        const face& f = layers.faces[facei];
+        for (label k = 0; k < f.size(); ++k)
+        {
+            if (across[f[k]] >= 0 && across[f.nextLabel(k)] >= 0)
+            {
+                fronts.insert(edge(f[k], f.nextLabel(k)), facei);
+            }
+        }
+    }
+
+    return fronts;
+}
+
+
+//- The ends of sides in the first plane, ascending
+labelList endsOf(const UList<prismSide>& sides)
+{
+    labelHashSet ends;
+    for (const prismSide& side : sides)
+    {
+        ends.insert(side.along);
+    }
+
+    return ends.sortedToc();
+}
+
+
+//- Puts sides of a second cyclic patch in the order of the sides of the first
+//  one of which they are images
+void orderAsImages
+(
+    const pointField& points,
+    const rigidMotion& toSecond,
+    const UList<prismSide>& first,
+    UList<prismSide>& second
+)
+{
+    const labelList from(endsOf(first));
+    const labelList to(endsOf(second));
+    const labelList places
+    (
+        imagesAmong
+        (
+            pointField(points, to), pointField(points, from), toSecond,
+            1e-9*boundBox(points, false).mag()
+        )
+    );
+    Map<label> images(2*from.size());
+    forAll(from, i)
+    {
+        images.insert(from[i], places[i] < 0 ? -1 : to[places[i]]);
+    }
+
+    EdgeMap<prismSide> sides(2*second.size());
+    for (const prismSide& side : second)
+    {
+        sides.insert(side.along, side);
+    }
+    forAll(first, i)
+    {
+        const edge& e = first[i].along;
+        const auto image =
+            sides.cfind(edge(images[e.start()], images[e.end()]));
+        if (!image.found() || first.size() != second.size())
+        {
+            FatalErrorInFunction
+                << "The face at " << e.centre(points) << " has no image on the"
+                << " second of two cyclic patches" << exit(FatalError);
+        }
+        second[i] = *image;
+    }
+}
 
 
 class planarJoiner
@@ -48,6 +149,9 @@ class planarJoiner
     DynamicList<std::pair<label, prismSide>> onLayers_;
     List<DynamicList<prismSide>> onPatches_;
 
+    //- The second patches of cyclic pairs
+    labelHashSet isSecond_;
+
     farFieldMesh mesh_;
 
     label patchOf(const word& name) const
@@ -62,8 +166,7 @@ class planarJoiner
         images_ = across_;
 
         // The points in the first plane, then their images
-        const vector way(layers_(across_[firstColumn()], 0)
-          - layers_(firstColumn(), 0));
+        const vector way(wayAcross(layers_, across_));
         const wallSurface& s = boundary_.surface;
         points_ = labelList(s.points.size(), -1);
         SubList<label>(points_, boundary_.columns.size()) = boundary_.columns;
@@ -88,20 +191,13 @@ class planarJoiner
         mesh_.points.append(more);
     }
 
-    label firstColumn() const
+    //- isSecond: whether the face begins at the second point of the edge, as
+    //  the second of two cyclic faces does
+    face side(const edge& e, const bool isSecond = false) const
     {
-        label c = 0;
-        while (across_[c] < 0)
-        {
-            ++c;
-        }
+        const face f({e[0], e[1], images_[e[1]], images_[e[0]]});
 
-        return c;
-    }
-
-    face side(const edge& e) const
-    {
-        return face({e[0], e[1], images_[e[1]], images_[e[0]]});
+        return isSecond ? face(rotateList(f, -1)) : f;
     }
 
     void addTriangles()
@@ -187,25 +283,6 @@ class planarJoiner
         sortOpen(single);
     }
 
-    //- The front face on each outer edge in the first plane
-    EdgeMap<label> frontsInPlane() const
-    {
-        EdgeMap<label> fronts(layers_.faces.size());
-        forAll(layers_.faces, facei)
-        {
-            const face& f = layers_.faces[facei];
-            for (label k = 0; k < f.size(); ++k)
-            {
-                if (across_[f[k]] >= 0 && across_[f.nextLabel(k)] >= 0)
-                {
-                    fronts.insert(edge(f[k], f.nextLabel(k)), facei);
-                }
-            }
-        }
-
-        return fronts;
-    }
-
     //- Sides at the boundary are on the patch of the boundary's triangle beside
     //  the first plane; if there is none, on the layers
     void sortOpen(const EdgeMap<prismSide>& single)
@@ -226,7 +303,7 @@ class planarJoiner
             }
         }
 
-        const EdgeMap<label> fronts(frontsInPlane());
+        const EdgeMap<label> fronts(frontsInPlane(layers_, across_));
         allSides([&](const label c, const edge& e)
         {
             if (!single.found(e))
@@ -247,6 +324,23 @@ class planarJoiner
             onLayers_.begin(), onLayers_.end(),
             [](const auto& a, const auto& b) { return a.first < b.first; }
         );
+    }
+
+    //- Puts the sides on the second patch of each pair in the order of the
+    //  first one
+    void orderCyclic(const UList<sidePatch>& cyclicSides)
+    {
+        for (const sidePair& pair : pairsOf(cyclicSides))
+        {
+            const label first = patchOf(cyclicSides[pair.first].name);
+            const label second = patchOf(cyclicSides[pair.second].name);
+            isSecond_.insert(second);
+            orderAsImages
+            (
+                mesh_.points, pair.toSecond, onPatches_[first],
+                onPatches_[second]
+            );
+        }
     }
 
     void addLayersPatch()
@@ -270,7 +364,10 @@ class planarJoiner
             mesh_.topology.startPatch();
             for (const prismSide& open : onPatches_[patchi])
             {
-                mesh_.topology.append(side(open.along), open.cell);
+                mesh_.topology.append
+                (
+                    side(open.along, isSecond_.found(patchi)), open.cell
+                );
             }
             forAll(triangles_, c)
             {
@@ -304,11 +401,12 @@ public:
         second_ = patchOf(layers.border.sides[empty.second()].name);
     }
 
-    farFieldMesh join()
+    farFieldMesh join(const UList<sidePatch>& cyclicSides)
     {
         addPoints();
         addTriangles();
         addSides();
+        orderCyclic(cyclicSides);
         addLayersPatch();
         addPatches();
         mesh_.cellZones.append
@@ -327,10 +425,11 @@ farFieldMesh makePlanarFarField
 (
     const prismLayers& layers,
     const labelUList& across,
-    const tetBoundary& boundary
+    const tetBoundary& boundary,
+    const UList<sidePatch>& cyclicSides
 )
 {
-    return planarJoiner(layers, across, boundary).join();
+    return planarJoiner(layers, across, boundary).join(cyclicSides);
 }
 
 } // End namespace Foam

@@ -7,7 +7,7 @@
 #include "labelledTriangle.H"
 #include "ListOps.H"
 #include "prismQuality.H"
-#include "refineSurface.H"
+#include "refineCyclic.H"
 #include "sidePatchRemainders.H"
 #include "sideShape.H"
 #include "surfacePart.H"
@@ -145,7 +145,10 @@ tetBoundary makeTetBoundary
     {
         result.surface = boundary.surface;
         result.surface.patchTypes = boundary.patchTypes;
-        refineSurface(result.surface, size, boundary.project);
+        refineCyclic
+        (
+            result.surface, boundary.cyclicSides, size, boundary.project
+        );
 
         return result;
     }
@@ -153,7 +156,10 @@ tetBoundary makeTetBoundary
     const farFieldBoundary coarse(makeFarFieldBoundary(layers, boundary, size));
     result.columns = coarse.columns;
     result.surface = coarse.surface;
-    refineSurface(result.surface, size, boundary.project);
+    refineCyclic
+    (
+        result.surface, boundary.cyclicSides, size, boundary.project
+    );
     putOnSides(layers.border.sides, coarse, result.surface);
 
     return result;

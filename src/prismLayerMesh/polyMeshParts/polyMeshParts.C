@@ -6,6 +6,7 @@
 #include "polyMeshParts.H"
 #include "cell.H"
 #include "Map.H"
+#include "sidePair.H"
 #include "UIndirectList.H"
 
 namespace Foam
@@ -72,6 +73,22 @@ wordList meshPatches::types() const
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void setCyclic(const UList<sidePatch>& sides, meshPatches& patches)
+{
+    for (const sidePair& pair : pairsOf(sides))
+    {
+        for (const label side : {pair.first, pair.second})
+        {
+            const label patchi = patches.names.find(sides[side].name);
+            if (patchi >= 0)
+            {
+                patches.entries[patchi] = pair.entries(sides, side);
+            }
+        }
+    }
+}
+
 
 void setCentresAndVolumes
 (

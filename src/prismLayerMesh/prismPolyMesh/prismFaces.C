@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "prismFaces.H"
+#include "cyclicColumns.H"
 #include "EdgeMap.H"
 #include "ListOps.H"
 #include "prismPolyMesh.H"
@@ -104,26 +105,34 @@ static void appendSide
     const prismLayers& layers,
     const edge& e,
     const label i,
+    const bool isSecond,
     DynamicList<label>& points
 )
 {
     const label start = layers.pointLabel(e.first(), i - 1);
     const label end = layers.pointLabel(e.second(), i - 1);
 
-    points.append(start);
+    if (!isSecond || end == start)
+    {
+        points.append(start);
+    }
     if (end != start)
     {
         points.append(end);
     }
     points.append(layers.pointLabel(e.second(), i));
     points.append(layers.pointLabel(e.first(), i));
+    if (isSecond && end != start)
+    {
+        points.append(start);
+    }
 }
 
 
 face sideFace(const prismLayers& layers, const edge& e, const label i)
 {
     DynamicList<label> points(4);
-    appendSide(layers, e, i, points);
+    appendSide(layers, e, i, false, points);
 
     return face(points);
 }
@@ -139,7 +148,10 @@ void appendFace
     if (key.edge >= 0)
     {
         const face& front = layers.faces[key.front];
-        appendSide(layers, front.faceEdge(key.edge), key.level, points);
+        appendSide
+        (
+            layers, front.faceEdge(key.edge), key.level, key.isSecond, points
+        );
         return;
     }
 
@@ -154,6 +166,32 @@ void appendFace
     {
         const label c = f[key.level ? k : (n - k) % n];
         points.append(layers.pointLabel(c, key.level));
+    }
+}
+
+
+//- Puts edges on the second of two cyclic sides in the order of their images
+static void orderAsImages
+(
+    const prismLayers& layers,
+    const Map<label>& images,
+    const UList<labelPair>& first,
+    UList<labelPair>& second
+)
+{
+    const auto edgeOf = [&](const labelPair& at)
+    {
+        return layers.faces[at.first()].faceEdge(at.second());
+    };
+    EdgeMap<labelPair> ofSecond(2*second.size());
+    for (const labelPair& at : second)
+    {
+        ofSecond.insert(edgeOf(at), at);
+    }
+    forAll(first, i)
+    {
+        const edge e(edgeOf(first[i]));
+        second[i] = ofSecond[edge(images[e.start()], images[e.end()])];
     }
 }
 
@@ -194,6 +232,18 @@ List<DynamicList<labelPair>> openEdges
     {
         edges.setSize(names.size());
     }
+    for (const sidePair& pair : pairsOf(layers.border.sides))
+    {
+        const auto patchOf = [&](const label side)
+        {
+            return names.find(layers.border.sides[side].name);
+        };
+        orderAsImages
+        (
+            layers, imagesOfColumns(layers, pair), edges[patchOf(pair.first)],
+            edges[patchOf(pair.second)]
+        );
+    }
 
     return edges;
 }
@@ -216,6 +266,12 @@ List<DynamicList<prismFaceKey>> boundaryFaces
     {
         patches[nWall].append(prismFaceKey{facei, -1, layers.nLayers});
     }
+    const wordList names(sidePatchNames(layers.border));
+    boolList isSecond(open.size(), false);
+    for (const sidePair& pair : pairsOf(layers.border.sides))
+    {
+        isSecond[names.find(layers.border.sides[pair.second].name)] = true;
+    }
     forAll(open, i)
     {
         for (const labelPair& e : open[i])
@@ -224,7 +280,7 @@ List<DynamicList<prismFaceKey>> boundaryFaces
             {
                 patches[nWall + 1 + i].append
                 (
-                    prismFaceKey{e.first(), e.second(), level}
+                    prismFaceKey{e.first(), e.second(), level, isSecond[i]}
                 );
             }
         }

@@ -132,6 +132,7 @@ static meshPatches patchesOfLayers(const prismLayers& layers, const label nOpen)
     {
         patches.append(name, typeOfSide(layers.border, name));
     }
+    setCyclic(layers.border.sides, patches);
     if (nOpen > sides.size())
     {
         patches.append(layerSidesName, "patch");

@@ -8,6 +8,7 @@
 #include "farFieldMesh/coreZones.C"
 #include "farFieldMesh/cellSizes.C"
 #include "farFieldMesh/refineSurface.C"
+#include "farFieldMesh/refineCyclic.C"
 #include "farFieldMesh/replacedPatches.C"
 #include "farFieldMesh/sideRegions.C"
 #include "farFieldMesh/sidePatchRemainders.C"

@@ -9,6 +9,7 @@
 #include "prismPolyMesh/writeBlocksTest.C"
 #include "prismPolyMesh/divideMeshTest.C"
 #include "prismPolyMesh/multipleNormalsMeshTest.C"
+#include "prismPolyMesh/cyclicMeshTest.C"
 #include "prismPolyMesh/endedMeshTest.C"
 #include "prismPolyMesh/wedgeMeshTest.C"
 

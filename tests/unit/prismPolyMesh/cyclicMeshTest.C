@@ -1,0 +1,93 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "cyclicPolyPatch.H"
+#include "memoryMesh.H"
+#include "openSurfaces.H"
+#include "sidePair.H"
+#include "testFarField.H"
+#include "testStages.H"
+
+#include <gtest/gtest.h>
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+using namespace Foam;
+using namespace testSurfaces;
+
+//- Waves with five layers, and tetrahedra up to z = 1
+static const polyMesh& wavesMesh()
+{
+    static const prismLayerMesh run(layeredMesh(periodicWaves(8), 5, 0.1));
+    farFieldControls controls;
+    controls.type = farFieldType::tet;
+    controls.boundary.type = farBoundaryType::box;
+    controls.boundary.box = boundBox(point(0, 0, -1), point(1, 1, 1));
+    static const memoryMesh mesh(run.made.layers, farFieldOf(run, controls));
+
+    return mesh();
+}
+
+
+//- The face of the second side is that of the first, moved, seen from the other
+//  side, from the same point on
+static void expectImage
+(
+    const polyMesh& mesh,
+    const face& first,
+    const face& second,
+    const rigidMotion& motion
+)
+{
+    ASSERT_EQ(first.size(), second.size());
+    for (label k = 0; k < first.size(); ++k)
+    {
+        const label image = second[(first.size() - k) % first.size()];
+        EXPECT_NEAR
+        (
+            mag(motion(mesh.points()[first[k]]) - mesh.points()[image]), 0,
+            1e-15
+        );
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(cyclicMesh, facesOfPairsAreImages)
+{
+    const polyMesh& mesh = wavesMesh();
+    const List<sidePatch> sides(cyclicPlanes());
+    for (const sidePair& pair : pairsOf(sides))
+    {
+        const polyPatch& first = mesh.boundaryMesh()[sides[pair.first].name];
+        const polyPatch& second = mesh.boundaryMesh()[sides[pair.second].name];
+        EXPECT_TRUE(isA<cyclicPolyPatch>(first));
+        EXPECT_TRUE(isA<cyclicPolyPatch>(second));
+        ASSERT_EQ(first.size(), second.size());
+        EXPECT_GT(first.size(), 5*8);
+        forAll(first, i)
+        {
+            expectImage(mesh, first[i], second[i], pair.toSecond);
+        }
+    }
+}
+
+
+TEST(cyclicMesh, thePatchesKnowTheirNeighbours)
+{
+    const polyBoundaryMesh& patches = wavesMesh().boundaryMesh();
+    const auto& left = refCast<const cyclicPolyPatch>(patches["left"]);
+    const auto& right = refCast<const cyclicPolyPatch>(patches["right"]);
+
+    EXPECT_EQ(left.neighbPatchName(), "right");
+    EXPECT_EQ(right.neighbPatchName(), "left");
+    EXPECT_EQ(left.transform(), coupledPolyPatch::TRANSLATIONAL);
+    ASSERT_EQ(left.separation().size(), 1);
+    EXPECT_NEAR(mag(left.separation()[0]), 1, 1e-12);
+    EXPECT_EQ(left.coupledPoints().size(), left.nPoints());
+}
+
+// ************************************************************************* //
