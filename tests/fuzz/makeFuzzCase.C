@@ -46,6 +46,10 @@ static wallSurface makeSurface
     {
         return randomSurfaces::assembly(random);
     }
+    if (one.isPeriodic)
+    {
+        return randomSurfaces::periodicBody(one.kind, random, controls);
+    }
     if (one.isAtSides)
     {
         return randomSurfaces::bodiesAtSides(one.kind, random, controls);

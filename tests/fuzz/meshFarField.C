@@ -4,6 +4,8 @@
 \*---------------------------------------------------------------------------*/
 
 #include "meshFarField.H"
+#include "boxSides.H"
+#include "cyclicFaults.H"
 #include "cellSizes.H"
 #include "farBoundary.H"
 #include "farFieldFaults.H"
@@ -118,6 +120,11 @@ farFieldMesh farFieldStage::make() const
         domain.boundary = makeFarBoundary(controls.boundary, nullptr);
     }
 
+    domain.boundary.cyclicSides = cyclicSides
+    (
+        controls.boundary, layered_.made.layers.border.sides
+    );
+
     return makeFarFieldMesh(layered_.made.layers, domain, controls);
 }
 
@@ -211,6 +218,7 @@ void farFieldStage::check(farFieldMesh far) const
     const std::string fault
     (
         findFarFieldFault({wall_, layered_.made.layers, asked_, *mesh})
+      + findCyclicFault(*mesh)
     );
     if (fault.size())
     {

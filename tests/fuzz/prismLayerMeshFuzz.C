@@ -106,6 +106,10 @@ static void addOptions()
     (
         "sides", "Bodies through, on and near the sides of a far field's box"
     );
+    argList::addBoolOption
+    (
+        "cyclic", "Bodies through, on and near cyclic sides of such a box"
+    );
     argList::addOption("index", "i", "That case alone, in this process");
     argList::addOption
     (
@@ -166,7 +170,8 @@ static fuzzCase caseOf(const argList& args, const label index)
     one.hasNeedles = args.found("needles");
     one.isRemeshed = args.found("remesh");
     one.hasFarField = args.found("farField");
-    one.isAtSides = args.found("sides");
+    one.isPeriodic = args.found("cyclic");
+    one.isAtSides = one.isPeriodic || args.found("sides");
     one.isAssembly = args.found("assemblies");
     if (one.isAssembly)
     {

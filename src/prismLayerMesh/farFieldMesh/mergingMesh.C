@@ -7,6 +7,7 @@
 #include "cellPredicates.H"
 #include "faceQuality.H"
 #include "layerGeometry.H"
+#include "ranges.H"
 #include "UIndirectList.H"
 #include "unitConversion.H"
 
@@ -350,6 +351,13 @@ void mergingMesh::merge(const label a, const label b)
     into.faces.transfer(faces);
     from.faces.clear();
     partOf_[b] = a;
+
+    // The centre of a cell with a warped polygon is no mean of the centres
+    const auto isPolygon = [&](const label f) { return polygons_.found(f); };
+    if (polygons_.size() && anyOf(cells_[a].faces, isPolygon))
+    {
+        setCentre(a);
+    }
 }
 
 

@@ -28,6 +28,8 @@
 #include "severalBodies.C"
 #include "cutBody.C"
 #include "bodiesAtSides.C"
+#include "periodicBody.C"
+#include "cyclicFaults.C"
 #include "curvedEnds.C"
 #include "assembly.C"
 #include "damageSurface.C"
