@@ -12,6 +12,7 @@
 #include "surfacePart.H"
 #include "unions.H"
 #include "wallPredicates.H"
+#include "wallVisibility.H"
 
 namespace Foam
 {
@@ -242,6 +243,46 @@ static scalarField nearDistances(const wallSurface& surface)
 }
 
 
+//- Returns the points near to the plane that have a neighbour further in front
+//  and one further beyond, and points that are almost on it. Of two sides of a
+//  surface the same points are near, whichever of them is in front.
+static bitSet nearTheCutOfBoth
+(
+    const wallSurface& surface,
+    const scalarField& distances,
+    const scalarField& near
+)
+{
+    bitSet hasFront(distances.size()), hasBack(distances.size());
+    for (const face& f : surface.faces)
+    {
+        for (const edge& e : f.edges())
+        {
+            for (const label p : {e.start(), e.end()})
+            {
+                const label q = e.otherVertex(p);
+                hasFront.set(p, hasFront.test(p) || distances[q] <= -near[q]);
+                hasBack.set(p, hasBack.test(p) || distances[q] >= near[q]);
+            }
+        }
+    }
+
+    bitSet points(distances.size());
+    forAll(near, p)
+    {
+        const scalar d = mag(distances[p]);
+        points.set
+        (
+            p,
+            d < onShare*near[p]
+         || (d < near[p] && hasFront.test(p) && hasBack.test(p))
+        );
+    }
+
+    return points;
+}
+
+
 //- Returns the points near to the plane with a neighbour that is further
 //  beyond, and points that are almost on it. Of a part in front of the plane
 //  that would be flat there are those that are almost on it alone.
@@ -302,6 +343,142 @@ static DynamicList<label> pinchedPoints
     planeCutter{plane, cutAt, surface}.cutFaces();
 
     return findContacts(surface).points;
+}
+
+
+//- A column on a point in a cyclic plane stands in it. The point goes back if a
+//  direction in the plane makes angles with the faces around it whose least
+//  sine is smaller.
+static constexpr scalar leastVisible = 0.1;
+
+
+//- Returns the points in a plane from which no direction in the plane sees all
+//  faces on both sides well
+static bitSet blindPoints
+(
+    const sidePatch& plane,
+    const bitSet& onPlane,
+    const wallSurface& surface
+)
+{
+    const vectorField faceNormals(surface.faceNormals());
+    Map<DynamicList<vector>> normals;
+    forAll(surface.faces, facei)
+    {
+        for (const label p : surface.faces[facei])
+        {
+            if (onPlane.test(p))
+            {
+                normals(p).append(faceNormals[facei]);
+                normals(p).append(plane.reflected(faceNormals[facei]));
+            }
+        }
+    }
+
+    bitSet blind(onPlane.size());
+    forAllConstIters(normals, iter)
+    {
+        blind.set
+        (
+            iter.key(), makeVisibilityCone(iter.val()).cosine < leastVisible
+        );
+    }
+
+    return blind;
+}
+
+
+//- Returns the ends of edges in a plane both of whose faces are on one side of
+//  it: the surface would touch the plane there, and not go through it
+static bitSet pointsOfTouchingEdges
+(
+    const wallSurface& surface,
+    const scalarField& distances,
+    const bitSet& onPlane
+)
+{
+    // By edge, whether a face is in front, and whether one is beyond
+    EdgeMap<Pair<bool>> sides;
+    for (const face& f : surface.faces)
+    {
+        bool isInFront = false, isBeyond = false;
+        for (const label p : f)
+        {
+            isInFront = isInFront || (!onPlane.test(p) && distances[p] < 0);
+            isBeyond = isBeyond || (!onPlane.test(p) && distances[p] > 0);
+        }
+        for (const edge& e : f.edges())
+        {
+            if (onPlane.test(e.start()) && onPlane.test(e.end()))
+            {
+                Pair<bool>& both = sides(e, Pair<bool>(false, false));
+                both.first() = both.first() || isInFront;
+                both.second() = both.second() || isBeyond;
+            }
+        }
+    }
+
+    bitSet points(onPlane.size());
+    forAllConstIters(sides, iter)
+    {
+        if (iter.val().first() != iter.val().second())
+        {
+            points.set(iter.key().start());
+            points.set(iter.key().end());
+        }
+    }
+
+    return points;
+}
+
+
+//- Moves points that were put on a cyclic plane back to where they were, until
+//  on both sides no faces are in conflict, none are in the plane, and columns
+//  can stand in the plane
+static void takeBackConflictsOfBoth
+(
+    const sidePatch& plane,
+    const pointField& from,
+    const scalarField& distances,
+    wallSurface& surface,
+    bitSet& onPlane
+)
+{
+    const scalarField reversed(-distances);
+    for (bool more = true; more;)
+    {
+        bitSet back(blindPoints(plane, onPlane, surface));
+        back |= pointsOfTouchingEdges(surface, distances, onPlane);
+        for (const label facei : facesInConflict(surface))
+        {
+            back.set(surface.faces[facei]);
+        }
+        for (const face& f : surface.faces)
+        {
+            if (allOf(f, [&](const label p) { return onPlane.test(p); }))
+            {
+                back.set(f);
+            }
+        }
+        for (const scalarField* side : {&distances, &reversed})
+        {
+            for (const label p : pinchedPoints(plane, *side, onPlane, surface))
+            {
+                if (p < onPlane.size())
+                {
+                    back.set(p);
+                }
+            }
+        }
+
+        back &= onPlane;
+        more = back.any();
+        for (const label p : back)
+        {
+            onPlane.unset(p);
+            surface.points[p] = from[p];
+        }
+    }
 }
 
 
@@ -438,7 +615,9 @@ void cutSurface
     scalarField distances(distancesTo(plane, surface.points));
     const pointField from(surface.points);
     const scalarField near(nearDistances(surface));
-    bitSet onPlane(nearTheCut(surface, distances, near));
+    const bool isCyclic = plane.type == "cyclic";
+    const auto find = isCyclic ? nearTheCutOfBoth : nearTheCut;
+    bitSet onPlane(find(surface, distances, near));
     const bitSet onBorder(borderPoints(surface));
     const scalar rounding =
         touchShare*sideTolerance*boundBox(surface.points, false).mag();
@@ -460,7 +639,14 @@ void cutSurface
         }
     }
 
-    takeBackConflicts(plane, near, from, distances, surface, onPlane);
+    if (isCyclic)
+    {
+        takeBackConflictsOfBoth(plane, from, distances, surface, onPlane);
+    }
+    else
+    {
+        takeBackConflicts(plane, near, from, distances, surface, onPlane);
+    }
     for (const label p : onPlane)
     {
         distances[p] = 0;

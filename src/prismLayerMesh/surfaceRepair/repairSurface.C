@@ -288,10 +288,18 @@ class surfaceRepairer
         }
         if (isCut && mayHaveCavities)
         {
+            // A cavity at a cyclic plane goes on beyond it
+            const List<sidePatch> closing
+            (
+                subsetList(planes_, [](const sidePatch& plane)
+                {
+                    return plane.type != "cyclic";
+                })
+            );
             addStep
             (
                 repaired_.steps, "cavities removed that a side plane closes",
-                removeCavities(surface, planes_)
+                removeCavities(surface, closing)
             );
         }
     }

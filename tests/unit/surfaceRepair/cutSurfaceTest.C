@@ -7,7 +7,9 @@
 #include "openSurfaces.H"
 #include "orientOpenWall.H"
 #include "ranges.H"
+#include "sidePair.H"
 #include "splitAtSidePatches.H"
+#include "testStages.H"
 #include "wallDefects.H"
 
 #include <gtest/gtest.h>
@@ -126,6 +128,68 @@ TEST(cutSurface, keepsABorderOnItsPlane)
             })
         );
     }
+}
+
+
+//- The border that is left of a body below a height, and of the same body, 2
+//  higher, above that height and 2
+static std::pair<pointField, pointField> bordersAt
+(
+    const scalar height,
+    const word& type
+)
+{
+    wallSurface body(sphere(4, 0.3));
+    for (point& x : body.points)
+    {
+        x = rotation() & x;
+    }
+    const auto borderOf = [&](const vector& move, const scalar way)
+    {
+        wallSurface surface(translated(body, move));
+        sidePatch plane(lid(height + move.z()));
+        plane.normal *= way;
+        plane.type = type;
+        repairSteps steps;
+        cutSurface(surface, plane, steps);
+        labelHashSet points;
+        for (const edge& e : outline(surface.faces))
+        {
+            points.insert(e);
+        }
+
+        return pointField(surface.points, points.sortedToc());
+    };
+
+    return {borderOf(vector::zero, 1), borderOf(vector(0, 0, 2), -1)};
+}
+
+
+TEST(cutSurface, isTheSameOnBothSidesOfACyclicPlane)
+{
+    const auto isSame = [](const std::pair<pointField, pointField>& borders)
+    {
+        const labelList images
+        (
+            imagesAmong
+            (
+                borders.second, borders.first,
+                rigidMotion{vector(0, 0, 2), tensor::I, false}, 1e-9
+            )
+        );
+
+        return borders.first.size() == borders.second.size()
+            && !images.found(-1);
+    };
+
+    // At other planes a point may be put on the plane on one side alone
+    label nOthers = 0;
+    for (scalar height = 0.2; height < 0.29; height += 0.005)
+    {
+        EXPECT_TRUE(isSame(bordersAt(height, "cyclic"))) << height;
+        nOthers += !isSame(bordersAt(height, "patch"));
+    }
+    EXPECT_GT(nOthers, 0);
 }
 
 
