@@ -7,6 +7,7 @@
 #include "dictionary.H"
 #include "DynamicList.H"
 #include "error.H"
+#include "IOstream.H"
 #include "matchPoints.H"
 #include "transform.H"
 #include "unitConversion.H"
@@ -198,7 +199,7 @@ List<sidePair> pairsOf(const UList<sidePatch>& sides)
         {
             FatalErrorInFunction
                 << "The side patch " << sides[s].name << " of type cyclic has"
-                << " no partner" << exit(FatalError);
+                << " no partner on which the wall ends" << exit(FatalError);
         }
     }
 
@@ -215,6 +216,9 @@ dictionary sidePair::entries
     const sidePatch& other = sides[side == first ? second : first];
     const cyclicControls& cyclic = sides[first].cyclic;
     dictionary entries;
+
+    // An entry has the digits of the default
+    const unsigned digits = IOstream::defaultPrecision(17);
     entries.add("type", word("cyclic"));
     entries.add("neighbourPatch", other.name);
     if (toSecond.turns)
@@ -232,6 +236,7 @@ dictionary sidePair::entries
             side == first ? toSecond.translation : -toSecond.translation
         );
     }
+    IOstream::defaultPrecision(digits);
 
     return entries;
 }
