@@ -31,7 +31,29 @@ static columnConstraint alsoOn
 }
 
 
-void constrainToCyclicSides
+//- Lets a column see the reflections of its normals, too: so that the axis of
+//  its cone is in the plane
+static void seeReflections
+(
+    const sidePlane& side,
+    wallVisibility& visibility,
+    const label c
+)
+{
+    DynamicList<vector> further(visibility.polygonNormals[c]);
+    for (const vector& n : visibility.cornerNormals[c])
+    {
+        further.append(side.reflected(n));
+    }
+    for (const vector& n : visibility.polygonNormals[c])
+    {
+        further.append(side.reflected(n));
+    }
+    visibility.polygonNormals[c] = vectorField(further);
+}
+
+
+labelList constrainToCyclicSides
 (
     const wallSurface& given,
     const periodicWall& wall,
@@ -60,8 +82,17 @@ void constrainToCyclicSides
               : cyclic == on.first() ? on.second() : on.first();
             whole.constraints[c] =
                 alsoOn(sides[cyclic], other, sides, wall.surface.points[p]);
+            seeReflections(sides[cyclic], whole.visibility, c);
+            if (other >= 0 && sides[other].type == "cyclic")
+            {
+                seeReflections(sides[other], whole.visibility, c);
+            }
+            whole.visibility.setCone(c);
         }
     }
+    const labelList blind(whole.pointsUnder(whole.visibility.emptyCones()));
+
+    return subsetList(blind, [&](const label p) { return p < wall.nPoints; });
 }
 
 
@@ -231,6 +262,29 @@ static void setBorder
 }
 
 
+//- It counts the faces of the given wall, and those between their columns
+static void setCounted
+(
+    const periodicWall& wall,
+    const layerFront& whole,
+    frontShare& share
+)
+{
+    const labelList& columns = share.columns.whole;
+    const auto isGiven = [&](const label c)
+    {
+        return whole.wallPoints[columns[c]] < wall.nPoints;
+    };
+    forAll(share.faces.isOwn, i)
+    {
+        const label facei = share.faces.whole[i];
+        share.faces.isOwn[i] =
+            facei < whole.nWallFaces
+          ? facei < wall.nFaces : allOf(share.front.surface.faces[i], isGiven);
+    }
+}
+
+
 frontShare makePeriodicShare
 (
     const wallSurface& given,
@@ -238,11 +292,9 @@ frontShare makePeriodicShare
     const layerFront& whole
 )
 {
-    labelList owners(wall.surface.points.size());
-    forAll(owners, p)
-    {
-        owners[p] = !wall.isBase(p);
-    }
+    // Two rings around all points of the given wall
+    labelList owners(wall.surface.points.size(), 1);
+    SubList<label>(owners, wall.nPoints) = 0;
     frontShare share
     (
         makeFrontShare
@@ -260,6 +312,10 @@ frontShare makePeriodicShare
     (
         wall.motionOfPoint, whole.pointsUnder(columns)
     )();
+    forAll(columns, c)
+    {
+        share.columns.isOwn[c] = wall.isBase(whole.wallPoints[columns[c]]);
+    }
     const labelList images(findIndices(share.columns.isOwn, false));
     labelList sent(images.size());
     forAll(images, i)
@@ -270,18 +326,7 @@ frontShare makePeriodicShare
     share.columns.sent = labelListList(1, sent);
     share.points = sharedLabels();
 
-    // It counts the faces of the given wall, and those between their columns
-    const auto isGiven = [&](const label c)
-    {
-        return whole.wallPoints[columns[c]] < wall.nPoints;
-    };
-    forAll(share.faces.isOwn, i)
-    {
-        const label facei = share.faces.whole[i];
-        share.faces.isOwn[i] =
-            facei < whole.nWallFaces
-          ? facei < wall.nFaces : allOf(share.front.surface.faces[i], isGiven);
-    }
+    setCounted(wall, whole, share);
     share.faces.nWhole =
         countOf(share.faces.isOwn, [](const bool own) { return own; });
     setBorder

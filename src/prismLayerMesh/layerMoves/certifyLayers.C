@@ -74,7 +74,9 @@ static labelList columnsInTheWay(layerEditor& editor, const labelUList& stacks)
     DynamicList<overlappingStack> others;
     for (const label facei : stacks)
     {
-        const label c = columnInTheWay(editor, facei);
+        const label inTheWay = columnInTheWay(editor, facei);
+        const label c =
+            inTheWay < 0 ? inTheWay : editor.team().stateOwner(inTheWay);
 
         if (c < 0)
         {

@@ -46,7 +46,19 @@ struct pipeline
         mesh.pointKinds = std::move(start.kinds);
         if (images)
         {
-            constrainToCyclicSides(given, *images, mesh.share.front);
+            const labelList blind
+            (
+                constrainToCyclicSides(given, *images, mesh.share.front)
+            );
+            if (blind.size())
+            {
+                throw wallPointsError
+                (
+                    given, blind,
+                    "have no direction in the plane of their cyclic side patch"
+                    " from which all their faces are visible"
+                );
+            }
         }
         const layerFront& front = mesh.share.front;
         const columnTeam team(mesh.share, processes);
