@@ -262,7 +262,12 @@ std::string domainJudge::fault() const
     {
         return sphereFault();
     }
-    if (asked.planes.empty() && wall.border.sides.size())
+    // Sections are measured from a point on all sides; parallel ones have none
+    const bool isPeriodic = anyOf(wall.border.sides, [](const sidePatch& side)
+    {
+        return side.type == "cyclic";
+    });
+    if (isPeriodic || (asked.planes.empty() && wall.border.sides.size()))
     {
         return "";
     }

@@ -24,6 +24,8 @@ static std::string reasonOf(const std::string& message)
         {"allBeyondSide", "is all beyond the side", "Move the side out"},
         {"touchesSide", "touches the side", "repair stitch"},
         {"fillsBox", "fills the box", "fluid inside"},
+        {"noImage", "its image does not end on", "repair stitch"},
+        {"noPartner", "has no partner", "on which the wall ends"},
         {"nothingLeft", "Nothing is left", "Move a side out"}
     };
 

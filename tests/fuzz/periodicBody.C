@@ -35,8 +35,9 @@ static farPatch cyclicPatch(const direction d, const bool isSecond)
 }
 
 
-//- Moves a body to where its lower end is at a random depth below 0, or not, and
-//  adds its image where it is below. Returns the period.
+//- Moves a body to where its lower end is at a random depth below 0, or not,
+//  and adds its image where it goes through 0 or the period. Returns the
+//  period.
 static scalar repeat(wallSurface& body, const direction d, Random& random)
 {
     const boundBox bounds(body.points, false);
@@ -46,9 +47,10 @@ static scalar repeat(wallSurface& body, const direction d, Random& random)
     vector move(Zero);
     move[d] = -bounds.min()[d] - depth;
     body = testSurfaces::translated(body, move);
-    if (depth > 0)
+    const bool isAbove = width - depth > period;
+    if (depth > 0 || isAbove)
     {
-        move[d] = period;
+        move[d] = isAbove ? -period : period;
         body = testSurfaces::merge(body, testSurfaces::translated(body, move));
     }
 

@@ -116,6 +116,10 @@ static dictionary entryOf(const farBoundaryControls& b)
         dictionary entry;
         entry.add("type", patch.type);
         entry.add("sides", patch.sides);
+        if (patch.cyclic.partner.size())
+        {
+            entry.add("partner", patch.cyclic.partner);
+        }
         patches.add(patch.name, entry);
     }
     boundary.add("patches", patches);
