@@ -8,6 +8,7 @@
 #include "periodicShare.H"
 #include "periodicStages.H"
 #include "returnMemory.H"
+#include "wallPointsError.H"
 
 #include <optional>
 
@@ -163,6 +164,8 @@ prismLayerMesh makePrismLayerMesh
     std::optional<periodicWall> images;
     if (isPeriodic)
     {
+        // At places of the given wall, not of an image
+        checkSidesOf(wall, makeWallAddressing(wall));
         observer.begin("periodicWall");
         images.emplace(wall);
         observer.end(text(images->surface.faces.size(), " faces with images"));
