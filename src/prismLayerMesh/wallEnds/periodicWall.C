@@ -8,6 +8,7 @@
 #include "cyclicSides.H"
 #include "DynamicList.H"
 #include "ListOps.H"
+#include "ranges.H"
 #include "splitAtSidePatches.H"
 
 namespace Foam
@@ -167,6 +168,42 @@ static void joinSides
 }
 
 
+//- Number of rings of faces beyond the given wall that its columns see
+static const label nSeenRings = 2;
+
+
+//- Whether columns see further than one image: few faces are between the sides
+static bool isNarrow(const wallSurface& wall, const sidePair& pair)
+{
+    bitSet reached(wall.points.size()), end(wall.points.size());
+    forAll(wall.border.edges, i)
+    {
+        const edge& e = wall.border.edges[i];
+        for (const label p : {e.first(), e.second()})
+        {
+            const label side = wall.border.edgeSides[i];
+            reached.set(p, reached.test(p) || side == pair.first);
+            end.set(p, end.test(p) || side == pair.second);
+        }
+    }
+
+    for (label ring = 0; ring < nSeenRings; ++ring)
+    {
+        const bitSet before(reached);
+        for (const face& f : wall.faces)
+        {
+            if (anyOf(f, [&](const label p) { return before.test(p); }))
+            {
+                reached.set(f);
+            }
+        }
+    }
+    reached &= end;
+
+    return reached.any();
+}
+
+
 static Map<label> inverseOf(const Map<label>& map)
 {
     Map<label> inverse(2*map.size());
@@ -188,7 +225,20 @@ periodicWall::periodicWall(const wallSurface& given)
     motionOfPoint(nPoints, Zero),
     motions(1)
 {
+    DynamicList<sidePair> extensions;
     for (const sidePair& pair : pairsOf(given.border.sides))
+    {
+        extensions.append(pair);
+        if (isNarrow(given, pair))
+        {
+            // Three periods become nine
+            const rigidMotion& once = pair.toSecond;
+            extensions.append(pair);
+            extensions.last().toSecond = once.after(once.after(once));
+        }
+    }
+
+    for (const sidePair& pair : extensions)
     {
         const Map<label> toSecond
         (

@@ -123,6 +123,24 @@ TEST(periodicWall, twoPairsHaveEightImages)
 }
 
 
+TEST(periodicWall, narrowOnesHaveMoreImages)
+{
+    wallSurface given(periodicWaves(2));
+    const periodicWall wall(given);
+
+    EXPECT_EQ(wall.surface.faces.size(), 81*given.faces.size());
+    EXPECT_EQ(wall.surface.points.size(), 19*19);
+    forAll(wall.surface.points, p)
+    {
+        const point image
+        (
+            wall.motions[wall.motionOfPoint[p]](given.points[wall.bases[p]])
+        );
+        EXPECT_NEAR(mag(wall.surface.points[p] - image), 0, 1e-14);
+    }
+}
+
+
 TEST(periodicWall, endsWhereTheImagesEnd)
 {
     const periodicWall wall(periodicWaves(4));
