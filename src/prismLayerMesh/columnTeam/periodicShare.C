@@ -133,15 +133,6 @@ struct ownColumnFinder
         return several.lookup(p, labelList(1, p));
     }
 
-    [[noreturn]] void refuse(const label p) const
-    {
-        FatalErrorInFunction
-            << "The point at " << wall.surface.points[p] << " has other columns"
-            << " than its image beyond the cyclic side patch at "
-            << wall.surface.points[wall.bases[p]] << exit(FatalError);
-        std::abort();
-    }
-
     //- The place, among the columns on a point, of a column that stands on an
     //  image of a corner of a face of the given wall
     label placeAt
@@ -175,14 +166,15 @@ struct ownColumnFinder
     }
 
     //- The columns on the base of a point, for those on the point. Around both
-    //  points they are in the same order, but may begin elsewhere.
+    //  points they are in the same order, but may begin elsewhere. Empty if
+    //  they are others.
     labelList ownColumns(const label p) const
     {
         const labelList columns(columnsOn(p));
         labelList own(columnsOn(wall.bases[p]));
         if (own.size() != columns.size())
         {
-            refuse(p);
+            return labelList();
         }
         if (own.size() == 1)
         {
@@ -196,14 +188,11 @@ struct ownColumnFinder
                 const label corner =
                     whole.surface.faces[facei].find(columns[0]);
                 const label i = placeAt(own, wall.baseFace(facei), corner);
-                if (i < 0)
-                {
-                    break;
-                }
-                return rotateList(own, -i);
+                return i < 0 ? labelList() : rotateList(own, -i);
             }
         }
-        refuse(p);
+
+        return labelList();
     }
 };
 
@@ -215,18 +204,29 @@ static labelList ownColumnsOf
 (
     const periodicWall& wall,
     const layerFront& whole,
-    const labelUList& columns
+    const labelUList& columns,
+    labelList& unequal
 )
 {
     const ownColumnFinder finder(wall, whole);
-    labelList own(columns.size());
+    labelHashSet bases;
+    labelList own(columns);
     forAll(columns, c)
     {
         const label p = whole.wallPoints[columns[c]];
-        own[c] = wall.isBase(p)
-          ? columns[c]
-          : finder.ownColumns(p)[finder.columnsOn(p).find(columns[c])];
+        if (wall.isBase(p))
+        {
+            continue;
+        }
+        const labelList onBase(finder.ownColumns(p));
+        if (onBase.empty())
+        {
+            bases.insert(wall.bases[p]);
+            continue;
+        }
+        own[c] = onBase[finder.columnsOn(p).find(columns[c])];
     }
+    unequal = bases.sortedToc();
 
     return own;
 }
@@ -289,7 +289,8 @@ frontShare makePeriodicShare
 (
     const wallSurface& given,
     const periodicWall& wall,
-    const layerFront& whole
+    const layerFront& whole,
+    labelList& unequal
 )
 {
     // Two rings around all points of the given wall
@@ -306,7 +307,11 @@ frontShare makePeriodicShare
 
     // The only process gives its own columns to their images
     const labelList& columns = share.columns.whole;
-    share.ownColumns = ownColumnsOf(wall, whole, columns);
+    share.ownColumns = ownColumnsOf(wall, whole, columns, unequal);
+    if (unequal.size())
+    {
+        return share;
+    }
     share.motions = wall.motions;
     share.motionOfColumn = UIndirectList<label>
     (

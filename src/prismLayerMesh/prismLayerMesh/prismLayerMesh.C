@@ -36,30 +36,54 @@ struct pipeline
     const std::optional<periodicWall>& images;
 
 
+    shareOfWall makeShareAt(const scalar angle) const
+    {
+        return makeShare
+        (
+            wall, controls.layers, angle, local, observer, processes
+        );
+    }
+
+
+    //- Whether all points have the columns of their images
+    bool hasEqualColumns(const layerFront& whole) const
+    {
+        labelList unequal;
+        makePeriodicShare(given, *images, whole, unequal);
+
+        return unequal.empty();
+    }
+
+
+    //- Constrains columns to cyclic sides. Refuses points without a direction
+    void constrain(layerFront& whole) const
+    {
+        const labelList blind(constrainToCyclicSides(given, *images, whole));
+        if (blind.size())
+        {
+            throw wallPointsError
+            (
+                given, blind,
+                "have no direction in the plane of their cyclic side patch"
+                " from which all their faces are visible"
+            );
+        }
+    }
+
+
     //- From the wall to columns
     plannedColumns plan(const scalar angle, prismLayerMesh& mesh) const
     {
-        shareOfWall start
-        (
-            makeShare(wall, controls.layers, angle, local, observer, processes)
-        );
+        shareOfWall start(makeShareAt(angle));
+        if (images && angle > 0 && !hasEqualColumns(start.share.front))
+        {
+            start = makeShareAt(0);
+        }
         mesh.share = std::move(start.share);
         mesh.pointKinds = std::move(start.kinds);
         if (images)
         {
-            const labelList blind
-            (
-                constrainToCyclicSides(given, *images, mesh.share.front)
-            );
-            if (blind.size())
-            {
-                throw wallPointsError
-                (
-                    given, blind,
-                    "have no direction in the plane of their cyclic side patch"
-                    " from which all their faces are visible"
-                );
-            }
+            constrain(mesh.share.front);
         }
         const layerFront& front = mesh.share.front;
         const columnTeam team(mesh.share, processes);
