@@ -50,7 +50,11 @@ bool hasLevelSetReport(const prismLayerMesh& mesh)
 {
     const layerSpacing& request = mesh.request;
 
+    // The field of a wall with cyclic sides is that of its images, too
+    const label nInField = mesh.guide.fields.background.nWallPoints;
+
     return mesh.guide.fields.failure.empty()
+        && nInField == mesh.pointKinds.size()
         && max(request.thickness) <= min(request.thickness)*(1 + SMALL)
         && max(request.firstThickness)
         <= min(request.firstThickness)*(1 + SMALL);

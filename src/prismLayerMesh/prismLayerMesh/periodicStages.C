@@ -107,6 +107,33 @@ static madeLayers layersOf
 }
 
 
+//- Keeps the stages of some columns, if stages are kept
+static void keepStagesOf(const labelUList& columns, prismLayerMesh& mesh)
+{
+    if (mesh.clearance.empty())
+    {
+        return;
+    }
+
+    mesh.clearance = scalarField(mesh.clearance, columns);
+    mesh.columns = mesh.columns.at(columns);
+    const gradientLines all(std::move(mesh.guide.lines));
+    gradientLines& lines = mesh.guide.lines;
+    const label n = all.nSamples;
+    lines.nSamples = n;
+    lines.points.setSize(columns.size()*n);
+    lines.energies.setSize(columns.size()*n);
+    forAll(columns, c)
+    {
+        for (label i = 0; i < n; ++i)
+        {
+            lines.points[c*n + i] = all.points[columns[c]*n + i];
+            lines.energies[c*n + i] = all.energies[columns[c]*n + i];
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 prismLayerControls withImages
@@ -203,6 +230,7 @@ void makePeriodicLayers
         ),
         mesh.made.layers
     );
+    keepStagesOf(some(share.columns.whole, kept), mesh);
     mesh.share = frontShare();
     mesh.share.front = std::move(ofGiven);
     mesh.pointKinds.setSize(images.nPoints);

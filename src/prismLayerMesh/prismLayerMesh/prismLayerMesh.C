@@ -105,8 +105,8 @@ struct pipeline
         mesh.noField = guide.noField;
         if (keepStages)
         {
-            mesh.addressing = makeWallAddressing(wall);
-            mesh.visibility = makeWallVisibility(wall, mesh.addressing);
+            mesh.addressing = makeWallAddressing(given);
+            mesh.visibility = makeWallVisibility(given, mesh.addressing);
             mesh.clearance = std::move(clearance);
             mesh.guide = std::move(guide);
             mesh.columns = planned.columns;
@@ -203,8 +203,7 @@ prismLayerMesh makePrismLayerMesh
     {
         isPeriodic ? images->surface : wall, onImages,
         isPeriodic ? ofImages : local, observer,
-        keepStages && processes.size() == 1 && !isPeriodic, processes, wall,
-        images
+        keepStages && processes.size() == 1, processes, wall, images
     };
     const scalar angle = controls.layers.multipleNormalsAngle;
 
