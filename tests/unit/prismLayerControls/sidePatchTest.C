@@ -139,6 +139,23 @@ TEST(sidePatch, namesAreNotThoseOfTheWall)
 }
 
 
+TEST(sidePatch, oneNameHasOneType)
+{
+    List<sidePatch> sides
+    ({
+        symmetryPlane("a", point::zero, vector(0, 0, -1)),
+        symmetryPlane("a", point::zero, vector(1, 0, 0))
+    });
+    sides[0].type = "empty";
+    sides[1].type = "cyclic";
+    expectWords
+    (
+        thrownMessage<error>([&]() { checkSides(sides, wordList()); }),
+        {"name a", "empty", "cyclic", "Rename"}
+    );
+}
+
+
 TEST(sidePatch, symmetryPlanesAreInOnePlane)
 {
     List<sidePatch> sides
