@@ -5,7 +5,6 @@
 
 #include "cyclicColumns.H"
 #include "boundBox.H"
-#include "HashSet.H"
 
 namespace Foam
 {
@@ -14,25 +13,10 @@ namespace Foam
 static const scalar imageRounding = 1e-12;
 
 
-static labelList columnsOn(const wallBorder& border, const label side)
-{
-    labelHashSet columns;
-    forAll(border.edges, i)
-    {
-        if (border.edgeSides[i] == side)
-        {
-            columns.insert(border.edges[i]);
-        }
-    }
-
-    return columns.sortedToc();
-}
-
-
 Map<label> imagesOfColumns(const prismLayers& layers, const sidePair& pair)
 {
-    const labelList first(columnsOn(layers.border, pair.first));
-    const labelList second(columnsOn(layers.border, pair.second));
+    const labelList first(layers.border.pointsOn(pair.first));
+    const labelList second(layers.border.pointsOn(pair.second));
     const label n = layers.nLayers;
     const auto topsOf = [&](const labelUList& columns)
     {

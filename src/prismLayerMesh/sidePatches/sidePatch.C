@@ -330,6 +330,23 @@ bool isSamePlane
 }
 
 
+labelList wallBorder::pointsOn(const label side) const
+{
+    DynamicList<label> points;
+    forAll(edges, i)
+    {
+        if (edgeSides[i] == side)
+        {
+            points.append(edges[i]);
+        }
+    }
+    labelList sorted(std::move(points));
+    inplaceUniqueSort(sorted);
+
+    return sorted;
+}
+
+
 Map<labelPair> wallBorder::pointSides() const
 {
     Map<labelPair> sides(2*edges.size());

@@ -6,7 +6,6 @@
 #include "cyclicSides.H"
 #include "DynamicList.H"
 #include "edgeHashes.H"
-#include "HashSet.H"
 #include "linePointRef.H"
 #include "ranges.H"
 #include "sideParts.H"
@@ -17,22 +16,6 @@ namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- The points of the edges of a border on a side, ascending
-static labelList pointsOn(const wallBorder& border, const label side)
-{
-    labelHashSet points;
-    forAll(border.edges, i)
-    {
-        if (border.edgeSides[i] == side)
-        {
-            points.insert(border.edges[i]);
-        }
-    }
-
-    return points.sortedToc();
-}
-
 
 //- Refuses a border on one side of a pair without its image on the other one
 static void refuseBorder
@@ -96,8 +79,8 @@ Map<label> imagesOnBorder
     const scalar tolerance
 )
 {
-    const labelList first(pointsOn(wall.border, pair.first));
-    const labelList second(pointsOn(wall.border, pair.second));
+    const labelList first(wall.border.pointsOn(pair.first));
+    const labelList second(wall.border.pointsOn(pair.second));
     const pointField atFirst(wall.points, first);
     const pointField atSecond(wall.points, second);
 
@@ -163,12 +146,12 @@ struct borderAligner
     labelList lonePoints(const label side) const
     {
         const label other = side == pair.first ? pair.second : pair.first;
-        const labelList own(pointsOn(wall.border, side));
+        const labelList own(wall.border.pointsOn(side));
         const labelList places
         (
             imagesAmong
             (
-                pointField(wall.points, pointsOn(wall.border, other)),
+                pointField(wall.points, wall.border.pointsOn(other)),
                 pointField(wall.points, own), motionFrom(side),
                 touchShare*tolerance
             )
