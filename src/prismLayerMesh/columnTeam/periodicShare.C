@@ -165,6 +165,33 @@ struct ownColumnFinder
         return -1;
     }
 
+    //- Whether columns stand on images of the faces that the own columns are on
+    bool areEqual(const labelUList& columns, const labelUList& own) const
+    {
+        forAll(own, i)
+        {
+            for
+            (
+                const label facei
+              : whole.addressing.pointFaces[columns[i]]
+            )
+            {
+                if (facei >= whole.nWallFaces)
+                {
+                    continue;
+                }
+                const label corner =
+                    whole.surface.faces[facei].find(columns[i]);
+                if (placeAt(own, wall.baseFace(facei), corner) != i)
+                {
+                    return false;
+                }
+            }
+        }
+
+        return own.size();
+    }
+
     //- The columns on the base of a point, for those on the point. Around both
     //  points they are in the same order, but may begin elsewhere. Empty if
     //  they are others.
@@ -188,7 +215,8 @@ struct ownColumnFinder
                 const label corner =
                     whole.surface.faces[facei].find(columns[0]);
                 const label i = placeAt(own, wall.baseFace(facei), corner);
-                return i < 0 ? labelList() : rotateList(own, -i);
+                own = i < 0 ? labelList() : rotateList(own, -i);
+                return areEqual(columns, own) ? own : labelList();
             }
         }
 
