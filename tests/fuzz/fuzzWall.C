@@ -25,7 +25,8 @@ static std::string reasonOf(const std::string& message)
         {"touchesSide", "touches the side", "repair stitch"},
         {"fillsBox", "fills the box", "fluid inside"},
         {"noImage", "its image does not end on", "repair stitch"},
-        {"noPartner", "has no partner", "on which the wall ends"},
+        {"noPartner", "type cyclic has no partner", "on which the wall ends"},
+        {"noPartner", "no other side patch of type cyclic", "the wall ends"},
         {"nothingLeft", "Nothing is left", "Move a side out"}
     };
 
