@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "farFieldMesh.H"
+#include "error.H"
 
 namespace Foam
 {
@@ -26,6 +27,50 @@ void farFieldMesh::keepPatches(const labelUList& kept)
     patches = keptPatches;
     topology.patchStarts = starts;
     topology.patchSizes = sizes;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void requireVolumes(const farFieldMesh& far, const label nCells)
+{
+    const polyMeshTopology& t = far.topology;
+    scalarField volumes(far.nCells, 0), areas(far.nCells, 0);
+    scalarField largest(far.nCells, 0);
+    labelList apex(far.nCells, -1);
+    const auto add = [&](const label celli, const face& f, const scalar way)
+    {
+        apex[celli] = apex[celli] < 0 ? f[0] : apex[celli];
+        const vector area(f.areaNormal(far.points));
+        const vector height(f.centre(far.points) - far.points[apex[celli]]);
+        volumes[celli] += way*(area & height)/3;
+        areas[celli] += mag(area);
+        for (const label p : f)
+        {
+            const scalar most = cmptMax(cmptMag(far.points[p]));
+            largest[celli] = max(largest[celli], most);
+        }
+    };
+    forAll(t.faces, facei)
+    {
+        add(t.owner[facei], t.faces[facei], 1);
+        if (facei < t.neighbour.size())
+        {
+            add(t.neighbour[facei], t.faces[facei], -1);
+        }
+    }
+
+    for (label celli = 0; celli < nCells; ++celli)
+    {
+        if (volumes[celli] <= SMALL*largest[celli]*areas[celli])
+        {
+            FatalErrorInFunction
+                << "A cell of the far field at " << far.points[apex[celli]]
+                << " is flat but for rounding" << nl
+                << "Change farField.growthRate or maxCellSize a little, or"
+                << " remesh the surface there" << exit(FatalError);
+        }
+    }
 }
 
 } // End namespace Foam

@@ -640,7 +640,10 @@ farFieldMesh makeFarFieldMesh
             layers, outer, layerSizes, fromLayers, domain, controls, mesh
         )
     );
+    const label nStaying =
+        across.size() ? 0 : made.nCells - mesh.tets.size();
     finish(layers, controls, mesh.tets.size(), made);
+    requireVolumes(made, made.nCells - nStaying);
     setCyclic(domain.boundary.cyclicSides, made.patches);
 
     return made;

@@ -196,4 +196,33 @@ TEST(makeFarFieldMesh, moreCellsThanAllowedAreRefused)
 }
 
 
+TEST(requireVolumes, refusesATetrahedronThatIsFlatButForRounding)
+{
+    const auto tetOfHeight = [](const scalar height)
+    {
+        farFieldMesh far;
+        far.points = pointField
+        ({
+            point(1, 0, 0), point(2, 0, 0), point(1, 1, 0),
+            point(1.2, 0.2, height)
+        });
+        far.nCells = 1;
+        far.topology.startPatch();
+        const faceList faces
+        ({
+            face({0, 2, 1}), face({0, 1, 3}), face({1, 2, 3}), face({2, 0, 3})
+        });
+        for (const face& f : faces)
+        {
+            far.topology.append(face(f), 0);
+        }
+
+        return far;
+    };
+
+    EXPECT_NO_THROW(requireVolumes(tetOfHeight(1e-12), 1));
+    EXPECT_NO_THROW(requireVolumes(tetOfHeight(1e-18), 0));
+    EXPECT_THROW(requireVolumes(tetOfHeight(1e-18), 1), error);
+}
+
 // ************************************************************************* //
