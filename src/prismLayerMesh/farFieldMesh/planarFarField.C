@@ -6,12 +6,12 @@
 #include "planarFarField.H"
 #include "boundBox.H"
 #include "cellPredicates.H"
+#include "cyclicColumns.H"
 #include "EdgeMap.H"
 #include "HashSet.H"
 #include "ListOps.H"
 #include "makeFarFieldMesh.H"
 #include "planarColumns.H"
-#include "sidePair.H"
 
 #include <algorithm>
 
@@ -81,7 +81,7 @@ labelList endsOf(const UList<prismSide>& sides)
 
 //- Puts sides of a second cyclic patch in the order of the sides of the first
 //  one of which they are images
-void orderAsImages
+void orderSidesAsImages
 (
     const pointField& points,
     const rigidMotion& toSecond,
@@ -105,23 +105,16 @@ void orderAsImages
         images.insert(from[i], places[i] < 0 ? -1 : to[places[i]]);
     }
 
-    EdgeMap<prismSide> sides(2*second.size());
-    for (const prismSide& side : second)
+    const label lone = orderAsImages
+    (
+        first, second, [](const prismSide& side) { return side.along; }, images
+    );
+    if (lone >= 0)
     {
-        sides.insert(side.along, side);
-    }
-    forAll(first, i)
-    {
-        const edge& e = first[i].along;
-        const auto image =
-            sides.cfind(edge(images[e.start()], images[e.end()]));
-        if (!image.found() || first.size() != second.size())
-        {
-            FatalErrorInFunction
-                << "The face at " << e.centre(points) << " has no image on the"
-                << " second of two cyclic patches" << exit(FatalError);
-        }
-        second[i] = *image;
+        FatalErrorInFunction
+            << "The face at " << first[lone].along.centre(points)
+            << " has no image on the second of two cyclic patches"
+            << exit(FatalError);
     }
 }
 
@@ -335,7 +328,7 @@ class planarJoiner
             const label first = patchOf(cyclicSides[pair.first].name);
             const label second = patchOf(cyclicSides[pair.second].name);
             isSecond_.insert(second);
-            orderAsImages
+            orderSidesAsImages
             (
                 mesh_.points, pair.toSecond, onPatches_[first],
                 onPatches_[second]

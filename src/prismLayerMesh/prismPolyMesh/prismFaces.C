@@ -171,27 +171,26 @@ void appendFace
 
 
 //- Puts edges on the second of two cyclic sides in the order of their images
-static void orderAsImages
+static void orderCyclic
 (
     const prismLayers& layers,
-    const Map<label>& images,
+    const sidePair& pair,
     const UList<labelPair>& first,
     UList<labelPair>& second
 )
 {
     const auto edgeOf = [&](const labelPair& at)
     {
-        return layers.faces[at.first()].faceEdge(at.second());
+        return edge(layers.faces[at.first()].faceEdge(at.second()));
     };
-    EdgeMap<labelPair> ofSecond(2*second.size());
-    for (const labelPair& at : second)
+    const label lone =
+        orderAsImages(first, second, edgeOf, imagesOfColumns(layers, pair));
+    if (lone >= 0)
     {
-        ofSecond.insert(edgeOf(at), at);
-    }
-    forAll(first, i)
-    {
-        const edge e(edgeOf(first[i]));
-        second[i] = ofSecond[edge(images[e.start()], images[e.end()])];
+        FatalErrorInFunction
+            << "The layers at " << layers(edgeOf(first[lone]).start(), 0)
+            << " have no image on the second of two cyclic patches"
+            << exit(FatalError);
     }
 }
 
@@ -238,9 +237,9 @@ List<DynamicList<labelPair>> openEdges
         {
             return names.find(layers.border.sides[side].name);
         };
-        orderAsImages
+        orderCyclic
         (
-            layers, imagesOfColumns(layers, pair), edges[patchOf(pair.first)],
+            layers, pair, edges[patchOf(pair.first)],
             edges[patchOf(pair.second)]
         );
     }
