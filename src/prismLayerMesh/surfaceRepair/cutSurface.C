@@ -261,8 +261,14 @@ static bitSet nearTheCutOfBoth
             for (const label p : {e.start(), e.end()})
             {
                 const label q = e.otherVertex(p);
-                hasFront.set(p, hasFront.test(p) || distances[q] <= -near[q]);
-                hasBack.set(p, hasBack.test(p) || distances[q] >= near[q]);
+                if (distances[q] <= -near[q])
+                {
+                    hasFront.set(p);
+                }
+                if (distances[q] >= near[q])
+                {
+                    hasBack.set(p);
+                }
             }
         }
     }
@@ -397,7 +403,8 @@ static bitSet pointsOfTouchingEdges
     const bitSet& onPlane
 )
 {
-    // By edge, whether a face is in front, and whether one is beyond
+    // For each edge: whether a face is in front of the plane, and whether a
+    // face is beyond the plane
     EdgeMap<Pair<bool>> sides;
     for (const face& f : surface.faces)
     {

@@ -60,6 +60,24 @@ static void moveSides(const sidePair& pair, wallSurface& wall)
 }
 
 
+//- Appends a motion after each of some motions. Returns the place of the first.
+static label appendMotions
+(
+    const rigidMotion& motion,
+    const UList<rigidMotion>& before,
+    periodicWall& wall
+)
+{
+    const label first = wall.motions.size();
+    for (const rigidMotion& m : before)
+    {
+        wall.motions.append(motion.after(m));
+    }
+
+    return first;
+}
+
+
 namespace
 {
 
@@ -68,7 +86,6 @@ struct imageMaker
 {
     periodicWall& wall;
     const sidePair& pair;
-    const Map<label> toSecond;
 
     const wallSurface given = wall.surface;
     const labelList givenBases = wall.bases;
@@ -106,12 +123,7 @@ struct imageMaker
         const label end
     )
     {
-        const label firstMotion = wall.motions.size();
-        for (const rigidMotion& m : motions)
-        {
-            wall.motions.append(motion.after(m));
-        }
-
+        const label firstMotion = appendMotions(motion, motions, wall);
         wallSurface& surface = wall.surface;
         labelList labels(given.points.size());
         DynamicList<point> points(surface.points);
@@ -153,12 +165,8 @@ static void joinSides
     periodicWall& wall
 )
 {
-    const label firstMotion = wall.motions.size();
-    const List<rigidMotion> motions(wall.motions);
-    for (const rigidMotion& m : motions)
-    {
-        wall.motions.append(motion.after(m));
-    }
+    const label firstMotion =
+        appendMotions(motion, List<rigidMotion>(wall.motions), wall);
     for (const label p : toSecond.sortedToc())
     {
         const label image = toSecond[p];
@@ -182,8 +190,14 @@ static bool isNarrow(const wallSurface& wall, const sidePair& pair)
         for (const label p : {e.first(), e.second()})
         {
             const label side = wall.border.edgeSides[i];
-            reached.set(p, reached.test(p) || side == pair.first);
-            end.set(p, end.test(p) || side == pair.second);
+            if (side == pair.first)
+            {
+                reached.set(p);
+            }
+            else if (side == pair.second)
+            {
+                end.set(p);
+            }
         }
     }
 
@@ -246,7 +260,7 @@ periodicWall::periodicWall(const wallSurface& given)
         );
         joinSides(toSecond, pair.toSecond, *this);
 
-        imageMaker maker{*this, pair, toSecond};
+        imageMaker maker{*this, pair};
         maker.addBorder(identity(surface.points.size()), -1);
         maker.add(pair.toSecond, toSecond, pair.second);
         maker.add
