@@ -284,7 +284,8 @@ struct partRefiner
     wallSurface made{};
 
     //- Refines faces, and adds them. Returns the labels of the points of the
-    //  part, those of the outline first, and sets the number of these.
+    //  part. The points of the outline come first.
+    //  nOutline: set to the number of points of the outline
     labelList add(const labelUList& faces, label& nOutline)
     {
         const labelList ends(endsOf(outline(faceList(whole.faces, faces))));

@@ -50,7 +50,7 @@ bool hasLevelSetReport(const prismLayerMesh& mesh)
 {
     const layerSpacing& request = mesh.request;
 
-    // The field of a wall with cyclic sides is that of its images, too
+    // The field of a wall with cyclic sides is also the field of its images
     const label nInField = mesh.guide.fields.background.nWallPoints;
 
     return mesh.guide.fields.failure.empty()

@@ -21,8 +21,8 @@ static List<Type> some(const UList<Type>& values, const labelUList& which)
 }
 
 
-//- The proposals for the columns of a share: those of own columns, and their
-//  images
+//- The proposals for the columns of a share: the proposals for own columns, and
+//  the images of these proposals
 static layerColumns columnsOfShare
 (
     const layerColumns& all,

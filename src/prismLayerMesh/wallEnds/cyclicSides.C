@@ -247,8 +247,8 @@ struct borderAligner
         wall.points[p] = to;
     }
 
-    //- Points and images that are near to each other meet: half way, or where
-    //  the one is that cannot move
+    //- Points and images that are near to each other meet half way. If one of
+    //  both cannot move, the other one moves to it.
     void joinNearPoints()
     {
         const Map<labelPair> sides(wall.border.pointSides());
