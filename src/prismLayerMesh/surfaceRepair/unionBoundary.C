@@ -361,6 +361,47 @@ dividedTriangles divideTriangles(const wallSurface& surface)
 }
 
 
+//- Calls visit(j) for the triangles that cover a part of triangle i
+template<class Visit>
+void visitCovering
+(
+    const dividedTriangles& divided,
+    const faceList& triangles,
+    const face& part,
+    const label i,
+    const Visit& visit
+)
+{
+    const std::vector<label>& others = divided.inPlane[i];
+    if (others.empty())
+    {
+        return;
+    }
+
+    const triangle3 t = divided.triangleOn(part);
+    const point3 centre = CGAL::centroid(t[0], t[1], t[2]);
+    for (const label j : others)
+    {
+        if (divided.triangleOn(triangles[j]).has_on(centre))
+        {
+            visit(j);
+        }
+    }
+}
+
+
+pointField roundedPoints(const dividedTriangles& divided)
+{
+    pointField result(divided.points.size());
+    forAll(result, p)
+    {
+        result[p] = rounded(divided.points[p]);
+    }
+
+    return result;
+}
+
+
 // * * * * * * * * * * * * * *  Winding Number * * * * * * * * * * * * * * * //
 
 //- The winding number of a surface in front of its triangles, exactly.
@@ -510,28 +551,17 @@ class unionFacets
         for (std::size_t k = 0; k < divided_.parts.size(); ++k)
         {
             facet f{divided_.parts[k], divided_.triangleOf[k], 1, 0};
-            const std::vector<label>& others = divided_.inPlane[f.triangle];
             bool isFirst = true;
-
-            if (!others.empty())
+            const auto count = [&](const label j)
             {
                 const triangle3 part = divided_.triangleOn(f.points);
-                const point3 centre = CGAL::centroid(part[0], part[1], part[2]);
+                const triangle3 other = divided_.triangleOn(triangles_[j]);
                 const vector3 n = CGAL::normal(part[0], part[1], part[2]);
-
-                for (const label j : others)
-                {
-                    const triangle3 other = divided_.triangleOn(triangles_[j]);
-                    if (other.has_on(centre))
-                    {
-                        isFirst = isFirst && f.triangle < j;
-                        f.jump +=
-                            CGAL::normal(other[0], other[1], other[2])*n > 0
-                          ? 1
-                          : -1;
-                    }
-                }
-            }
+                isFirst = isFirst && f.triangle < j;
+                f.jump +=
+                    CGAL::normal(other[0], other[1], other[2])*n > 0 ? 1 : -1;
+            };
+            visitCovering(divided_, triangles_, f.points, f.triangle, count);
 
             if (f.jump < 0)
             {
@@ -604,16 +634,7 @@ public:
     }
 
     //- Points of all parts, rounded
-    pointField points() const
-    {
-        pointField result(divided_.points.size());
-        forAll(result, p)
-        {
-            result[p] = rounded(divided_.points[p]);
-        }
-
-        return result;
-    }
+    pointField points() const { return roundedPoints(divided_); }
 
     //- Number of triangles that were divided, or are in the plane of another
     //  that they intersect
@@ -637,6 +658,35 @@ public:
 
 
 } // End anonymous namespace
+
+
+dividedSurface divideAtIntersections(const wallSurface& surface)
+{
+    const dividedTriangles divided(divideTriangles(surface));
+    DynamicList<face> faces(divided.parts.size());
+    DynamicList<label> triangleOf(divided.parts.size());
+    for (std::size_t k = 0; k < divided.parts.size(); ++k)
+    {
+        const label i = divided.triangleOf[k];
+        bool isFirst = true;
+        visitCovering
+        (
+            divided, surface.faces, divided.parts[k], i,
+            [&](const label j) { isFirst = isFirst && i < j; }
+        );
+        if (isFirst)
+        {
+            faces.append(divided.parts[k]);
+            triangleOf.append(i);
+        }
+    }
+
+    return dividedSurface
+    {
+        roundedPoints(divided), faceList(std::move(faces)),
+        labelList(std::move(triangleOf))
+    };
+}
 
 
 unionBoundary findUnionBoundary(const wallSurface& surface)

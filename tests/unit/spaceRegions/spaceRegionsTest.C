@@ -1,0 +1,217 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "boundBox.H"
+#include "cellPredicates.H"
+#include "spaceParts.H"
+#include "spaceRegions.H"
+#include "testSurfaces.H"
+#include "thrownMessage.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+using namespace Foam::testSurfaces;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- A cube from 'low' on, with edges of a size
+static wallSurface cubeAt
+(
+    const point& low,
+    const scalar size,
+    const label n = 1
+)
+{
+    const wallSurface at(cube(n, size));
+
+    return translated(at, low - boundBox(at.points, false).min());
+}
+
+
+//- Faces between two regions
+static label nBetween(const spaceRegions& all, const label a, const label b)
+{
+    label n = 0;
+    for (const labelPair& both : all.regionsOfFace)
+    {
+        n += both == labelPair(a, b) || both == labelPair(b, a);
+    }
+
+    return n;
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(makeSpaceRegions, solidsThatTouchOthersAndTheBoxHaveAllFacesInCommon)
+{
+    // Two cubes side by side on the floor of a box. Their triangles differ.
+    const wallSurface solids
+    (
+        merge
+        (
+            cubeAt(point(1, 1, 0), 1, 3),
+            cubeAt(point(2, 1.25, 0), 1, 2)
+        )
+    );
+    const wallSurface all(merge(cubeAt(point(0, 0, 0), 4), solids));
+    const List<regionSeed> seeds
+    ({
+        {"air", point(0.3, 0.2, 3.1)},
+        {"left", point(1.5, 1.5, 0.5)},
+        {"right", point(2.5, 1.75, 0.5)}
+    });
+    const spaceRegions made(makeSpaceRegions(makeArrangement(all), seeds));
+
+    EXPECT_NEAR(made.regions[0].volume, 62, 1e-10);
+    EXPECT_NEAR(made.regions[1].volume, 1, 1e-12);
+    EXPECT_NEAR(made.regions[2].volume, 1, 1e-12);
+    EXPECT_GT(nBetween(made, 0, 1), 0);
+    EXPECT_GT(nBetween(made, 0, 2), 0);
+    EXPECT_GT(nBetween(made, 1, 2), 0);
+    forAll(made.regions, i)
+    {
+        const spaceRegion& region = made.regions[i];
+        EXPECT_TRUE(isClosed(region.surface));
+        EXPECT_NEAR
+        (
+            testSurfaces::enclosedVolume(region.surface), -region.volume, 1e-10
+        );
+        forAll(region.points, p)
+        {
+            EXPECT_EQ
+            (
+                region.surface.points[p], made.surface.points[region.points[p]]
+            );
+        }
+    }
+
+    // The floor has no region below it
+    labelList numbers(4, Zero);
+    forAll(made.regions[1].faces, f)
+    {
+        ++numbers[1 + made.beyond(1, f)];
+    }
+    EXPECT_GT(numbers[0], 0);
+    EXPECT_EQ(numbers[2], 0);
+    EXPECT_EQ(numbers[3], nBetween(made, 1, 2));
+}
+
+
+TEST(makeSpaceRegions, bodiesWithinOthersAreHolesOfTheirs)
+{
+    const wallSurface all
+    (
+        merge
+        (
+            cubeAt(point(0, 0, 0), 9),
+            merge
+            (
+                merge(cubeAt(point(1, 1, 1), 3), cubeAt(point(2, 2, 2), 1)),
+                cubeAt(point(5, 5, 5), 2)
+            )
+        )
+    );
+    const List<regionSeed> seeds
+    ({
+        {"outer", point(0.1, 0.2, 0.3)},
+        {"shell", point(1.2, 1.3, 1.4)}
+    });
+    const spaceRegions made(makeSpaceRegions(makeArrangement(all), seeds));
+
+    EXPECT_NEAR(made.regions[0].volume, 729 - 27 - 8, 1e-9);
+    EXPECT_NEAR(made.regions[1].volume, 27 - 1, 1e-10);
+}
+
+
+TEST(makeSpaceRegions, bodiesThatCutEachOtherAreDivided)
+{
+    const wallSurface all
+    (
+        merge(cubeAt(point(0, 0, 0), 2), cubeAt(point(1, 1, 1), 2))
+    );
+    const List<regionSeed> seeds
+    ({
+        {"first", point(0.1, 0.2, 0.3)},
+        {"both", point(1.2, 1.3, 1.4)},
+        {"second", point(2.9, 2.8, 2.7)}
+    });
+    const spaceRegions made(makeSpaceRegions(makeArrangement(all), seeds));
+
+    EXPECT_NEAR(made.regions[0].volume, 7, 1e-12);
+    EXPECT_NEAR(made.regions[1].volume, 1, 1e-12);
+    EXPECT_NEAR(made.regions[2].volume, 7, 1e-12);
+    EXPECT_EQ(nBetween(made, 0, 2), 0);
+}
+
+
+TEST(makeSpaceRegions, anOpeningIsNamedWithItsPlaceAndAPathThroughIt)
+{
+    wallSurface all
+    (
+        merge(cubeAt(point(0, 0, 0), 4), cubeAt(point(1, 1, 1), 2, 4))
+    );
+
+    // Two triangles of the inner cube's top, around (2.25, 2.25, 3)
+    boolList isKept(all.faces.size(), true);
+    forAll(all.faces, i)
+    {
+        const point c(all.faces[i].centre(all.points));
+        isKept[i] = mag(c - point(2.25, 2.25, 3)) > 0.2;
+    }
+    all.patchIDs = subset(isKept, all.patchIDs);
+    all.faces = subset(isKept, all.faces);
+
+    const std::string message(thrownMessage<Foam::error>([&]()
+    {
+        makeSpaceRegions
+        (
+            makeArrangement(all),
+            List<regionSeed>
+            ({
+                {"air", point(0.1, 0.2, 0.3)}, {"water", point(1.2, 1.3, 1.4)}
+            })
+        );
+    }));
+    EXPECT_NE(message.find("water leaks into the region air"), string::npos)
+        << message;
+    EXPECT_NE(message.find("2.3"), string::npos) << message;
+}
+
+
+TEST(makeSpaceRegions, aPointOutsideOfAllLeaks)
+{
+    const std::string message(thrownMessage<Foam::error>([&]()
+    {
+        makeSpaceRegions
+        (
+            makeArrangement(cubeAt(point(0, 0, 0), 1)),
+            List<regionSeed>({{"air", point(2, 2, 2)}})
+        );
+    }));
+    EXPECT_NE(message.find("air leaks into the outside"), string::npos)
+        << message;
+}
+
+
+TEST(makeSpaceRegions, aSheetIsRefusedWithItsPlace)
+{
+    wallSurface sheet(cubeAt(point(1, 1, 1), 1));
+    sheet.faces.setSize(2);
+    sheet.patchIDs.setSize(2);
+    const std::string message(thrownMessage<Foam::error>([&]()
+    {
+        makeSpaceRegions
+        (
+            makeArrangement(merge(cubeAt(point(0, 0, 0), 3), sheet)),
+            List<regionSeed>({{"air", point(0.1, 0.2, 0.3)}})
+        );
+    }));
+    EXPECT_NE(message.find("within the region air"), string::npos) << message;
+}
+
+
+// ************************************************************************* //
