@@ -184,6 +184,13 @@ void splitCornerCells(farFieldTets& mesh)
     {
         UIndirectList<bool>(onBoundary, f) = true;
     }
+    if (!mesh.hasLayers)
+    {
+        for (const face& f : mesh.outerTriangles)
+        {
+            UIndirectList<bool>(onBoundary, f) = true;
+        }
+    }
     for (const face& f : all)
     {
         bounds.edges.insert(f.edges());

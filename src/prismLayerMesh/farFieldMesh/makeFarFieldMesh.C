@@ -356,7 +356,10 @@ static void improve
     splitCornerCells(mesh);
 
     neighbourCells neighbours;
-    neighbours.centres = layerCentres(layers, mesh);
+    if (mesh.hasLayers)
+    {
+        neighbours.centres = layerCentres(layers, mesh);
+    }
     neighbours.volumes.setSize(neighbours.centres.size(), 0);
     pointField centres;
     scalarField volumes;
@@ -609,6 +612,7 @@ farFieldMesh makeFarFieldMesh
 )
 {
     farFieldTets mesh;
+    mesh.hasLayers = layers.nLayers > 0;
     const wallSurface outer(outerSurface(layers, mesh.outerFaces));
     const labelList across
     (

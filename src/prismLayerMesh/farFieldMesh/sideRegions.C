@@ -109,6 +109,13 @@ bool layerBorder::covers(const point& a, const point& b, labelPair& ends) const
 
     for (const corner& c : corners_)
     {
+        if (outerPoints_[c.outerPoint] == c.root)
+        {
+            // Without layers the outer point is the point of the outline
+            ends.first() = a == c.root ? c.outerPoint : ends.first();
+            ends.second() = b == c.root ? c.outerPoint : ends.second();
+            continue;
+        }
         const scalar shareA = shareAt(c, a);
         const scalar shareB = shareAt(c, b);
 

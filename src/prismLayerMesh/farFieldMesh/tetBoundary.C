@@ -60,6 +60,11 @@ faceList outerTriangles(const wallSurface& outer, labelList& triangleFace)
 }
 
 
+//- A point is close behind a triangle if it is so many times the square root
+//  of twice the area away
+static constexpr scalar behindShare = 1e-6;
+
+
 point pointBelow(const face& triangle, const prismLayers& layers)
 {
     const label n = layers.nLayers;
@@ -67,6 +72,12 @@ point pointBelow(const face& triangle, const prismLayers& layers)
     const point& b = layers(triangle[1], n);
     const point& c = layers(triangle[2], n);
     const vector normal((b - a) ^ (c - a));
+    if (n == 0)
+    {
+        return
+            triangle.centre(layers.points)
+          - behindShare*normal/sqrt(max(mag(normal), VSMALL));
+    }
     scalar highest = -GREAT;
     point below(a);
 

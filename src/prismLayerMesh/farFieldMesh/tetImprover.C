@@ -18,7 +18,7 @@ namespace Foam
 //- The triangles of layers and cut
 static faceList innerTriangles(const farFieldTets& mesh)
 {
-    faceList triangles(mesh.outerTriangles);
+    faceList triangles(mesh.hasLayers ? mesh.outerTriangles : faceList());
     triangles.append(mesh.cutTriangles);
 
     return triangles;

@@ -192,9 +192,13 @@ farFieldReport makeFarFieldReport
 
     farFieldFaces faces{layers, far, bounds, nTets};
     faces.setCells();
-    faces.addTransition();
+    if (layers.nLayers > 0)
+    {
+        faces.addTransition();
+    }
     faces.addInside();
     faces.addPatches();
+    faces.report.hasLayers = layers.nLayers > 0;
     faces.report.nCells = far.nCells;
     faces.report.nTets = nTets;
     faces.report.grade = far.grade;
@@ -263,14 +267,20 @@ dictionary toDictionary(const farFieldReport& report)
     dict.add("cells", report.nCells);
     dict.add("tetrahedra", report.nTets);
     dict.add("patchFaces", patches);
-    dict.add("transition", toDictionary(report.transition));
+    if (report.hasLayers)
+    {
+        dict.add("transition", toDictionary(report.transition));
+    }
     dict.add("inside", toDictionary(report.farField));
     if (report.nCells > report.nTets)
     {
         dict.add("cut", toDictionary(report.cut));
         dict.add("core", toDictionary(report.core));
     }
-    dict.add("volumeRatio", toDictionary(report.volumeRatio));
+    if (report.hasLayers)
+    {
+        dict.add("volumeRatio", toDictionary(report.volumeRatio));
+    }
     dict.add("plainScheme", toDictionary(report.grade));
 
     return dict;
@@ -282,13 +292,20 @@ void write(Ostream& os, const farFieldReport& report)
     std::ostringstream volumes;
     volumes.precision(3);
     volumes
-        << "cells " << report.nCells << ", tetrahedra " << report.nTets
-        << "; volumes over the last layer's: 1 % below "
-        << report.volumeRatio.p1 << ", median " << report.volumeRatio.p50
-        << ", 99 % below " << report.volumeRatio.p99;
+        << "cells " << report.nCells << ", tetrahedra " << report.nTets;
+    if (report.hasLayers)
+    {
+        volumes
+            << "; volumes over the last layer's: 1 % below "
+            << report.volumeRatio.p1 << ", median " << report.volumeRatio.p50
+            << ", 99 % below " << report.volumeRatio.p99;
+    }
 
     os  << nl << "Far field: " << volumes.str().c_str() << nl;
-    write(os, "between layers and far field", report.transition);
+    if (report.hasLayers)
+    {
+        write(os, "between layers and far field", report.transition);
+    }
     write(os, "in the far field", report.farField);
     if (report.nCells > report.nTets)
     {

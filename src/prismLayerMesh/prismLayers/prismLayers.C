@@ -90,6 +90,20 @@ prismLayers layersWithoutPoints(const layerFront& front, const label nLayers)
 }
 
 
+prismLayers wallWithoutLayers(const wallSurface& wall)
+{
+    prismLayers layers;
+    layers.points = wall.points;
+    layers.faces = wall.faces;
+    layers.patchIDs = wall.patchIDs;
+    layers.patchNames = wall.patchNames;
+    layers.patchTypes = wall.patchTypes;
+    layers.border = wall.border;
+
+    return layers;
+}
+
+
 void requireCountable(const std::int64_t nWallEdges, const std::int64_t nLayers)
 {
     // Faces of the wall have two for each edge, sides have four
