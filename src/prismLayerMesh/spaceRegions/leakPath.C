@@ -129,6 +129,43 @@ public:
     const pointField& points() const { return mesh_.points; }
 };
 
+
+//- Returns the space around a surface, in a large box. After the points of the
+//  surface come from and to.
+tetDomain domainAround
+(
+    const wallSurface& surface,
+    const point& from,
+    const point& to
+)
+{
+    tetDomain domain;
+    domain.points = surface.points;
+    domain.facets = surface.faces;
+    domain.points.append(from);
+    domain.points.append(to);
+
+    boundBox box(domain.points, false);
+    const vector wider(box.span() + vector::uniform(0.1*box.mag()));
+    const treeBoundBox around(box.min() - wider, box.max() + wider);
+    const label corner = domain.points.size();
+    domain.points.append(around.points()());
+    for (const face& side : treeBoundBox::faces)
+    {
+        for (label k = 1; k < 3; ++k)
+        {
+            face f({side[0], side[k], side[k + 1]});
+            for (label& p : f)
+            {
+                p += corner;
+            }
+            domain.facets.append(f);
+        }
+    }
+
+    return domain;
+}
+
 } // End anonymous namespace
 
 
@@ -141,34 +178,8 @@ leakPath findLeak
     const point& to
 )
 {
-    tetDomain domain;
-    domain.points = arrangement.points;
-    domain.facets = arrangement.faces;
-    const label first = domain.points.size();
-    domain.points.append(from);
-    domain.points.append(to);
-
-    // A box around all
-    boundBox box(domain.points, false);
-    const vector wider(box.span() + vector::uniform(0.1*box.mag()));
-    const treeBoundBox around(box.min() - wider, box.max() + wider);
-    const label corner = domain.points.size();
-    domain.points.append(around.points()());
-    for (const face& side : treeBoundBox::faces)
-    {
-        for (label k = 1; k < 3; ++k)
-        {
-            domain.facets.append
-            (
-                face
-                ({
-                    corner + side[0], corner + side[k], corner + side[k + 1]
-                })
-            );
-        }
-    }
-
-    const tetPaths paths(domain);
+    const label first = arrangement.points.size();
+    const tetPaths paths(domainAround(arrangement, from, to));
     scalarField widths;
     labelList before;
     List<triFace> through;
@@ -177,12 +188,8 @@ leakPath findLeak
     leakPath path;
     DynamicList<point> places;
     places.append(to);
-    for
-    (
-        label t = paths.cellAt(first + 1);
-        t >= 0 && before[t] >= 0;
-        t = before[t]
-    )
+    label t = paths.cellAt(first + 1);
+    for (; t >= 0 && before[t] >= 0; t = before[t])
     {
         const face f(through[t].triFaceFace());
         const scalar width = smallestHeight(paths.points(), f);

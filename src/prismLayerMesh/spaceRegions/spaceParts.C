@@ -332,15 +332,10 @@ wallSurface spaceParts::boundaryOf
     labelList& faces
 ) const
 {
+    const labelList sides(findIndices(partOfSide_, parti));
     disjointSets corners(3*across_.size());
-    DynamicList<label> sides(surface_.faces.size());
-    forAll(across_, s)
+    for (const label s : sides)
     {
-        if (partOfSide_[s] != parti)
-        {
-            continue;
-        }
-        sides.append(s);
         const face& f = surface_.faces[s/2];
         forAll(f, k)
         {

@@ -6,6 +6,7 @@
 #include "spaceRegions.H"
 #include "boundBox.H"
 #include "cellPredicates.H"
+#include "EdgeMap.H"
 #include "ListOps.H"
 #include "ranges.H"
 #include "readWallSurface.H"
@@ -13,17 +14,13 @@
 #include "surfacePart.H"
 #include "triangleIndex.H"
 #include "unions.H"
+#include "wallChanges.H"
 #include "wallDefects.H"
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- Points are one if they are nearer than this share of the diagonal of the
-//  bounding box
-static constexpr scalar rounding = 1e-12;
-
 
 //- Replaces the faces of a surface. Each gets the patch of a former face.
 //  patchOf: labels of the former faces
@@ -39,12 +36,13 @@ static void setFaces
 }
 
 
-//- Merges points whose distance is rounding, and keeps one of triangles on the
-//  same points, and only triangles with area
-static void mergeRounded(wallSurface& surface)
+//- Merges points that are nearer to each other than a share of the diagonal of
+//  the surface's box, and keeps one of triangles on the same points, and only
+//  triangles with area
+static void mergePoints(const scalar share, wallSurface& surface)
 {
     wallReading untold;
-    mergeNearPoints(surface, rounding, untold);
+    mergeNearPoints(surface, share, untold);
 
     triangleIndex known(2*surface.faces.size());
     bitSet isKept(surface.faces.size());
@@ -60,6 +58,80 @@ static void mergeRounded(wallSurface& surface)
         );
     }
     keepFaces(isKept, surface);
+}
+
+
+//- Divides the longest edges of triangles at their third points, if these are
+//  nearer to the edges than a tolerance [m]; the triangles go. Divides an edge
+//  once. Returns the number of triangles that are gone.
+static label divideAtLowPoints(const scalar tolerance, wallSurface& surface)
+{
+    const pointField& x = surface.points;
+    EdgeMap<label> pointsOn;
+    bitSet isTouched(x.size());
+    bitSet isKept(surface.faces.size(), true);
+    forAll(surface.faces, i)
+    {
+        const face& f = surface.faces[i];
+        label k = 0;
+        for (const label j : {1, 2})
+        {
+            k = f.faceEdge(j).mag(x) > f.faceEdge(k).mag(x) ? j : k;
+        }
+        const edge e(f.faceEdge(k));
+        const label third = f.nextLabel(f.fcIndex(k));
+        const bool isFree = allOf(f, [&](const label p)
+        {
+            return !isTouched.test(p);
+        });
+        if (isFree && smallestHeight(x, f) < tolerance)
+        {
+            pointsOn.insert(e, third);
+            isKept.unset(i);
+            isTouched.set(f);
+        }
+    }
+
+    DynamicList<face> faces(surface.faces.size());
+    DynamicList<label> faceOf(surface.faces.size());
+    for (const label i : isKept)
+    {
+        const face& f = surface.faces[i];
+        label k = 0;
+        while (k < 3 && !pointsOn.found(f.faceEdge(k)))
+        {
+            ++k;
+        }
+        if (k == 3)
+        {
+            faces.append(f);
+            faceOf.append(i);
+            continue;
+        }
+        const label p = pointsOn[f.faceEdge(k)];
+        const label a = f[k];
+        const label b = f.nextLabel(k);
+        const label c = f.prevLabel(k);
+        faces.append(face({a, p, c}));
+        faces.append(face({p, b, c}));
+        faceOf.append(labelList(2, i));
+    }
+    const label nGone = isKept.size() - isKept.count();
+    setFaces(faces, faceOf, surface);
+
+    return nGone;
+}
+
+
+//- Merges near points, and removes triangles that are lower than the tolerance
+static void removeLowTriangles(const scalar share, wallSurface& surface)
+{
+    const scalar tolerance = share*boundBox(surface.points, false).mag();
+    do
+    {
+        mergePoints(share, surface);
+    }
+    while (divideAtLowPoints(tolerance, surface));
 }
 
 
@@ -86,6 +158,60 @@ static void refuseLeak
     FatalError
         << nl << "Close the opening, or move the point inside of the region"
         << exit(FatalError);
+}
+
+
+//- Gives parts of space without a region that are thin, as they are between
+//  solids that touch each other but for rounding, to the region that has the
+//  most area on them.
+//  thickness: a part is thin if its volume is less than half of its area times
+//  the thickness [m]
+static void giveThinParts
+(
+    const wallSurface& surface,
+    const spaceParts& parts,
+    const scalar thickness,
+    labelList& regionOf
+)
+{
+    scalarField areas(parts.nParts(), Zero);
+    List<Map<scalar>> areaOn(parts.nParts());
+    forAll(surface.faces, i)
+    {
+        const scalar area = surface.faces[i].mag(surface.points);
+        const label front = parts.inFront(i);
+        const label back = parts.behind(i);
+        areas[front] += area;
+        areas[back] += area;
+        if (regionOf[back] >= 0)
+        {
+            areaOn[front](regionOf[back], 0) += area;
+        }
+        if (regionOf[front] >= 0)
+        {
+            areaOn[back](regionOf[front], 0) += area;
+        }
+    }
+
+    const labelList given(regionOf);
+    for (label parti = 1; parti < parts.nParts(); ++parti)
+    {
+        if
+        (
+            given[parti] < 0 && areaOn[parti].size()
+         && parts.volumeOf(parti) < 0.5*thickness*areas[parti]
+        )
+        {
+            label best = -1;
+            for (const label r : areaOn[parti].sortedToc())
+            {
+                best =
+                    best < 0 || areaOn[parti][r] > areaOn[parti][best]
+                  ? r : best;
+            }
+            regionOf[parti] = best;
+        }
+    }
 }
 
 
@@ -123,6 +249,45 @@ static labelList findRegionsOfParts
     }
 
     return regionOf;
+}
+
+
+//- Returns a surface without the faces between a region and the thin parts of
+//  space that become a part of it
+static wallSurface withoutInnerFaces
+(
+    const wallSurface& surface,
+    const UList<regionSeed>& seeds,
+    const scalar tolerance
+)
+{
+    const spaceParts parts(surface);
+    const labelList given(findRegionsOfParts(surface, seeds, parts));
+    labelList regionOf(given);
+    giveThinParts
+    (
+        surface, parts, tolerance*boundBox(surface.points, false).mag(),
+        regionOf
+    );
+
+    bitSet isKept(surface.faces.size(), true);
+    forAll(surface.faces, i)
+    {
+        const label front = parts.inFront(i);
+        const label back = parts.behind(i);
+        if
+        (
+            regionOf[front] >= 0 && regionOf[front] == regionOf[back]
+         && given[front] != given[back]
+        )
+        {
+            isKept.unset(i);
+        }
+    }
+    wallSurface result(surface);
+    keepFaces(isKept, result);
+
+    return result;
 }
 
 
@@ -169,17 +334,21 @@ label spaceRegions::beyond(const label regioni, const label facei) const
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-wallSurface makeArrangement(const wallSurface& surface)
+wallSurface makeArrangement
+(
+    const wallSurface& surface,
+    const scalar tolerance
+)
 {
     wallSurface result(surface);
     labelList faceOf;
     setFaces(wallTriangles(surface, faceOf), faceOf, result);
-    mergeRounded(result);
+    mergePoints(tolerance, result);
 
     const dividedSurface divided(divideAtIntersections(result));
     result.points = divided.points;
     setFaces(divided.faces, divided.triangleOf, result);
-    mergeRounded(result);
+    removeLowTriangles(tolerance, result);
 
     return result;
 }
@@ -188,11 +357,12 @@ wallSurface makeArrangement(const wallSurface& surface)
 spaceRegions makeSpaceRegions
 (
     const wallSurface& arrangement,
-    const UList<regionSeed>& seeds
+    const UList<regionSeed>& seeds,
+    const scalar tolerance
 )
 {
     spaceRegions result;
-    result.surface = arrangement;
+    result.surface = withoutInnerFaces(arrangement, seeds, tolerance);
     const spaceParts parts(result.surface);
     const labelList regionOf
     (
