@@ -478,6 +478,141 @@ autoPtr<polyMesh> makePrismPolyMesh
 }
 
 
+//- The far field of a wall, with the patches of the wall in place of the patch
+//  on the layers
+static polyMeshParts makeWallMeshParts
+(
+    const prismLayers& wall,
+    farFieldMesh& far
+)
+{
+    polyMeshParts mesh;
+    mesh.patches = patchesOfMesh(wall, 0, far);
+    mesh.points = std::move(far.points);
+    mesh.nCells = far.nCells;
+
+    const polyMeshTopology& t = far.topology;
+    const label nInternal = t.neighbour.size();
+    mesh.topology.reserve(t.faces.size(), nInternal);
+    for (label facei = 0; facei < nInternal; ++facei)
+    {
+        mesh.topology.append
+        (
+            face(t.faces[facei]), t.owner[facei], t.neighbour[facei]
+        );
+    }
+
+    forAll(wall.patchNames, patchi)
+    {
+        mesh.topology.startPatch();
+        forAll(far.frontFaces, k)
+        {
+            if (wall.patchIDs[far.frontFaces[k]] == patchi)
+            {
+                const label facei = t.patchStarts[0] + k;
+                mesh.topology.append(face(t.faces[facei]), t.owner[facei]);
+            }
+        }
+    }
+    for (label patchi = 1; patchi < t.patchStarts.size(); ++patchi)
+    {
+        mesh.topology.startPatch();
+        const label start = t.patchStarts[patchi];
+        for (label i = 0; i < t.patchSizes[patchi]; ++i)
+        {
+            mesh.topology.append
+            (
+                face(t.faces[start + i]), t.owner[start + i]
+            );
+        }
+    }
+
+    return mesh;
+}
+
+
+polyMeshParts makePrismMeshParts(const prismLayers& layers, farFieldMesh& far)
+{
+    if (layers.nLayers == 0)
+    {
+        return makeWallMeshParts(layers, far);
+    }
+
+    const prismMesh made(layers, far);
+    polyMeshParts mesh;
+    mesh.points = made.order.blocks().allPoints();
+    mesh.nCells = made.order.blocks().nCells;
+    mesh.topology = makeTopology(made.order);
+    mesh.patches = made.patches;
+
+    return mesh;
+}
+
+
+autoPtr<polyMesh> makePolyMesh(polyMeshParts&& parts, const IOobject& io)
+{
+    IOobject unread(io);
+    unread.readOpt() = IOobject::NO_READ;
+    autoPtr<polyMesh> mesh
+    (
+        new polyMesh
+        (
+            unread,
+            std::move(parts.points),
+            faceList(std::move(parts.topology.faces)),
+            labelList(std::move(parts.topology.owner)),
+            labelList(std::move(parts.topology.neighbour)),
+            false
+        )
+    );
+
+    PtrList<polyPatch> patches(parts.patches.names.size());
+    forAll(patches, patchi)
+    {
+        dictionary entries(parts.patches.entries[patchi]);
+        entries.set("nFaces", parts.topology.patchSizes[patchi]);
+        entries.set("startFace", parts.topology.patchStarts[patchi]);
+        patches.set
+        (
+            patchi,
+            polyPatch::New
+            (
+                parts.patches.names[patchi], entries, patchi,
+                mesh->boundaryMesh()
+            )
+        );
+    }
+    mesh->addPatches(patches, true);
+
+    List<cellZone*> cells;
+    for (const cellZoneParts& zone : parts.cellZones)
+    {
+        cells.append
+        (
+            new cellZone
+            (
+                zone.name, zone.cells, cells.size(), mesh->cellZones()
+            )
+        );
+    }
+    List<faceZone*> faces;
+    for (const faceZoneParts& zone : parts.faceZones)
+    {
+        faces.append
+        (
+            new faceZone
+            (
+                zone.name, zone.faces, zone.flips, faces.size(),
+                mesh->faceZones()
+            )
+        );
+    }
+    mesh->addZones(List<pointZone*>(), faces, cells);
+
+    return mesh;
+}
+
+
 label writePrismMesh
 (
     const prismLayers& layers,

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "prepareWall/prepareWall.C"
+#include "prepareWall/prepareRegion.C"
 #include "prepareWall/surfaceAdvice.C"
 
 // ************************************************************************* //

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "prismLayerMesh/readPrismLayerControls.C"
+#include "prismLayerMesh/readRegionControls.C"
 #include "prismLayerMesh/stageText.C"
 #include "prismLayerMesh/wallPointsError.C"
 #include "prismLayerMesh/fieldStages.C"

@@ -6,6 +6,7 @@
 #include "surfaceRepair/nearestSurface.C"
 #include "surfaceRepair/stitchFaces.C"
 #include "surfaceRepair/closeGaps.C"
+#include "surfaceRepair/dividedTriangles.C"
 #include "surfaceRepair/unionBoundary.C"
 #include "surfaceRepair/unions.C"
 #include "surfaceRepair/removeSlivers.C"

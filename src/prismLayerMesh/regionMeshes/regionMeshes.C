@@ -1,0 +1,578 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "regionMeshes.H"
+#include "disjointSets.H"
+#include "equalPoints.H"
+#include "Map.H"
+#include "ranges.H"
+#include "triangleIndex.H"
+
+#include <algorithm>
+#include <tuple>
+#include <vector>
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+static word nameBetween(const spaceRegions& all, const label a, const label b)
+{
+    return all.regions[a].name + "_to_" + all.regions[b].name;
+}
+
+
+namespace
+{
+
+//- The faces of a region's mesh that another region has, too
+class commonFaces
+{
+    const spaceRegion& region_;
+    const polyMeshParts& mesh_;
+
+    //- Label in the surface of all regions of each face of the mesh; -1 if the
+    //  face is not between two regions
+    labelList surfaceFaces_;
+
+public:
+
+    //- Errors: FatalError with the place of a face that the mesh does not have
+    commonFaces
+    (
+        const spaceRegions& all,
+        const label regioni,
+        const polyMeshParts& mesh
+    )
+    :
+        region_(all.regions[regioni]),
+        mesh_(mesh),
+        surfaceFaces_(mesh.topology.faces.size(), -1)
+    {
+        equalPoints places;
+        forAll(region_.surface.points, p)
+        {
+            places.insert(region_.surface.points[p], p);
+        }
+        const triangleIndex index(makeTriangleIndex(region_.surface.faces));
+
+        label nFound = 0;
+        const polyMeshTopology& t = mesh.topology;
+        for (label f = t.neighbour.size(); f < t.faces.size(); ++f)
+        {
+            face local(t.faces[f]);
+            for (label& p : local)
+            {
+                p = places.find(mesh.points[p]);
+            }
+            const label facei =
+                local.size() == 3 && min(local) >= 0
+              ? index.lookup(triFace(local), -1) : -1;
+            if (facei >= 0 && all.beyond(regioni, facei) >= 0)
+            {
+                surfaceFaces_[f] = region_.faces[facei];
+                ++nFound;
+            }
+        }
+        requireAll(all, regioni, nFound);
+    }
+
+    void requireAll
+    (
+        const spaceRegions& all,
+        const label regioni,
+        const label nFound
+    ) const
+    {
+        bitSet isFound(all.surface.faces.size());
+        for (const label f : surfaceFaces_)
+        {
+            if (f >= 0)
+            {
+                isFound.set(f);
+            }
+        }
+        label n = 0;
+        forAll(region_.faces, facei)
+        {
+            const label other = all.beyond(regioni, facei);
+            n += other >= 0;
+            if (other >= 0 && !isFound.test(region_.faces[facei]))
+            {
+                FatalErrorInFunction
+                    << "The mesh of the region " << region_.name
+                    << " has not the face that the region "
+                    << all.regions[other].name << " has, at "
+                    << region_.surface.faces[facei].centre
+                       (
+                           region_.surface.points
+                       )
+                    << exit(FatalError);
+            }
+        }
+        if (n != nFound)
+        {
+            FatalErrorInFunction
+                << "The mesh of the region " << region_.name << " has "
+                << nFound << " faces on other regions, and its surface "
+                << n << exit(FatalError);
+        }
+    }
+
+    label surfaceFace(const label f) const { return surfaceFaces_[f]; }
+
+    bool isCommon(const label f) const { return surfaceFaces_[f] >= 0; }
+
+    const polyMeshParts& mesh() const { return mesh_; }
+};
+
+
+//- A face of the whole mesh: its cells, the mesh that it is taken from, and its
+//  label there
+struct joinedFace
+{
+    label owner;
+    label neighbour;
+    label regioni;
+    label facei;
+
+    bool operator<(const joinedFace& other) const
+    {
+        return
+            std::tie(owner, neighbour, regioni, facei)
+          < std::tie
+            (
+                other.owner, other.neighbour, other.regioni, other.facei
+            );
+    }
+};
+
+
+//- Joins the meshes of regions
+class regionJoiner
+{
+    const spaceRegions& all_;
+    List<polyMeshParts>& meshes_;
+    std::vector<commonFaces> common_;
+
+    //- First cell and first point of each mesh in the list of all
+    labelList firstCell_;
+    labelList firstPoint_;
+
+    //- For each face of the surface: the face of the mesh of the first region,
+    //  and that region
+    Map<labelPair> firstOf_;
+
+    labelList pointLabels_;
+    polyMeshParts joined_;
+
+    void setStarts()
+    {
+        label nCells = 0;
+        label nPoints = 0;
+        forAll(meshes_, r)
+        {
+            common_.emplace_back(all_, r, meshes_[r]);
+            firstCell_.append(nCells);
+            firstPoint_.append(nPoints);
+            nCells += meshes_[r].nCells;
+            nPoints += meshes_[r].points.size();
+        }
+        joined_.nCells = nCells;
+        pointLabels_.setSize(nPoints);
+    }
+
+    const face& faceOf(const label regioni, const label facei) const
+    {
+        return meshes_[regioni].topology.faces[facei];
+    }
+
+    //- Makes points one that are on a face of two regions
+    void joinPoints()
+    {
+        disjointSets sets(pointLabels_.size());
+        forAll(meshes_, r)
+        {
+            const label n = meshes_[r].topology.faces.size();
+            for (label f = 0; f < n; ++f)
+            {
+                const label key = common_[r].surfaceFace(f);
+                if (key < 0)
+                {
+                    continue;
+                }
+                if (firstOf_.insert(key, labelPair(r, f)))
+                {
+                    continue;
+                }
+                const labelPair& other = firstOf_[key];
+                const face& own = faceOf(r, f);
+                for (const label p : faceOf(other.first(), other.second()))
+                {
+                    const point& x = meshes_[other.first()].points[p];
+                    const label q = own
+                    [
+                        findOf(own, [&](const label k)
+                        {
+                            return meshes_[r].points[k] == x;
+                        })
+                    ];
+                    sets.join
+                    (
+                        firstPoint_[other.first()] + p, firstPoint_[r] + q
+                    );
+                }
+            }
+        }
+
+        DynamicList<point> points(pointLabels_.size());
+        forAll(meshes_, r)
+        {
+            forAll(meshes_[r].points, p)
+            {
+                const label i = firstPoint_[r] + p;
+                const label root = sets.find(i);
+                if (root == i)
+                {
+                    pointLabels_[i] = points.size();
+                    points.append(meshes_[r].points[p]);
+                }
+                else
+                {
+                    pointLabels_[i] = pointLabels_[root];
+                }
+            }
+        }
+        joined_.points = pointField(std::move(points));
+    }
+
+    template<class IsTrue>
+    static label findOf(const face& f, const IsTrue& isTrue)
+    {
+        return std::find_if(f.begin(), f.end(), isTrue) - f.begin();
+    }
+
+    face joinedPoints(const label regioni, const label facei) const
+    {
+        face f(faceOf(regioni, facei));
+        for (label& p : f)
+        {
+            p = pointLabels_[firstPoint_[regioni] + p];
+        }
+
+        return f;
+    }
+
+    //- Internal faces of all regions, and faces between regions
+    std::vector<joinedFace> internalFaces() const
+    {
+        std::vector<joinedFace> faces;
+        forAll(meshes_, r)
+        {
+            const polyMeshTopology& t = meshes_[r].topology;
+            forAll(t.neighbour, f)
+            {
+                faces.push_back
+                (
+                    joinedFace
+                    {
+                        firstCell_[r] + t.owner[f],
+                        firstCell_[r] + t.neighbour[f], r, f
+                    }
+                );
+            }
+            for (label f = t.neighbour.size(); f < t.faces.size(); ++f)
+            {
+                const label key = common_[r].surfaceFace(f);
+                if (key >= 0 && firstOf_[key] != labelPair(r, f))
+                {
+                    const labelPair& first = firstOf_[key];
+                    const polyMeshTopology& other =
+                        meshes_[first.first()].topology;
+                    faces.push_back
+                    (
+                        joinedFace
+                        {
+                            firstCell_[first.first()]
+                          + other.owner[first.second()],
+                            firstCell_[r] + t.owner[f],
+                            first.first(), first.second()
+                        }
+                    );
+                }
+            }
+        }
+        std::sort(faces.begin(), faces.end());
+
+        return faces;
+    }
+
+    void addInternal()
+    {
+        HashTable<DynamicList<label>> zones;
+        for (const joinedFace& f : internalFaces())
+        {
+            const label key = common_[f.regioni].surfaceFace(f.facei);
+            if (key >= 0)
+            {
+                const labelPair& both = all_.regionsOfFace[key];
+                const word name
+                (
+                    nameBetween
+                    (
+                        all_, min(both.first(), both.second()),
+                        max(both.first(), both.second())
+                    )
+                );
+                zones(name).append(joined_.topology.faces.size());
+            }
+            joined_.topology.append
+            (
+                joinedPoints(f.regioni, f.facei), f.owner, f.neighbour
+            );
+        }
+        for (const word& name : zones.sortedToc())
+        {
+            const labelList faces(zones[name]);
+            joined_.faceZones.append
+            (
+                faceZoneParts{name, faces, boolList(faces.size(), false)}
+            );
+        }
+    }
+
+    //- Adds the faces on a patch of each region
+    void addPatch(const word& name)
+    {
+        joined_.topology.startPatch();
+        forAll(meshes_, r)
+        {
+            const label patchi = meshes_[r].patches.names.find(name);
+            if (patchi < 0)
+            {
+                continue;
+            }
+            const polyMeshTopology& t = meshes_[r].topology;
+            const label start = t.patchStarts[patchi];
+            for (label f = start; f < start + t.patchSizes[patchi]; ++f)
+            {
+                if (!common_[r].isCommon(f))
+                {
+                    joined_.topology.append
+                    (
+                        joinedPoints(r, f), firstCell_[r] + t.owner[f]
+                    );
+                }
+            }
+        }
+    }
+
+    //- Whether a patch of a region has faces that no other region has
+    bool hasOwnFaces(const label r, const label patchi) const
+    {
+        const polyMeshTopology& t = meshes_[r].topology;
+        const label start = t.patchStarts[patchi];
+        for (label f = start; f < start + t.patchSizes[patchi]; ++f)
+        {
+            if (!common_[r].isCommon(f))
+            {
+                return true;
+            }
+        }
+
+        return false;
+    }
+
+    void addPatches()
+    {
+        meshPatches& patches = joined_.patches;
+        forAll(meshes_, r)
+        {
+            const meshPatches& own = meshes_[r].patches;
+            forAll(own.names, patchi)
+            {
+                if (!hasOwnFaces(r, patchi))
+                {
+                    continue;
+                }
+                const label known = patches.names.find(own.names[patchi]);
+                if (known < 0)
+                {
+                    patches.names.append(own.names[patchi]);
+                    patches.entries.append(own.entries[patchi]);
+                }
+                else if
+                (
+                    own.types()[patchi] != patches.types()[known]
+                )
+                {
+                    FatalErrorInFunction
+                        << "The patch " << own.names[patchi] << " has the type "
+                        << patches.types()[known] << " in one region, and "
+                        << own.types()[patchi] << " in the region "
+                        << all_.regions[r].name << exit(FatalError);
+                }
+            }
+        }
+        for (const word& name : patches.names)
+        {
+            addPatch(name);
+        }
+    }
+
+public:
+
+    regionJoiner(const spaceRegions& all, List<polyMeshParts>& meshes)
+    :
+        all_(all),
+        meshes_(meshes)
+    {}
+
+    polyMeshParts join()
+    {
+        setStarts();
+        joinPoints();
+        addInternal();
+        addPatches();
+        forAll(meshes_, r)
+        {
+            joined_.cellZones.append
+            (
+                cellZoneParts
+                (
+                    all_.regions[r].name,
+                    identity(meshes_[r].nCells, firstCell_[r])
+                )
+            );
+        }
+
+        return std::move(joined_);
+    }
+};
+
+
+//- Entries of a patch of region a on region b
+dictionary mappedEntries(const spaceRegions& all, const label a, const label b)
+{
+    dictionary entries;
+    entries.add("type", "mappedWall");
+    entries.add("inGroups", wordList({"wall", "mappedWall"}));
+    entries.add("sampleMode", "nearestPatchFace");
+    entries.add("sampleRegion", all.regions[b].name);
+    entries.add("samplePatch", nameBetween(all, b, a));
+
+    return entries;
+}
+
+} // End anonymous namespace
+
+
+//- Moves the faces of region a that other regions have to patches of their own
+static void separateRegion
+(
+    const spaceRegions& all,
+    const label a,
+    polyMeshParts& mesh
+)
+{
+    const commonFaces common(all, a, mesh);
+    const polyMeshTopology given(mesh.topology);
+    const meshPatches patches(mesh.patches);
+    const label nInternal = given.neighbour.size();
+
+    // Faces of each patch that stay, and those on each region
+    polyMeshTopology made;
+    made.reserve(given.faces.size(), nInternal);
+    for (label f = 0; f < nInternal; ++f)
+    {
+        made.append(face(given.faces[f]), given.owner[f], given.neighbour[f]);
+    }
+    mesh.patches = meshPatches();
+    const auto startPatch = [&](const word& name, const dictionary& entries)
+    {
+        if (made.patchSizes.size() && made.patchSizes.last() == 0)
+        {
+            // The last patch has lost all faces
+            mesh.patches.names.last() = name;
+            mesh.patches.entries.last() = entries;
+            return;
+        }
+        mesh.patches.names.append(name);
+        mesh.patches.entries.append(entries);
+        made.startPatch();
+    };
+    const auto add = [&](const label f)
+    {
+        made.append(face(given.faces[f]), given.owner[f]);
+    };
+    List<DynamicList<label>> onRegion(all.regions.size());
+    forAll(patches.names, patchi)
+    {
+        startPatch(patches.names[patchi], patches.entries[patchi]);
+        const label start = given.patchStarts[patchi];
+        for (label f = start; f < start + given.patchSizes[patchi]; ++f)
+        {
+            if (common.isCommon(f))
+            {
+                const labelPair& both =
+                    all.regionsOfFace[common.surfaceFace(f)];
+                const label b =
+                    both.first() == a ? both.second() : both.first();
+                onRegion[b].append(f);
+            }
+            else
+            {
+                add(f);
+            }
+        }
+    }
+    forAll(onRegion, b)
+    {
+        if (onRegion[b].size())
+        {
+            // Both regions have them in the order of the surface
+            std::sort
+            (
+                onRegion[b].begin(), onRegion[b].end(),
+                [&](const label f, const label g)
+                {
+                    return common.surfaceFace(f) < common.surfaceFace(g);
+                }
+            );
+            startPatch(nameBetween(all, a, b), mappedEntries(all, a, b));
+            for (const label f : onRegion[b])
+            {
+                add(f);
+            }
+        }
+    }
+    mesh.topology = std::move(made);
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+polyMeshParts joinRegions
+(
+    const spaceRegions& all,
+    List<polyMeshParts>& meshes
+)
+{
+    return regionJoiner(all, meshes).join();
+}
+
+
+void separateRegions(const spaceRegions& all, List<polyMeshParts>& meshes)
+{
+    forAll(meshes, a)
+    {
+        separateRegion(all, a, meshes[a]);
+    }
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
