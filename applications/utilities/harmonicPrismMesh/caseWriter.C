@@ -144,6 +144,7 @@ void Foam::caseWriter::writeSurfaces
 
 void Foam::caseWriter::writeMeshFolder
 (
+    const prismCase& region,
     replacedFiles& files,
     const std::function<void(const IOobject&)>& write
 ) const
@@ -151,15 +152,15 @@ void Foam::caseWriter::writeMeshFolder
     // The scratch folder is the case while the mesh is written
     const fileName scratch
     (
-        files.scratch(case_.polyMeshFolder(), case_.polyMeshPath())
+        files.scratch(region.polyMeshFolder(), region.polyMeshPath())
     );
     const fileName caseName(time_.caseName());
     time_.caseName() = scratch.relative(time_.rootPath());
-    write(case_.meshObject());
+    write(region.meshObject());
     time_.caseName() = caseName;
 
     // OpenFOAM does not look whether the last bytes of a file arrived
-    const fileName folder(scratch/case_.polyMeshPath());
+    const fileName folder(scratch/region.polyMeshPath());
     for (const fileName& file : readDir(folder, fileName::FILE))
     {
         checkEnd(folder/file, dividerEnd);
@@ -175,7 +176,7 @@ void Foam::caseWriter::writePiece
 {
     writeMeshFolder
     (
-        files, [&](const IOobject& io) { writeMeshPiece(piece, io); }
+        case_, files, [&](const IOobject& io) { writeMeshPiece(piece, io); }
     );
 }
 
@@ -203,9 +204,24 @@ Foam::label Foam::caseWriter::writeMesh
             nFaces = writePrismMesh(layers, far, io);
         }
     };
-    writeMeshFolder(files, write);
+    writeMeshFolder(case_, files, write);
 
     return nFaces;
+}
+
+
+void Foam::caseWriter::writeMesh
+(
+    const prismCase& region,
+    polyMeshParts&& mesh,
+    replacedFiles& files
+) const
+{
+    const auto write = [&](const IOobject& io)
+    {
+        writeWhole(*makePolyMesh(std::move(mesh), io));
+    };
+    writeMeshFolder(region, files, write);
 }
 
 

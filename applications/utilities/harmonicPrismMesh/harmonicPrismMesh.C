@@ -37,6 +37,9 @@ Usage
         Repair and remesh the surface, as surface.repair and surface.remesh say,
         and write it to constant/triSurface/<name>.prepared.obj, but no mesh
 
+      - \par -splitRegions
+        Write each region of the dictionary as a mesh of its own
+
       - \par -parallel
         Make the layers with all processes, and write the mesh in pieces, one
         for each process, as system/decomposeParDict says. No stack of cells is
@@ -52,6 +55,7 @@ Usage
 \*---------------------------------------------------------------------------*/
 
 #include "argList.H"
+#include "meshRegions.H"
 #include "meshWall.H"
 #include "pluginVersion.H"
 #include "ranges.H"
@@ -92,6 +96,11 @@ static void addOptions()
     (
         "prepareSurface",
         "Repair and remesh the surface, write <name>.prepared.obj, no mesh"
+    );
+    argList::addBoolOption
+    (
+        "splitRegions", "Write each region of the dictionary as a mesh of its"
+        " own"
     );
     argList::addBoolOption("version", "Print the version, do nothing else");
     argList::addBoolOption
@@ -177,6 +186,39 @@ static bool helpMaster(const parallelRun& parallel, const caseWriter& writer)
 }
 
 
+//- Makes the meshes of the regions of the dictionary.
+//  Errors: FatalError for options that need a single region
+static void meshAllRegions
+(
+    const argList& args,
+    const prismCase& files,
+    const parallelRun& parallel,
+    const caseWriter& writer,
+    const Time& time
+)
+{
+    for
+    (
+        const char* option
+      : {"checkSurface", "prepareSurface", "writeFields", "region", "parallel"}
+    )
+    {
+        if (args.found(option))
+        {
+            FatalErrorInFunction
+                << "The dictionary has regions: -" << option
+                << " cannot be used" << exit(FatalError);
+        }
+    }
+
+    stageLog log(Info);
+    meshRegions
+    (
+        files, parallel, writer, args.found("splitRegions"), time, log
+    );
+}
+
+
 //- Lets freed lists return to the system, and a lack of memory throw: the
 //  handler of OpenFOAM would abort without a message that says so. The log and
 //  messages have OpenFOAM's six digits, whatever the case writes its fields
@@ -215,6 +257,13 @@ int main(int argc, char *argv[])
     if (!parallel.isMaster())
     {
         return helpMaster(parallel, writer) ? 0 : 1;
+    }
+
+    if (files.dict().found("regions"))
+    {
+        meshAllRegions(args, files, parallel, writer, runTime);
+        Info<< "End" << nl << endl;
+        return 0;
     }
 
     const bool checkOnly = args.found("checkSurface");

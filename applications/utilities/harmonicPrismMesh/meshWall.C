@@ -6,7 +6,6 @@
 #include "meshWall.H"
 #include "boxSides.H"
 #include "cellSizes.H"
-#include "farFieldReport.H"
 #include "planarColumns.H"
 #include "layerStages.H"
 #include "OSspecific.H"
@@ -102,12 +101,7 @@ static string textOf(const farBoundaryType type, const wordList& patches)
 }
 
 
-//- Reads the far boundary, or the mesh into which the layers go, and bounds of
-//  the sizes; the domain is empty if no far field is wanted.
-//  Errors: FatalError if the fluid is inside of a closed wall and there is a
-//  far boundary, if the wall has a patch of the far boundary, and the errors of
-//  makeFarBoundary, readCore and makeSizeBounds
-static farFieldDomain readFarField
+farFieldDomain readFarField
 (
     const prismCase& files,
     const wallSurface& wall,
@@ -209,6 +203,32 @@ static string writeMesh
 }
 
 
+dictionary reportEntries
+(
+    const layerReport* layers,
+    const farFieldReport* far
+)
+{
+    dictionary entries;
+    if (layers)
+    {
+        entries = toDictionary(*layers);
+        Foam::write(Info, *layers);
+    }
+    if (far)
+    {
+        entries.add("farField", toDictionary(*far));
+        Foam::write(Info, *far);
+    }
+    if (layers)
+    {
+        writeHeightJumps(Info, *layers);
+    }
+
+    return entries;
+}
+
+
 //- On the master: writes mesh, outer surface and report. Consumes the layers
 //  and the far field.
 static void writeCase
@@ -246,20 +266,12 @@ static void writeCase
     log.end(name(report.nCells + far.nCells) + " cells, " + size);
     report.stages = log.costs();
 
-    dictionary entries(toDictionary(report));
+    dictionary entries(reportEntries(&report, hasFarField ? &far : nullptr));
     entries.add("surface", given.changes);
     if (processes.size())
     {
         entries.add("processes", processes);
     }
-    Foam::write(Info, report);
-
-    if (hasFarField)
-    {
-        entries.add("farField", toDictionary(far));
-        Foam::write(Info, far);
-    }
-    writeHeightJumps(Info, report);
 
     IOstream::defaultPrecision(6);
     const fileName& file = files.reportFile();
@@ -297,8 +309,7 @@ static scalarField largestCellsAt
 }
 
 
-//- The requests for parts of the wall, looked up and reported
-static localHeights readLocal
+localHeights readLocal
 (
     const prismCase& files,
     const wallSurface& wall,
@@ -349,11 +360,7 @@ static dictionary orderOf
 }
 
 
-//- Makes the layers, in a parallel run with the other processes.
-//  pictures: whether all stages are written as VTK files
-//  Errors: FatalError with the file of the points where no layers are possible,
-//  or with the reason of another process
-static autoPtr<caseLayers> makeLayers
+autoPtr<caseLayers> makeLayers
 (
     const prismCase& files,
     const parallelRun& parallel,

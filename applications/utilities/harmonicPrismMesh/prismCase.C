@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "prismCase.H"
+#include "IOdictionary.H"
 #include "argList.H"
 #include "error.H"
 #include "IFstream.H"
@@ -187,7 +188,16 @@ Foam::prismCase::prismCase(const argList& args, const Time& time)
     time_(time),
     region_(args.lookupOrDefault<word>("region", polyMesh::defaultRegion)),
     overwrite_(args.found("overwrite")),
-    dict_(dictObject(args, time))
+    dict_(IOdictionary(dictObject(args, time)))
+{}
+
+
+Foam::prismCase::prismCase(const prismCase& all, const word& region)
+:
+    time_(all.time_),
+    region_(region),
+    overwrite_(all.overwrite_),
+    dict_(all.dict_)
 {}
 
 
@@ -300,6 +310,12 @@ Foam::fileName Foam::prismCase::reportFolder() const
 Foam::fileName Foam::prismCase::reportFile() const
 {
     return reportFolder()/"report";
+}
+
+
+Foam::fileName Foam::prismCase::regionsFile() const
+{
+    return time_.globalPath()/time_.constant()/"regionProperties";
 }
 
 

@@ -9,6 +9,7 @@
 #include "caseWriter.C"
 #include "parallelRun.C"
 #include "caseLayers.C"
+#include "meshRegions.C"
 #include "harmonicPrismMesh.C"
 
 // ************************************************************************* //

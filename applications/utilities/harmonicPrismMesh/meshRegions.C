@@ -1,0 +1,425 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "meshRegions.H"
+#include "boundBox.H"
+#include "layerStages.H"
+#include "OFstream.H"
+#include "prepareWall.H"
+#include "prismPolyMesh.H"
+#include "readRegionControls.H"
+#include "readWallSurface.H"
+#include "regionMeshes.H"
+#include "returnMemory.H"
+#include "splitAtSidePatches.H"
+#include "surfacePart.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- The mesh of a region, and the entries of its report
+struct madeRegion
+{
+    polyMeshParts mesh;
+    dictionary report;
+};
+
+} // End anonymous namespace
+
+
+//- Puts points that are nearly in the sides of a box into them. Returns their
+//  number.
+static label putOnSides(const boundBox& box, pointField& points)
+{
+    const scalar tolerance = regionTolerance*boundBox(points, false).mag();
+    label nMoved = 0;
+    for (point& x : points)
+    {
+        bool isMoved = false;
+        for (direction d = 0; d < 3; ++d)
+        {
+            for (const scalar side : {box.min()[d], box.max()[d]})
+            {
+                const scalar distance = mag(x[d] - side);
+                if (distance > 0 && distance < tolerance)
+                {
+                    x[d] = side;
+                    isMoved = true;
+                }
+            }
+        }
+        nMoved += isMoved;
+    }
+
+    return nMoved;
+}
+
+
+//- Gives each side of a box two triangles
+static void useLargeTriangles(const boundBox& box, farBoundary& sides)
+{
+    wallSurface& surface = sides.surface;
+    surface.points = box.points();
+    surface.faces.clear();
+    surface.patchIDs.clear();
+    forAll(boundBox::faces, side)
+    {
+        // Normals point into the box
+        const face f(boundBox::faces[side].reverseFace());
+        surface.faces.append(face({f[0], f[1], f[2]}));
+        surface.faces.append(face({f[0], f[2], f[3]}));
+        surface.patchIDs.append(labelList(2, sides.boxPatches[side]));
+    }
+}
+
+
+//- Reads the surface of all regions, with the far boundary
+static wallSurface readSurface
+(
+    const prismCase& files,
+    const regionsControls& controls,
+    stageLog& log
+)
+{
+    log.begin("wallSurface");
+    wallReading reading;
+    wallSurface surface
+    (
+        readWallSurface
+        (
+            files.surfaceFiles(controls.surface), controls.surface, reading
+        )
+    );
+    const string sizes(sizesOf(surface));
+    label nMoved = 0;
+    if (controls.boundary.type != farBoundaryType::none)
+    {
+        if (controls.boundary.type == farBoundaryType::box)
+        {
+            nMoved = putOnSides(controls.boundary.box, surface.points);
+        }
+        farBoundary sides
+        (
+            makeFarBoundary
+            (
+                controls.boundary,
+                [&](const fileName& file) { return files.surfaceFile(file); }
+            )
+        );
+        if (controls.boundary.type == farBoundaryType::box)
+        {
+            useLargeTriangles(controls.boundary.box, sides);
+        }
+        // Where a face is in a side, it is of the side
+        wallSurface all(sides.surface);
+        appendSurface(surface, labelList(), all);
+        surface = all;
+    }
+    log.end
+    (
+        sizes
+      + (nMoved ? ", " + name(nMoved) + " points put on sides" : string())
+    );
+
+    return surface;
+}
+
+
+//- Refuses entries of layers.patches that match no patch
+static void requirePatches
+(
+    const regionsControls& controls,
+    const wallSurface& surface
+)
+{
+    for (const regionControls& region : controls.regions)
+    {
+        requirePatches(region.controls.layers, surface.patchNames);
+    }
+}
+
+
+//- Refuses side patches between two regions: each would triangulate them in its
+//  own way
+static void requireWallsBetween
+(
+    const spaceRegions& all,
+    const regionsControls& controls
+)
+{
+    forAll(all.regions, r)
+    {
+        const spaceRegion& region = all.regions[r];
+        const layerControls& layers = controls.regions[r].controls.layers;
+        forAll(region.faces, facei)
+        {
+            const word& patch =
+                region.surface.patchNames[region.surface.patchIDs[facei]];
+            const label other = all.beyond(r, facei);
+            if (other >= 0 && layers.isSide(patch))
+            {
+                FatalErrorInFunction
+                    << "The patch " << patch << " is to have no layers in the"
+                    << " region " << region.name << ", and the region "
+                    << all.regions[other].name << " is beyond it, at "
+                    << region.surface.faces[facei].centre
+                       (
+                           region.surface.points
+                       )
+                    << nl << "A wall between regions has layers, or its region"
+                    << " has none at all (layers no)" << exit(FatalError);
+            }
+        }
+    }
+}
+
+
+static spaceRegions makeRegions
+(
+    const prismCase& files,
+    const regionsControls& controls,
+    stageLog& log
+)
+{
+    const wallSurface surface(readSurface(files, controls, log));
+    requirePatches(controls, surface);
+
+    log.begin("spaceRegions");
+    List<regionSeed> seeds;
+    for (const regionControls& region : controls.regions)
+    {
+        seeds.append(region.seed);
+    }
+    spaceRegions all(makeSpaceRegions(makeArrangement(surface), seeds));
+    requireWallsBetween(all, controls);
+    log.end(name(all.surface.faces.size()) + " faces");
+
+    forAll(all.regions, r)
+    {
+        const spaceRegion& region = all.regions[r];
+        Info<< "    " << region.name
+            << (controls.regions[r].hasLayers ? "" : ", without layers")
+            << ": " << region.surface.faces.size() << " faces, volume "
+            << region.volume << " m3" << nl;
+    }
+    Info<< flush;
+
+    return all;
+}
+
+
+//- Makes the mesh of a region
+static madeRegion makeRegion
+(
+    const prismCase& files,
+    const parallelRun& parallel,
+    const spaceRegion& region,
+    const regionControls& asked,
+    const Time& time,
+    stageLog& log
+)
+{
+    Info<< nl << "Region " << region.name << nl << endl;
+    const prismLayerControls& controls = asked.controls;
+    const label nStages = log.costs().size();
+    const wallSurface wall(prepareRegion(region, controls));
+    farFieldDomain domain
+    (
+        readFarField(files, wall, false, controls.farField, time, log)
+    );
+
+    prismLayers layers;
+    layerReport report;
+    if (asked.hasLayers)
+    {
+        const localHeights local(readLocal(files, wall, controls, time, log));
+        autoPtr<caseLayers> made
+        (
+            makeLayers(files, parallel, wall, controls, local, false, log)
+        );
+        report = made->report();
+        layers = std::move(made->layers());
+    }
+    else
+    {
+        layers = wallWithoutLayers(wall);
+    }
+
+    farFieldMesh farField
+    (
+        makeFarField
+        (
+            layers, std::move(domain), controls.farField, log.observer()
+        )
+    );
+    const farFieldReport far
+    (
+        makeFarFieldReport(layers, farField, controls.quality)
+    );
+    report.stages = SubList<stageCost>
+    (
+        log.costs(), log.costs().size() - nStages, nStages
+    );
+
+    madeRegion made;
+    made.report = reportEntries(asked.hasLayers ? &report : nullptr, &far);
+    made.mesh = makePrismMeshParts(layers, farField);
+    returnMemory();
+
+    return made;
+}
+
+
+//- Writes the list of regions: a region with layers is a fluid
+static void writeRegions
+(
+    const regionsControls& controls,
+    const fileName& target,
+    replacedFiles& files
+)
+{
+    const fileName file(files.scratch(target, target.name())/target.name());
+    wordList fluids;
+    wordList solids;
+    for (const regionControls& region : controls.regions)
+    {
+        (region.hasLayers ? fluids : solids).append(region.seed.name);
+    }
+
+    OFstream os(file);
+    IOobject::writeBanner(os);
+    os  << "FoamFile" << nl << "{" << nl
+        << "    version     2.0;" << nl
+        << "    format      ascii;" << nl
+        << "    class       dictionary;" << nl
+        << "    object      " << target.name() << ";" << nl << "}" << nl;
+    IOobject::writeDivider(os);
+    os  << nl << "regions" << nl << "(" << nl
+        << "    fluid       " << flatOutput(fluids) << nl
+        << "    solid       " << flatOutput(solids) << nl
+        << ");" << nl << nl;
+    IOobject::writeEndDivider(os);
+    os.flush();
+    checkEnd(file, "* //");
+}
+
+
+static void writeMeshes
+(
+    const prismCase& files,
+    const caseWriter& writer,
+    const spaceRegions& all,
+    const regionsControls& controls,
+    const bool areApart,
+    List<polyMeshParts>& meshes,
+    replacedFiles& replaced
+)
+{
+    if (!areApart)
+    {
+        writer.writeMesh(files, joinRegions(all, meshes), replaced);
+        return;
+    }
+
+    separateRegions(all, meshes);
+    forAll(meshes, r)
+    {
+        writer.writeMesh
+        (
+            prismCase(files, all.regions[r].name), std::move(meshes[r]),
+            replaced
+        );
+    }
+    if (!isFile(files.regionsFile()))
+    {
+        writeRegions(controls, files.regionsFile(), replaced);
+    }
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void meshRegions
+(
+    const prismCase& files,
+    const parallelRun& parallel,
+    const caseWriter& writer,
+    const bool areApart,
+    const Time& time,
+    stageLog& log
+)
+{
+    const regionsControls controls
+    (
+        readRegionControls
+        (
+            files.dict(),
+            [&](const farBoundaryControls& boundary)
+            {
+                return makeFarBoundary
+                (
+                    boundary,
+                    [&](const fileName& f) { return files.surfaceFile(f); }
+                );
+            }
+        )
+    );
+    const fileNameList surfaces(files.surfaceFiles(controls.surface));
+    for (const regionControls& region : controls.regions)
+    {
+        (areApart ? prismCase(files, region.seed.name) : files)
+            .checkOverwrite(surfaces, region.controls.farField, 0);
+    }
+
+    const spaceRegions all(makeRegions(files, controls, log));
+    List<polyMeshParts> meshes(all.regions.size());
+    List<dictionary> reports(all.regions.size());
+    forAll(all.regions, r)
+    {
+        const prismCase regionFiles(files, all.regions[r].name);
+        madeRegion made
+        (
+            makeRegion
+            (
+                regionFiles, parallel, all.regions[r], controls.regions[r],
+                time, log
+            )
+        );
+        meshes[r] = std::move(made.mesh);
+        reports[r] = made.report;
+    }
+
+    log.begin("regionMeshes");
+    replaceFiles([&](replacedFiles& replaced)
+    {
+        writeMeshes
+        (
+            files, writer, all, controls, areApart, meshes, replaced
+        );
+        IOstream::defaultPrecision(6);
+        forAll(reports, r)
+        {
+            const fileName file
+            (
+                prismCase(files, all.regions[r].name).reportFile()
+            );
+            writeReport
+            (
+                replaced.scratch(file, file.name())/file.name(), reports[r]
+            );
+        }
+    });
+    log.end(areApart ? "each region apart" : "one mesh");
+    Info<< nl << "Mesh:   " << files.polyMeshFolder() << nl << endl;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
