@@ -19,6 +19,8 @@
 #             field       of the last time: cells are coloured by its magnitude,
 #                         over the largest one in the plane; default: layers in
 #                         one colour, other cells in another
+#             turns       angles about the z axis: the mesh is shown again, turned
+#                         by them, beside a cyclic side
 #
 # All panels have one colour map, from 0 to 1, and a scale in metres. Only body
 # needs -writeFields.
@@ -139,6 +141,22 @@ def cut_of(mesh, centre, normal):
     cutter.Update()
 
     return cutter.GetOutput()
+
+
+def cut_of_turns(mesh, angles, centre, normal):
+    """Of the mesh, and of the mesh turned about the z axis by each angle"""
+    cuts = vtk.vtkAppendPolyData()
+    for angle in (0, *angles):
+        turn = vtk.vtkTransform()
+        turn.RotateZ(angle)
+        turned = vtk.vtkTransformFilter()
+        turned.SetInputData(mesh)
+        turned.SetTransform(turn)
+        turned.Update()
+        cuts.AddInputData(cut_of(turned.GetOutput(), centre, normal))
+    cuts.Update()
+
+    return cuts.GetOutput()
 
 
 def add_cut(renderer, cut, colour_of, width):
@@ -281,7 +299,7 @@ def draw_cut(renderer, case, values):
     centre = vector(values, "centre", None)
     normal = vector(values, "normal", (0, 0, 1))
     height = float(values["height"])
-    cut = cut_of(read_mesh(case), centre, normal)
+    cut = cut_of_turns(read_mesh(case), vector(values, "turns", ()), centre, normal)
     if "field" in values:
         add_field(renderer, cut, values["field"], 1)
     else:
