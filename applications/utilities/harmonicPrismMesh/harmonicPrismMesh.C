@@ -219,6 +219,50 @@ static void meshAllRegions
 }
 
 
+//- Checks, prepares, or meshes the surface of the only region
+static void meshOneRegion
+(
+    const argList& args,
+    const prismCase& files,
+    const parallelRun& parallel,
+    const caseWriter& writer,
+    const Time& time
+)
+{
+    const bool checkOnly = args.found("checkSurface");
+    const bool prepareOnly = args.found("prepareSurface");
+    requireOneProcess
+    (
+        parallel, checkOnly || prepareOnly || args.found("writeFields")
+    );
+    prismLayerControls controls(readPrismLayerControls(files.dict()));
+    const fileNameList surfaces(files.surfaceFiles(controls.surface));
+    const fileName preparedFile(files.preparedFile(surfaces));
+    requireNoMesh(args, files, parallel, surfaces, controls.farField);
+    stageLog log(Info);
+    caseWall given(readWall(surfaces, controls, checkOnly, time, log));
+
+    if (checkOnly)
+    {
+        endCheck(given);
+    }
+    requireNoDefects(given, controls.surface);
+
+    if (prepareOnly)
+    {
+        writePrepared(writer, preparedFile, given.prepared.surface);
+    }
+    else
+    {
+        meshWall
+        (
+            files, parallel, writer, given, preparedFile, controls,
+            args.found("writeFields"), time, log
+        );
+    }
+}
+
+
 //- Lets freed lists return to the system, and a lack of memory throw: the
 //  handler of OpenFOAM would abort without a message that says so. The log and
 //  messages have OpenFOAM's six digits, whatever the case writes its fields
@@ -262,40 +306,10 @@ int main(int argc, char *argv[])
     if (files.dict().found("regions"))
     {
         meshAllRegions(args, files, parallel, writer, runTime);
-        Info<< "End" << nl << endl;
-        return 0;
-    }
-
-    const bool checkOnly = args.found("checkSurface");
-    const bool prepareOnly = args.found("prepareSurface");
-    requireOneProcess
-    (
-        parallel, checkOnly || prepareOnly || args.found("writeFields")
-    );
-    prismLayerControls controls(readPrismLayerControls(files.dict()));
-    const fileNameList surfaces(files.surfaceFiles(controls.surface));
-    const fileName preparedFile(files.preparedFile(surfaces));
-    requireNoMesh(args, files, parallel, surfaces, controls.farField);
-    stageLog log(Info);
-    caseWall given(readWall(surfaces, controls, checkOnly, runTime, log));
-
-    if (checkOnly)
-    {
-        endCheck(given);
-    }
-    requireNoDefects(given, controls.surface);
-
-    if (prepareOnly)
-    {
-        writePrepared(writer, preparedFile, given.prepared.surface);
     }
     else
     {
-        meshWall
-        (
-            files, parallel, writer, given, preparedFile, controls,
-            args.found("writeFields"), runTime, log
-        );
+        meshOneRegion(args, files, parallel, writer, runTime);
     }
 
     Info<< "End" << nl << endl;

@@ -80,6 +80,42 @@ static void useLargeTriangles(const boundBox& box, farBoundary& sides)
 }
 
 
+static farBoundary makeSides
+(
+    const prismCase& files,
+    const farBoundaryControls& boundary
+)
+{
+    farBoundary sides
+    (
+        makeFarBoundary
+        (
+            boundary,
+            [&](const fileName& file) { return files.surfaceFile(file); }
+        )
+    );
+    if (boundary.type == farBoundaryType::box)
+    {
+        useLargeTriangles(boundary.box, sides);
+    }
+
+    return sides;
+}
+
+
+static regionsControls readControls(const prismCase& files)
+{
+    return readRegionControls
+    (
+        files.dict(),
+        [&](const farBoundaryControls& boundary)
+        {
+            return makeSides(files, boundary);
+        }
+    );
+}
+
+
 //- Reads the surface of all regions, with the far boundary
 static wallSurface readSurface
 (
@@ -105,20 +141,9 @@ static wallSurface readSurface
         {
             nMoved = putOnSides(controls.boundary.box, surface.points);
         }
-        farBoundary sides
-        (
-            makeFarBoundary
-            (
-                controls.boundary,
-                [&](const fileName& file) { return files.surfaceFile(file); }
-            )
-        );
-        if (controls.boundary.type == farBoundaryType::box)
-        {
-            useLargeTriangles(controls.boundary.box, sides);
-        }
+
         // Where a face is in a side, it is of the side
-        wallSurface all(sides.surface);
+        wallSurface all(makeSides(files, controls.boundary).surface);
         appendSurface(surface, labelList(), all);
         surface = all;
     }
@@ -344,6 +369,29 @@ static void writeMeshes
 }
 
 
+static void writeReports
+(
+    const prismCase& files,
+    const spaceRegions& all,
+    const List<dictionary>& reports,
+    replacedFiles& replaced
+)
+{
+    IOstream::defaultPrecision(6);
+    forAll(reports, r)
+    {
+        const fileName file
+        (
+            prismCase(files, all.regions[r].name).reportFile()
+        );
+        writeReport
+        (
+            replaced.scratch(file, file.name())/file.name(), reports[r]
+        );
+    }
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 void meshRegions
@@ -356,21 +404,7 @@ void meshRegions
     stageLog& log
 )
 {
-    const regionsControls controls
-    (
-        readRegionControls
-        (
-            files.dict(),
-            [&](const farBoundaryControls& boundary)
-            {
-                return makeFarBoundary
-                (
-                    boundary,
-                    [&](const fileName& f) { return files.surfaceFile(f); }
-                );
-            }
-        )
-    );
+    const regionsControls controls(readControls(files));
     const fileNameList surfaces(files.surfaceFiles(controls.surface));
     for (const regionControls& region : controls.regions)
     {
@@ -403,18 +437,7 @@ void meshRegions
         (
             files, writer, all, controls, areApart, meshes, replaced
         );
-        IOstream::defaultPrecision(6);
-        forAll(reports, r)
-        {
-            const fileName file
-            (
-                prismCase(files, all.regions[r].name).reportFile()
-            );
-            writeReport
-            (
-                replaced.scratch(file, file.name())/file.name(), reports[r]
-            );
-        }
+        writeReports(files, all, reports, replaced);
     });
     log.end(areApart ? "each region apart" : "one mesh");
     Info<< nl << "Mesh:   " << files.polyMeshFolder() << nl << endl;

@@ -549,6 +549,35 @@ polyMeshParts makePrismMeshParts(const prismLayers& layers, farFieldMesh& far)
 }
 
 
+static void addZones(const polyMeshParts& parts, polyMesh& mesh)
+{
+    List<cellZone*> cells;
+    for (const cellZoneParts& zone : parts.cellZones)
+    {
+        cells.append
+        (
+            new cellZone
+            (
+                zone.name, zone.cells, cells.size(), mesh.cellZones()
+            )
+        );
+    }
+    List<faceZone*> faces;
+    for (const faceZoneParts& zone : parts.faceZones)
+    {
+        faces.append
+        (
+            new faceZone
+            (
+                zone.name, zone.faces, zone.flips, faces.size(),
+                mesh.faceZones()
+            )
+        );
+    }
+    mesh.addZones(List<pointZone*>(), faces, cells);
+}
+
+
 autoPtr<polyMesh> makePolyMesh(polyMeshParts&& parts, const IOobject& io)
 {
     IOobject unread(io);
@@ -584,30 +613,7 @@ autoPtr<polyMesh> makePolyMesh(polyMeshParts&& parts, const IOobject& io)
     }
     mesh->addPatches(patches, true);
 
-    List<cellZone*> cells;
-    for (const cellZoneParts& zone : parts.cellZones)
-    {
-        cells.append
-        (
-            new cellZone
-            (
-                zone.name, zone.cells, cells.size(), mesh->cellZones()
-            )
-        );
-    }
-    List<faceZone*> faces;
-    for (const faceZoneParts& zone : parts.faceZones)
-    {
-        faces.append
-        (
-            new faceZone
-            (
-                zone.name, zone.faces, zone.flips, faces.size(),
-                mesh->faceZones()
-            )
-        );
-    }
-    mesh->addZones(List<pointZone*>(), faces, cells);
+    addZones(parts, *mesh);
 
     return mesh;
 }

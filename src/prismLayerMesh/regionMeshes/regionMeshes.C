@@ -470,6 +470,81 @@ dictionary mappedEntries(const spaceRegions& all, const label a, const label b)
 } // End anonymous namespace
 
 
+namespace
+{
+
+//- A patch of a mesh that is made anew, and its faces by their former labels
+struct newPatch
+{
+    word name;
+    dictionary entries;
+    DynamicList<label> faces;
+};
+
+
+//- The patches of region a, without the faces that other regions have. Patches
+//  with these follow.
+std::vector<newPatch> separatePatches
+(
+    const spaceRegions& all,
+    const label a,
+    const polyMeshParts& mesh
+)
+{
+    const commonFaces common(all, a, mesh);
+    std::vector<newPatch> made;
+    std::vector<newPatch> between(all.regions.size());
+    forAll(mesh.patches.names, patchi)
+    {
+        made.push_back
+        (
+            newPatch
+            {
+                mesh.patches.names[patchi], mesh.patches.entries[patchi], {}
+            }
+        );
+        const label start = mesh.topology.patchStarts[patchi];
+        const label end = start + mesh.topology.patchSizes[patchi];
+        for (label f = start; f < end; ++f)
+        {
+            if (common.isCommon(f))
+            {
+                const labelPair& both =
+                    all.regionsOfFace[common.surfaceFace(f)];
+                between[both.first() == a ? both.second() : both.first()]
+                    .faces.append(f);
+            }
+            else
+            {
+                made.back().faces.append(f);
+            }
+        }
+    }
+
+    for (label b = 0; b < all.regions.size(); ++b)
+    {
+        newPatch& patch = between[b];
+
+        // Both regions have them in the order of the surface
+        std::sort
+        (
+            patch.faces.begin(), patch.faces.end(),
+            [&](const label f, const label g)
+            {
+                return common.surfaceFace(f) < common.surfaceFace(g);
+            }
+        );
+        patch.name = nameBetween(all, a, b);
+        patch.entries = mappedEntries(all, a, b);
+        made.push_back(patch);
+    }
+
+    return made;
+}
+
+} // End anonymous namespace
+
+
 //- Moves the faces of region a that other regions have to patches of their own
 static void separateRegion
 (
@@ -478,78 +553,33 @@ static void separateRegion
     polyMeshParts& mesh
 )
 {
-    const commonFaces common(all, a, mesh);
-    const polyMeshTopology given(mesh.topology);
-    const meshPatches patches(mesh.patches);
+    const std::vector<newPatch> patches(separatePatches(all, a, mesh));
+    const polyMeshTopology given(std::move(mesh.topology));
     const label nInternal = given.neighbour.size();
 
-    // Faces of each patch that stay, and those on each region
-    polyMeshTopology made;
-    made.reserve(given.faces.size(), nInternal);
+    mesh.patches = meshPatches();
+    mesh.topology = polyMeshTopology();
+    mesh.topology.reserve(given.faces.size(), nInternal);
     for (label f = 0; f < nInternal; ++f)
     {
-        made.append(face(given.faces[f]), given.owner[f], given.neighbour[f]);
+        mesh.topology.append
+        (
+            face(given.faces[f]), given.owner[f], given.neighbour[f]
+        );
     }
-    mesh.patches = meshPatches();
-    const auto startPatch = [&](const word& name, const dictionary& entries)
+    for (const newPatch& patch : patches)
     {
-        if (made.patchSizes.size() && made.patchSizes.last() == 0)
+        if (patch.faces.size())
         {
-            // The last patch has lost all faces
-            mesh.patches.names.last() = name;
-            mesh.patches.entries.last() = entries;
-            return;
-        }
-        mesh.patches.names.append(name);
-        mesh.patches.entries.append(entries);
-        made.startPatch();
-    };
-    const auto add = [&](const label f)
-    {
-        made.append(face(given.faces[f]), given.owner[f]);
-    };
-    List<DynamicList<label>> onRegion(all.regions.size());
-    forAll(patches.names, patchi)
-    {
-        startPatch(patches.names[patchi], patches.entries[patchi]);
-        const label start = given.patchStarts[patchi];
-        for (label f = start; f < start + given.patchSizes[patchi]; ++f)
-        {
-            if (common.isCommon(f))
+            mesh.patches.names.append(patch.name);
+            mesh.patches.entries.append(patch.entries);
+            mesh.topology.startPatch();
+            for (const label f : patch.faces)
             {
-                const labelPair& both =
-                    all.regionsOfFace[common.surfaceFace(f)];
-                const label b =
-                    both.first() == a ? both.second() : both.first();
-                onRegion[b].append(f);
-            }
-            else
-            {
-                add(f);
+                mesh.topology.append(face(given.faces[f]), given.owner[f]);
             }
         }
     }
-    forAll(onRegion, b)
-    {
-        if (onRegion[b].size())
-        {
-            // Both regions have them in the order of the surface
-            std::sort
-            (
-                onRegion[b].begin(), onRegion[b].end(),
-                [&](const label f, const label g)
-                {
-                    return common.surfaceFace(f) < common.surfaceFace(g);
-                }
-            );
-            startPatch(nameBetween(all, a, b), mappedEntries(all, a, b));
-            for (const label f : onRegion[b])
-            {
-                add(f);
-            }
-        }
-    }
-    mesh.topology = std::move(made);
 }
 
 
