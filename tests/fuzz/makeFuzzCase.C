@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "fuzzCase.H"
+#include "meshRegions.H"
 #include "addNeedles.H"
 #include "boundBox.H"
 #include "damageSurface.H"
@@ -42,6 +43,10 @@ static wallSurface makeSurface
 {
     using randomSurfaces::kind;
 
+    if (one.hasRegions)
+    {
+        return assemblyInBox(random);
+    }
     if (one.isAssembly)
     {
         return randomSurfaces::assembly(random);
@@ -180,7 +185,7 @@ Foam::wallSurface Foam::fuzzCase::make(prismLayerControls& controls) const
     layers.heights.firstLayerThickness =
         total/totalThickness(layers.heights.nSurfaceLayers, 1, ratio);
 
-    if (randomSurfaces::chance(random, 0.2))
+    if (!hasRegions && randomSurfaces::chance(random, 0.2))
     {
         splitPatches(surface, layers, random);
     }

@@ -8,6 +8,7 @@
 #include "embeddingFault.H"
 #include "meshFarField.H"
 #include "meshFaults.H"
+#include "meshRegions.H"
 #include "prismLayerMesh.H"
 #include "throwingErrors.H"
 #include "wallDefects.H"
@@ -232,6 +233,11 @@ void meshFuzzCase(const fuzzCase& one, const listener& tell)
     fuzzWall made;
     try
     {
+        if (one.hasRegions)
+        {
+            meshRegionsCase(one, tell);
+            return;
+        }
         made = makeFuzzWall(one, tell);
         if (made.wall.faces.size())
         {

@@ -49,6 +49,10 @@ Usage
         are near to. Each gets a mesh, or is refused before the layers, with
         the place and the entry. At the end lines as with -farField.
 
+      - \par -regions
+        Solids that touch and overlap, in a box that cuts or touches some: each
+        part of space is a region, and some have layers. The meshes are joined.
+
       - \par -index \<i\>
         That case alone, in this process
 
@@ -105,6 +109,10 @@ static void addOptions()
     argList::addBoolOption
     (
         "sides", "Bodies through, on and near the sides of a far field's box"
+    );
+    argList::addBoolOption
+    (
+        "regions", "Solids that touch and overlap, in a box, as regions"
     );
     argList::addBoolOption
     (
@@ -172,6 +180,7 @@ static fuzzCase caseOf(const argList& args, const label index)
     one.hasFarField = args.found("farField");
     one.isPeriodic = args.found("cyclic");
     one.isAtSides = one.isPeriodic || args.found("sides");
+    one.hasRegions = args.found("regions");
     one.isAssembly = args.found("assemblies");
     if (one.isAssembly)
     {

@@ -171,41 +171,6 @@ static void requirePatches
 }
 
 
-//- Refuses side patches between two regions: each would triangulate them in its
-//  own way
-static void requireWallsBetween
-(
-    const spaceRegions& all,
-    const regionsControls& controls
-)
-{
-    forAll(all.regions, r)
-    {
-        const spaceRegion& region = all.regions[r];
-        const layerControls& layers = controls.regions[r].controls.layers;
-        forAll(region.faces, facei)
-        {
-            const word& patch =
-                region.surface.patchNames[region.surface.patchIDs[facei]];
-            const label other = all.beyond(r, facei);
-            if (other >= 0 && layers.isSide(patch))
-            {
-                FatalErrorInFunction
-                    << "The patch " << patch << " is to have no layers in the"
-                    << " region " << region.name << ", and the region "
-                    << all.regions[other].name << " is beyond it, at "
-                    << region.surface.faces[facei].centre
-                       (
-                           region.surface.points
-                       )
-                    << nl << "A wall between regions has layers, or its region"
-                    << " has none at all (layers no)" << exit(FatalError);
-            }
-        }
-    }
-}
-
-
 static spaceRegions makeRegions
 (
     const prismCase& files,
@@ -223,7 +188,6 @@ static spaceRegions makeRegions
         seeds.append(region.seed);
     }
     spaceRegions all(makeSpaceRegions(makeArrangement(surface), seeds));
-    requireWallsBetween(all, controls);
     log.end(name(all.surface.faces.size()) + " faces");
 
     forAll(all.regions, r)
@@ -240,24 +204,96 @@ static spaceRegions makeRegions
 }
 
 
+//- Returns the boundary of a region that is apart from its wall
+static farBoundary farBoundaryOf(const wallSurface& far)
+{
+    farBoundary boundary;
+    boundary.surface = far;
+    boundary.surface.patchTypes.clear();
+    boundary.patchTypes = far.patchTypes;
+
+    return boundary;
+}
+
+
+//- Whether the boundary of a region that is apart from its wall is all of the
+//  far boundary
+static bool isWhole(const wallSurface& far, const farBoundary& whole)
+{
+    const auto areaOf = [](const wallSurface& surface)
+    {
+        scalar sum = 0;
+        for (const face& f : surface.faces)
+        {
+            sum += f.mag(surface.points);
+        }
+
+        return sum;
+    };
+    static constexpr scalar rounding = 1e-9;
+    const scalar area = areaOf(whole.surface);
+
+    return far.faces.size() && mag(areaOf(far) - area) < rounding*area;
+}
+
+
+//- The domain of a region, and its controls with this far boundary
+static farFieldDomain readDomain
+(
+    const prismCase& files,
+    const regionWall& walls,
+    const farBoundaryControls& around,
+    const Time& time,
+    prismLayerControls& controls,
+    stageLog& log
+)
+{
+    farBoundaryControls& boundary = controls.farField.boundary;
+    const bool isAlone = walls.far.faces.empty();
+    const bool isAround = isWhole(walls.far, makeSides(files, around));
+    if (isAround)
+    {
+        boundary = around;
+    }
+    farFieldDomain domain
+    (
+        readFarField
+        (
+            files, walls.wall, !isAlone, controls.farField, time, log
+        )
+    );
+    if (!isAlone && !isAround)
+    {
+        boundary.type = farBoundaryType::surface;
+        domain.boundary = farBoundaryOf(walls.far);
+    }
+
+    return domain;
+}
+
+
 //- Makes the mesh of a region
+//  around: the boundary of all regions
 static madeRegion makeRegion
 (
     const prismCase& files,
     const parallelRun& parallel,
-    const spaceRegion& region,
+    const spaceRegions& all,
+    const label regioni,
     const regionControls& asked,
+    const farBoundaryControls& around,
     const Time& time,
     stageLog& log
 )
 {
-    Info<< nl << "Region " << region.name << nl << endl;
-    const prismLayerControls& controls = asked.controls;
+    Info<< nl << "Region " << all.regions[regioni].name << nl << endl;
+    prismLayerControls controls(asked.controls);
     const label nStages = log.costs().size();
-    const wallSurface wall(prepareRegion(region, controls));
+    const regionWall walls(prepareRegion(all, regioni, controls));
+    const wallSurface& wall = walls.wall;
     farFieldDomain domain
     (
-        readFarField(files, wall, false, controls.farField, time, log)
+        readDomain(files, walls, around, time, controls, log)
     );
 
     prismLayers layers;
@@ -422,8 +458,8 @@ void meshRegions
         (
             makeRegion
             (
-                regionFiles, parallel, all.regions[r], controls.regions[r],
-                time, log
+                regionFiles, parallel, all, r, controls.regions[r],
+                controls.boundary, time, log
             )
         );
         meshes[r] = std::move(made.mesh);

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "prepareWall.H"
+#include "disjointSets.H"
 #include "equalPoints.H"
 #include "splitAtSidePatches.H"
 #include "surfacePart.H"
@@ -31,16 +32,109 @@ static void restorePoints
 }
 
 
-wallSurface prepareRegion
+//- Returns the faces of connected pieces that have a face of a wall
+static bitSet facesWithWall
 (
-    const spaceRegion& region,
+    const wallSurface& surface,
+    const layerControls& layers
+)
+{
+    disjointSets pieces
+    (
+        connectedPoints(surface.points.size(), surface.faces)
+    );
+    bitSet hasWall(surface.points.size());
+    forAll(surface.faces, i)
+    {
+        if (!layers.isSide(surface.patchNames[surface.patchIDs[i]]))
+        {
+            hasWall.set(pieces.find(surface.faces[i][0]));
+        }
+    }
+
+    bitSet isWith(surface.faces.size());
+    forAll(surface.faces, i)
+    {
+        isWith.set(i, hasWall.test(pieces.find(surface.faces[i][0])));
+    }
+
+    return isWith;
+}
+
+
+//- The other faces, with the types of their patches
+static wallSurface farBoundaryOf
+(
+    wallSurface surface,
+    bitSet isWith,
+    const layerControls& layers
+)
+{
+    isWith.flip();
+    keepFaces(isWith, surface);
+    mergePatches(surface);
+    for (const word& name : surface.patchNames)
+    {
+        const word& type = layers.entryOf(name)->type;
+        surface.patchTypes.append(type.empty() ? word("patch") : type);
+    }
+
+    return surface;
+}
+
+
+//- Refuses a side patch with another region beyond it
+static void requireWallsBetween
+(
+    const spaceRegions& all,
+    const label regioni,
+    const layerControls& layers
+)
+{
+    const spaceRegion& region = all.regions[regioni];
+    const wallSurface& surface = region.surface;
+    forAll(region.faces, facei)
+    {
+        const word& patch = surface.patchNames[surface.patchIDs[facei]];
+        const label other = all.beyond(regioni, facei);
+        if (other >= 0 && layers.isSide(patch))
+        {
+            FatalErrorInFunction
+                << "The patch " << patch << " is to have no layers in the"
+                << " region " << region.name << ", and the region "
+                << all.regions[other].name << " is beyond it, at "
+                << surface.faces[facei].centre(surface.points) << nl
+                << "A wall between regions has layers, or its region has none"
+                << " at all (layers no)" << exit(FatalError);
+        }
+    }
+}
+
+
+regionWall prepareRegion
+(
+    const spaceRegions& all,
+    const label regioni,
     const prismLayerControls& controls
 )
 {
+    requireWallsBetween(all, regioni, controls.layers);
+    const spaceRegion& region = all.regions[regioni];
     wallReading untold;
     wallSurface surface(region.surface);
+    const bitSet isWith(facesWithWall(surface, controls.layers));
+    regionWall made;
+    made.far = farBoundaryOf(surface, isWith, controls.layers);
+    keepFaces(isWith, surface);
     mergePatches(surface);
-    wallSurface wall
+    if (surface.faces.empty())
+    {
+        FatalErrorInFunction
+            << "The region " << region.name << " has no wall: all of its"
+            << " patches are to have no layers" << exit(FatalError);
+    }
+    wallSurface& wall = made.wall;
+    wall = wallSurface
     (
         splitAtSidePatches
         (
@@ -62,7 +156,7 @@ wallSurface prepareRegion
     }
     renumberWall(wall);
 
-    return wall;
+    return made;
 }
 
 } // End namespace Foam

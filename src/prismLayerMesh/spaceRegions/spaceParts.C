@@ -223,39 +223,35 @@ void spaceParts::joinShells(labelList& shellOfSide, const label nShells) const
     // Shell nShells is around all
     const faceList& faces = surface_.faces;
     disjointSets parts(nShells + 1);
-    disjointSets pieces(connectedPoints(surface_.points.size(), faces));
-    boolList isDone(surface_.points.size(), false);
+
+    // Pieces that touch in points alone have shells of their own
+    labelList pieceOf;
+    const label nPieces =
+        findComponents(makeWallSides(surface_), faces.size(), pieceOf);
+    boolList isDone(nPieces, false);
     const scalar size = boundBox(surface_.points, false).mag();
 
     forAll(faces, i)
     {
-        const label piece = pieces.find(faces[i][0]);
-        if (isDone[piece])
+        if (isDone[pieceOf[i]])
         {
             continue;
         }
-        isDone[piece] = true;
+        isDone[pieceOf[i]] = true;
 
-        // From in front of the triangle out of the piece
+        // From in front of the triangle out of the surface. Sides that follow
+        // each other along the ray are in one part.
         const vector n(faces[i].unitNormal(surface_.points));
         const point x(faces[i].centre(surface_.points) + 1e-9*size*n);
         vector ray;
-        const rayHits hits(findHits(x, ray));
-        scalar lastOfPiece = -1;
-        label outer = 2*i;
-        for (const auto& hit : hits)
+        label shell = shellOfSide[2*i];
+        for (const auto& hit : findHits(x, ray))
         {
-            if (pieces.find(faces[hit.second][0]) == piece)
-            {
-                lastOfPiece = hit.first;
-                outer = sideSeen(hit.second, x) ^ 1;
-            }
+            const label side = sideSeen(hit.second, x);
+            parts.join(shell, shellOfSide[side]);
+            shell = shellOfSide[side ^ 1];
         }
-        const auto next = hits.upper_bound(lastOfPiece);
-        const label around =
-            next == hits.end()
-          ? nShells : shellOfSide[sideSeen(next->second, x)];
-        parts.join(shellOfSide[outer], around);
+        parts.join(shell, nShells);
     }
 
     for (label& shell : shellOfSide)

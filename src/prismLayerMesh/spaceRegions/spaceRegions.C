@@ -11,6 +11,7 @@
 #include "ranges.H"
 #include "readWallSurface.H"
 #include "spaceParts.H"
+#include "stageProgress.H"
 #include "surfacePart.H"
 #include "triangleIndex.H"
 #include "unions.H"
@@ -123,15 +124,22 @@ static label divideAtLowPoints(const scalar tolerance, wallSurface& surface)
 }
 
 
+//- Low triangles are removed so many times at most: needles side by side may
+//  divide each other again and again
+static constexpr label maxPasses = 30;
+
+
 //- Merges near points, and removes triangles that are lower than the tolerance
 static void removeLowTriangles(const scalar share, wallSurface& surface)
 {
     const scalar tolerance = share*boundBox(surface.points, false).mag();
-    do
+    repeatUntilStable("removing low triangles", maxPasses, [&]()
     {
         mergePoints(share, surface);
-    }
-    while (divideAtLowPoints(tolerance, surface));
+
+        return divideAtLowPoints(tolerance, surface) > 0;
+    });
+    mergePoints(share, surface);
 }
 
 

@@ -53,15 +53,15 @@ static spaceRegions bodyInBox()
 
 
 //- The mesh of a region: layers in air, none in bodies
-static polyMeshParts meshOf(const spaceRegion& region)
+static polyMeshParts meshOf(const spaceRegions& all, const label regioni)
 {
     prismLayerControls controls;
     controls.layers = withoutLayers(wordList({"box"}));
     controls.farField.type = farFieldType::tet;
-    const wallSurface wall(prepareRegion(region, controls));
+    const wallSurface wall(prepareRegion(all, regioni, controls).wall);
     const prismLayers layers
     (
-        region.name == "air"
+        all.regions[regioni].name == "air"
       ? layeredMesh(wall, 3, 0.1).made.layers : wallWithoutLayers(wall)
     );
     farFieldMesh far
@@ -76,9 +76,9 @@ static polyMeshParts meshOf(const spaceRegion& region)
 static List<polyMeshParts> meshesOf(const spaceRegions& all)
 {
     List<polyMeshParts> meshes;
-    for (const spaceRegion& region : all.regions)
+    forAll(all.regions, r)
     {
-        meshes.append(meshOf(region));
+        meshes.append(meshOf(all, r));
     }
 
     return meshes;

@@ -127,6 +127,27 @@ TEST(makeSpaceRegions, bodiesWithinOthersAreHolesOfTheirs)
 }
 
 
+TEST(makeSpaceRegions, manyBodiesSideBySideAreHolesOfOneRegion)
+{
+    wallSurface all(cubeAt(point(0, 0, 0), 10));
+    for (label i = 0; i < 27; ++i)
+    {
+        const point low(1 + 3*(i % 3), 1 + 3*(i/3 % 3), 1 + 3*(i/9));
+        all = merge(all, cubeAt(low, 2));
+    }
+    const spaceRegions made
+    (
+        makeSpaceRegions
+        (
+            makeArrangement(all),
+            List<regionSeed>({{"air", point(0.1, 0.2, 0.3)}})
+        )
+    );
+
+    EXPECT_NEAR(made.regions[0].volume, 1000 - 27*8, 1e-9);
+}
+
+
 TEST(makeSpaceRegions, bodiesThatCutEachOtherAreDivided)
 {
     const wallSurface all

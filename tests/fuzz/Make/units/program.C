@@ -32,6 +32,7 @@
 #include "cyclicFaults.C"
 #include "curvedEnds.C"
 #include "assembly.C"
+#include "meshRegions.C"
 #include "damageSurface.C"
 #include "addNeedles.C"
 

@@ -1,0 +1,299 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "meshRegions.H"
+#include "boundBox.H"
+#include "farFieldReport.H"
+#include "makeFarFieldMesh.H"
+#include "meshCertificate.H"
+#include "prepareWall.H"
+#include "prismLayerMesh.H"
+#include "prismPolyMesh.H"
+#include "regionMeshes.H"
+#include "spaceParts.H"
+#include "testSurfaces.H"
+#include "throwingErrors.H"
+#include "wallPointsError.H"
+
+#include <sstream>
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- A point in each bounded part of space within the box, of so many random
+//  points
+static List<regionSeed> seedsOf
+(
+    const wallSurface& surface,
+    const wallSurface& around,
+    Random& random
+)
+{
+    static constexpr label nPoints = 300;
+    const spaceParts parts(surface);
+    const spaceParts inBox(around);
+    const boundBox box(around.points, false);
+    labelList isKnown(parts.nParts(), Zero);
+    isKnown[0] = 1;
+    List<regionSeed> seeds;
+    for (label i = 0; i < nPoints; ++i)
+    {
+        vector share;
+        for (direction d = 0; d < 3; ++d)
+        {
+            share[d] = random.sample01<scalar>();
+        }
+        const point x(box.min() + cmptMultiply(share, box.span()));
+        if (inBox.partAt(x) == 0)
+        {
+            continue;
+        }
+        label& known = isKnown[parts.partAt(x)];
+        if (!known++)
+        {
+            seeds.append(regionSeed{"region" + name(seeds.size()), x});
+        }
+    }
+
+    return seeds;
+}
+
+
+//- The mesh of a region, or an empty one if something is wrong
+static polyMeshParts meshOf
+(
+    const spaceRegions& all,
+    const label regioni,
+    const prismLayerControls& controls,
+    const bool hasLayers,
+    const listener& tell
+)
+{
+    const regionWall walls(prepareRegion(all, regioni, controls));
+    const wallSurface& wall = walls.wall;
+    prismLayers layers(wallWithoutLayers(wall));
+    if (hasLayers)
+    {
+        prismLayerMesh made
+        (
+            makePrismLayerMesh
+            (
+                wall, controls, localHeights(),
+                stageObserver
+                {
+                    [&](const word& stage) { tell("stage", stage); },
+                    [](const string&) {}
+                }
+            )
+        );
+        if (!made.certificate.valid())
+        {
+            tell("failed", "the certificate is not valid");
+            return polyMeshParts();
+        }
+        layers = std::move(made.made.layers);
+    }
+    tell("stage", "far field of " + all.regions[regioni].name);
+    farFieldDomain domain;
+    farFieldControls around(controls.farField);
+    if (walls.far.faces.size())
+    {
+        domain.boundary.surface = walls.far;
+        domain.boundary.surface.patchTypes.clear();
+        domain.boundary.patchTypes = walls.far.patchTypes;
+        around.boundary.type = farBoundaryType::surface;
+    }
+    farFieldMesh far(makeFarFieldMesh(layers, domain, around));
+
+    return makePrismMeshParts(layers, far);
+}
+
+
+//- What is wrong with the whole mesh; empty if nothing is
+static std::string faultOf(const spaceRegions& all, const polyMeshParts& mesh)
+{
+    const polyMeshTopology& t = mesh.topology;
+    const faceList faces(t.faces);
+    const labelList owner(t.owner);
+    const labelList neighbour(t.neighbour);
+    const polyhedralMesh cells(mesh.points, faces, owner, neighbour);
+    const meshCertificate certificate
+    (
+        certifyMesh(cells, labelList(), labelList(), bitSet(mesh.nCells, true))
+    );
+
+    std::ostringstream fault;
+    if (certificate.invalidCells.size())
+    {
+        fault<< certificate.invalidCells.size() << " cells are not positive ";
+    }
+    if (certificate.doubleFaces.size() || !certificate.fillsBoundary())
+    {
+        fault<< "cells overlap: " << certificate.doubleFaces.size()
+            << " faces twice, volume " << certificate.cellVolume
+            << ", inside of the boundary " << certificate.boundaryVolume << ' ';
+    }
+    forAll(all.regions, r)
+    {
+        scalar volume = 0;
+        for (const label c : mesh.cellZones[r].cells)
+        {
+            volume += cells.volume(c);
+        }
+        if (mag(volume - all.regions[r].volume) > 1e-8*volume)
+        {
+            fault<< "region " << r << " has the volume " << volume
+                << " in place of " << all.regions[r].volume << ' ';
+        }
+    }
+
+    return fault.str();
+}
+
+
+//- Whether an error names places where there can be no layers, or no room for
+//  a far field
+static bool isRefusal(const Foam::error& e)
+{
+    const std::string message(e.message());
+    const auto has = [&](const char* words)
+    {
+        return message.find(words) != std::string::npos;
+    };
+
+    return
+        dynamic_cast<const wallPointsError*>(&e)
+     || has("boundary cuts the layers")
+     || has("crosses another edge of its side")
+     || has("More than two side patches meet");
+}
+
+
+static prismLayerControls controlsOf(const wallSurface& surface, Random& random)
+{
+    prismLayerControls controls;
+    heightEntries& heights = controls.layers.heights;
+    heights.nSurfaceLayers = random.position<label>(1, 6);
+    heights.thickness =
+        boundBox(surface.points, false).mag()
+       *randomSurfaces::logUniform(random, 2e-3, 0.1);
+    heights.expansionRatio = random.position<scalar>(1, 1.4);
+    patchLayers box;
+    box.patches = word("box");
+    box.isSide = true;
+    controls.layers.patches.append(box);
+    controls.surface.fluidOutside = false;
+    controls.farField.type = farFieldType::tet;
+    controls.farField.growthRate = 1.5;
+
+    return controls;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+wallSurface assemblyInBox(Random& random)
+{
+    wallSurface solids(randomSurfaces::assembly(random));
+    solids.patchNames = wordList({"solids"});
+    wallSurface box(testSurfaces::cube(2));
+    box.patchNames = wordList({"box"});
+    const scalar least = random.position<scalar>(-0.9, -0.5);
+    const scalar low = randomSurfaces::chance(random, 0.5) ? -0.5 : least;
+    const scalar high = randomSurfaces::chance(random, 0.5) ? 2.5 : 3;
+    for (point& x : box.points)
+    {
+        x = low*vector::one + (high - low)*x;
+    }
+
+    wallSurface all(testSurfaces::merge(box, solids));
+    if (randomSurfaces::chance(random, 0.5))
+    {
+        const tensor turn(randomSurfaces::rotation(random));
+        all.points = (turn & all.points)();
+    }
+    if (randomSurfaces::chance(random, 0.5))
+    {
+        for (point& x : all.points)
+        {
+            for (direction d = 0; d < 3; ++d)
+            {
+                x[d] = float(x[d]);
+            }
+        }
+    }
+
+    return all;
+}
+
+
+void meshRegionsCase(const fuzzCase& one, const listener& tell)
+{
+    const throwingErrors throwing;
+    prismLayerControls untold;
+    tell("stage", "surface");
+    const wallSurface surface(one.make(untold));
+    Random random(one.index + 1);
+    const prismLayerControls controls(controlsOf(surface, random));
+    spaceRegions all;
+    tell("stage", "regions");
+    try
+    {
+        const wallSurface arrangement(makeArrangement(surface));
+        const bitSet isBox
+        (
+            findIndices(surface.patchIDs, surface.patchNames.find("box"))
+        );
+        wallSurface around(surface);
+        keepFaces(isBox, around);
+        around = makeArrangement(around);
+        all = makeSpaceRegions
+        (
+            arrangement, seedsOf(arrangement, around, random)
+        );
+    }
+    catch (const Foam::error& e)
+    {
+        tell("skipped", oneLine(e.message()));
+        return;
+    }
+
+    if (all.regions.empty())
+    {
+        tell("skipped", "no point is in the box and in a bounded part");
+        return;
+    }
+
+    List<polyMeshParts> meshes;
+    forAll(all.regions, r)
+    {
+        const bool hasLayers = randomSurfaces::chance(random, 0.5);
+        try
+        {
+            meshes.append(meshOf(all, r, controls, hasLayers, tell));
+        }
+        catch (const Foam::error& e)
+        {
+            tell(isRefusal(e) ? "skipped" : "failed", oneLine(e.message()));
+            return;
+        }
+        if (meshes.last().nCells == 0)
+        {
+            return;
+        }
+    }
+    tell("stage", "joining");
+    const std::string fault(faultOf(all, joinRegions(all, meshes)));
+    if (fault.size())
+    {
+        tell("failed", fault);
+    }
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
