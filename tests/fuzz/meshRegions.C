@@ -5,8 +5,8 @@
 
 #include "meshRegions.H"
 #include "boundBox.H"
-#include "farFieldReport.H"
 #include "makeFarFieldMesh.H"
+#include "mathematicalConstants.H"
 #include "meshCertificate.H"
 #include "prepareWall.H"
 #include "prismLayerMesh.H"
@@ -60,6 +60,24 @@ static List<regionSeed> seedsOf
     }
 
     return seeds;
+}
+
+
+//- The regions of a surface: all parts of space in the patch box
+static spaceRegions regionsOf(const wallSurface& surface, Random& random)
+{
+    const wallSurface arrangement(makeArrangement(surface));
+    const bitSet isBox
+    (
+        findIndices(surface.patchIDs, surface.patchNames.find("box"))
+    );
+    wallSurface box(surface);
+    keepFaces(isBox, box);
+
+    return makeSpaceRegions
+    (
+        arrangement, seedsOf(arrangement, makeArrangement(box), random)
+    );
 }
 
 
@@ -194,11 +212,88 @@ static prismLayerControls controlsOf(const wallSurface& surface, Random& random)
 }
 
 
+//- A cylinder with its axis along z, or a cube, in the cell about the origin.
+//  It ends in the sides of the cell. A cube may have another body within it.
+static wallSurface bodyInCell(Random& random)
+{
+    using constant::mathematical::twoPi;
+
+    wallSurface body(testSurfaces::cube(random.position<label>(1, 3)));
+    const bool isCube = randomSurfaces::chance(random, 0.5);
+    if (!isCube)
+    {
+        const label n = random.position<label>(5, 16);
+        const scalar radius = random.position<scalar>(0.2, 0.45);
+        List<vector2D> circle(n);
+        forAll(circle, i)
+        {
+            const scalar phi = twoPi*i/n;
+            circle[i] = radius*vector2D(Foam::cos(phi), Foam::sin(phi))
+              + 0.5*vector2D::one;
+        }
+        body = testSurfaces::extruded(circle, 1, 0.5);
+    }
+    else if (randomSurfaces::chance(random, 0.3))
+    {
+        const label n = random.position<label>(1, 3);
+        wallSurface within(testSurfaces::sphere(2*n, 0.3));
+        for (point& x : within.points)
+        {
+            x += 0.5*vector::one;
+        }
+        body = testSurfaces::merge(body, within);
+    }
+    for (point& x : body.points)
+    {
+        x -= 0.5*vector::one;
+    }
+
+    return body;
+}
+
+
+//- One to three bodies in a row, which meet in sides of their cells or leave a
+//  gap
+static wallSurface bodiesInRow(Random& random)
+{
+    const label n = random.position<label>(1, 3);
+    const label direction = random.position<label>(0, 2);
+    wallSurface row;
+    scalar z = 0;
+    for (label i = 0; i < n; ++i)
+    {
+        wallSurface body(bodyInCell(random));
+        const scalar size = random.position<scalar>(0.5, 0.95);
+        for (point& x : body.points)
+        {
+            x.x() *= size;
+            x.y() *= size;
+            x.z() += z;
+            for (label k = 0; k < direction; ++k)
+            {
+                x = point(x.y(), x.z(), x.x());
+            }
+            x += direction == 0 ? vector(1, 1, 0)
+              : direction == 1 ? vector(1, 0, 1) : vector(0, 1, 1);
+        }
+        row = i ? testSurfaces::merge(row, body) : body;
+        z += randomSurfaces::chance(random, 0.7) ? 1 : 1.2;
+    }
+
+    return row;
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 wallSurface assemblyInBox(Random& random)
 {
-    wallSurface solids(randomSurfaces::assembly(random));
+    wallSurface solids
+    (
+        randomSurfaces::chance(random, 0.2)
+      ? randomSurfaces::assembly(random) : bodiesInRow(random)
+    );
+    solids.patchIDs = labelList(solids.faces.size(), Zero);
     solids.patchNames = wordList({"solids"});
     wallSurface box(testSurfaces::cube(2));
     box.patchNames = wordList({"box"});
@@ -243,25 +338,13 @@ void meshRegionsCase(const fuzzCase& one, const listener& tell)
     tell("stage", "regions");
     try
     {
-        const wallSurface arrangement(makeArrangement(surface));
-        const bitSet isBox
-        (
-            findIndices(surface.patchIDs, surface.patchNames.find("box"))
-        );
-        wallSurface around(surface);
-        keepFaces(isBox, around);
-        around = makeArrangement(around);
-        all = makeSpaceRegions
-        (
-            arrangement, seedsOf(arrangement, around, random)
-        );
+        all = regionsOf(surface, random);
     }
     catch (const Foam::error& e)
     {
         tell("skipped", oneLine(e.message()));
         return;
     }
-
     if (all.regions.empty())
     {
         tell("skipped", "no point is in the box and in a bounded part");

@@ -313,13 +313,10 @@ static madeRegion makeRegion
         layers = wallWithoutLayers(wall);
     }
 
-    farFieldMesh farField
+    farFieldMesh farField(makeFarField
     (
-        makeFarField
-        (
-            layers, std::move(domain), controls.farField, log.observer()
-        )
-    );
+        layers, std::move(domain), controls.farField, log.observer()
+    ));
     const farFieldReport far
     (
         makeFarFieldReport(layers, farField, controls.quality)

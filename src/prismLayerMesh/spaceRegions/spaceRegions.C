@@ -299,6 +299,31 @@ static wallSurface withoutInnerFaces
 }
 
 
+//- Refuses a boundary that touches itself: some of its points are one on the
+//  surface of all regions
+static void refuseContact(const wallSurface& whole, const spaceRegion& region)
+{
+    bitSet isKnown(whole.points.size());
+    DynamicList<point> places;
+    for (const label p : region.points)
+    {
+        if (!isKnown.set(p))
+        {
+            places.append(whole.points[p]);
+        }
+    }
+    if (places.size())
+    {
+        FatalErrorInFunction
+            << "The boundary of the region " << region.name
+            << " touches itself at " << places.size() << " points, first at "
+            << places[0] << nl
+            << "Two bodies meet there in an edge or a point: move them apart,"
+            << " or into each other" << exit(FatalError);
+    }
+}
+
+
 //- Refuses sheets, and a boundary that touches itself
 static void requireSound(const wallSurface& whole, const spaceRegion& region)
 {
@@ -319,6 +344,7 @@ static void requireSound(const wallSurface& whole, const spaceRegion& region)
         }
     }
 
+    refuseContact(whole, region);
     const List<wallDefect> defects(findWallDefects(region.surface));
     if (defects.size())
     {
