@@ -344,11 +344,11 @@ static void writeRegions
 )
 {
     const fileName file(files.scratch(target, target.name())/target.name());
-    wordList fluids;
-    wordList solids;
+    string fluids;
+    string solids;
     for (const regionControls& region : controls.regions)
     {
-        (region.hasLayers ? fluids : solids).append(region.seed.name);
+        (region.hasLayers ? fluids : solids) += ' ' + region.seed.name;
     }
 
     OFstream os(file);
@@ -360,8 +360,8 @@ static void writeRegions
         << "    object      " << target.name() << ";" << nl << "}" << nl;
     IOobject::writeDivider(os);
     os  << nl << "regions" << nl << "(" << nl
-        << "    fluid       " << flatOutput(fluids) << nl
-        << "    solid       " << flatOutput(solids) << nl
+        << "    fluid       (" << fluids.c_str() << " )" << nl
+        << "    solid       (" << solids.c_str() << " )" << nl
         << ");" << nl << nl;
     IOobject::writeEndDivider(os);
     os.flush();

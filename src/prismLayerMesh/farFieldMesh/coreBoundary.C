@@ -77,7 +77,7 @@ static bool staysOnSides(const UList<sidePatch>& sides, const bool isHexCore)
 
 
 //- Returns the box of the far boundary and of the existing mesh; without these,
-//  a box around the layers
+//  a box around the layers and the side patches
 static boundBox coreBox(const prismLayers& layers, const farFieldDomain& domain)
 {
     boundBox box(domain.boundary.surface.points, false);
@@ -86,6 +86,10 @@ static boundBox coreBox(const prismLayers& layers, const farFieldDomain& domain)
     if (box.empty())
     {
         box = boundBox(layers.points, false);
+        for (const sidePatch& side : layers.border.sides)
+        {
+            box.add(side.points);
+        }
         box.inflate(0.01);
     }
 
