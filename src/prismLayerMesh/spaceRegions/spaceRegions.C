@@ -8,11 +8,13 @@
 #include "cellPredicates.H"
 #include "EdgeMap.H"
 #include "ListOps.H"
+#include "OStringStream.H"
 #include "ranges.H"
 #include "readWallSurface.H"
 #include "spaceParts.H"
 #include "stageProgress.H"
 #include "surfacePart.H"
+#include "throwingErrors.H"
 #include "triangleIndex.H"
 #include "unions.H"
 #include "wallChanges.H"
@@ -38,8 +40,7 @@ static void setFaces
 
 
 //- Merges points that are nearer to each other than a share of the diagonal of
-//  the surface's box, and keeps one of triangles on the same points, and only
-//  triangles with area
+//  the surface's box, and keeps one of triangles on the same points
 static void mergePoints(const scalar share, wallSurface& surface)
 {
     wallReading untold;
@@ -49,14 +50,22 @@ static void mergePoints(const scalar share, wallSurface& surface)
     bitSet isKept(surface.faces.size());
     forAll(surface.faces, i)
     {
+        isKept.set(i, known.insert(triFace(surface.faces[i]), i));
+    }
+    keepFaces(isKept, surface);
+}
+
+
+//- Removes the triangles whose area is zero, exactly. Their neighbours are no
+//  longer joined by edges.
+static void removeWithoutArea(wallSurface& surface)
+{
+    bitSet isKept(surface.faces.size());
+    forAll(surface.faces, i)
+    {
         const face& f = surface.faces[i];
         const pointField& x = surface.points;
-        isKept.set
-        (
-            i,
-            !isCollinear(x[f[0]], x[f[1]], x[f[2]])
-         && known.insert(triFace(f), i)
-        );
+        isKept.set(i, !isCollinear(x[f[0]], x[f[1]], x[f[2]]));
     }
     keepFaces(isKept, surface);
 }
@@ -140,6 +149,21 @@ static void removeLowTriangles(const scalar share, wallSurface& surface)
         return divideAtLowPoints(tolerance, surface) > 0;
     });
     mergePoints(share, surface);
+    removeWithoutArea(surface);
+}
+
+
+static string textOf(const leakPath& leak)
+{
+    OStringStream os;
+    os  << ": there is an opening " << leak.width << " m wide at "
+        << leak.narrowest << nl << "A path through it:";
+    for (const point& x : leak.places)
+    {
+        os  << nl << "    " << x;
+    }
+
+    return os.str();
 }
 
 
@@ -153,18 +177,19 @@ static void refuseLeak
     const point& to
 )
 {
-    const leakPath leak(findLeak(surface, seed.inside, to));
-
+    string path;
+    try
+    {
+        const throwingErrors throwing;
+        path = textOf(findLeak(surface, seed.inside, to));
+    }
+    catch (const Foam::error&)
+    {
+        // Rounded triangles may intersect: there is no path then
+    }
     FatalErrorInFunction
         << "The region " << seed.name << " leaks into " << other.c_str()
-        << ": there is an opening " << leak.width << " m wide at "
-        << leak.narrowest << nl << "A path through it:";
-    for (const point& x : leak.places)
-    {
-        FatalError << nl << "    " << x;
-    }
-    FatalError
-        << nl << "Close the opening, or move the point inside of the region"
+        << path.c_str() << nl << "Close the opening, or move the point inside of the region"
         << exit(FatalError);
 }
 
@@ -379,6 +404,8 @@ wallSurface makeArrangement
     setFaces(wallTriangles(surface, faceOf), faceOf, result);
     mergePoints(tolerance, result);
 
+    // The arrangement joins the others again
+    removeWithoutArea(result);
     const dividedSurface divided(divideAtIntersections(result));
     result.points = divided.points;
     setFaces(divided.faces, divided.triangleOf, result);
