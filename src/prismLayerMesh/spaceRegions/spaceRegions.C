@@ -19,6 +19,8 @@
 #include "unions.H"
 #include "wallChanges.H"
 #include "wallDefects.H"
+#include "wallPredicates.H"
+#include "wallSides.H"
 
 namespace Foam
 {
@@ -133,6 +135,10 @@ static label divideAtLowPoints(const scalar tolerance, wallSurface& surface)
 }
 
 
+//- Triangles are divided so many times at most: their rounded parts may
+//  intersect again
+static constexpr label maxDivisions = 5;
+
 //- Low triangles are removed so many times at most: needles side by side may
 //  divide each other again and again
 static constexpr label maxPasses = 30;
@@ -167,6 +173,56 @@ static string textOf(const leakPath& leak)
 }
 
 
+//- Returns the parts of triangles without flaps: parts that cover others, and
+//  have an edge that no other part has. A surface that is folded has them.
+static bitSet withoutFlaps(const dividedSurface& divided)
+{
+    bitSet isKept(divided.faces.size(), true);
+    const wallSides sides
+    (
+        makeWallSides(divided.faces, divided.points.size())
+    );
+    bool isChanged = true;
+    while (isChanged)
+    {
+        isChanged = false;
+        for (label e = 0; e < sides.nEdges(); ++e)
+        {
+            label n = 0;
+            label last = -1;
+            for (const wallSide& s : sides.on(e))
+            {
+                n += isKept.test(s.facei);
+                last = isKept.test(s.facei) ? s.facei : last;
+            }
+            if (n == 1 && divided.covers[last])
+            {
+                isKept.unset(last);
+                isChanged = true;
+            }
+        }
+    }
+
+    return isKept;
+}
+
+
+//- Divides the triangles of a surface where they meet, and removes slivers.
+//  Returns the triangles that intersect still: rounding has moved them.
+static List<labelPair> divide(const scalar tolerance, wallSurface& surface)
+{
+    // Neighbours of triangles without area are joined by the division again
+    removeWithoutArea(surface);
+    const dividedSurface divided(divideAtIntersections(surface));
+    surface.points = divided.points;
+    setFaces(divided.faces, divided.triangleOf, surface);
+    keepFaces(withoutFlaps(divided), surface);
+    removeLowTriangles(tolerance, surface);
+
+    return findIntersectingFaces(surface, bitSet());
+}
+
+
 //- Refuses a region whose point is in a part of space of another one, or
 //  outside
 static void refuseLeak
@@ -189,7 +245,8 @@ static void refuseLeak
     }
     FatalErrorInFunction
         << "The region " << seed.name << " leaks into " << other.c_str()
-        << path.c_str() << nl << "Close the opening, or move the point inside of the region"
+        << path.c_str() << nl
+        << "Close the opening, or move the point inside of the region"
         << exit(FatalError);
 }
 
@@ -403,13 +460,23 @@ wallSurface makeArrangement
     labelList faceOf;
     setFaces(wallTriangles(surface, faceOf), faceOf, result);
     mergePoints(tolerance, result);
+    List<labelPair> pairs;
+    repeatUntilStable("dividing triangles where they meet", maxDivisions, [&]()
+    {
+        pairs = divide(tolerance, result);
 
-    // The arrangement joins the others again
-    removeWithoutArea(result);
-    const dividedSurface divided(divideAtIntersections(result));
-    result.points = divided.points;
-    setFaces(divided.faces, divided.triangleOf, result);
-    removeLowTriangles(tolerance, result);
+        return pairs.size() > 0;
+    });
+    if (pairs.size())
+    {
+        FatalErrorInFunction
+            << "Two parts of the surface are nearly, and not quite, the same:"
+            << " after rounding " << pairs.size() << " pairs of triangles"
+            << " intersect, first at "
+            << result.faces[pairs[0].first()].centre(result.points) << nl
+            << "Give them the same triangles there, or move them apart"
+            << exit(FatalError);
+    }
 
     return result;
 }

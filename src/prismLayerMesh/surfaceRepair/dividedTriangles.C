@@ -373,6 +373,7 @@ dividedSurface divideAtIntersections(const wallSurface& surface)
     const dividedTriangles divided(divideTriangles(surface));
     DynamicList<face> faces(divided.parts.size());
     DynamicList<label> triangleOf(divided.parts.size());
+    DynamicList<bool> covers(divided.parts.size());
     for (std::size_t k = 0; k < divided.parts.size(); ++k)
     {
         // The first of those that cover each other
@@ -385,13 +386,14 @@ dividedSurface divideAtIntersections(const wallSurface& surface)
         {
             faces.append(divided.parts[k]);
             triangleOf.append(i);
+            covers.append(!others.empty());
         }
     }
 
     return dividedSurface
     {
         divided.roundedPoints(), faceList(std::move(faces)),
-        labelList(std::move(triangleOf))
+        labelList(std::move(triangleOf)), boolList(std::move(covers))
     };
 }
 

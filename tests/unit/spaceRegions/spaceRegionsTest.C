@@ -148,6 +148,32 @@ TEST(makeSpaceRegions, manyBodiesSideBySideAreHolesOfOneRegion)
 }
 
 
+TEST(makeArrangement, aFoldIsGone)
+{
+    // The middle of an edge is moved along its face, over the other edge
+    wallSurface folded(cubeAt(point(0, 0, 0), 1, 1));
+    const label nFaces = folded.faces.size();
+    face& f = folded.faces[0];
+    const point a(folded.points[f[0]]);
+    const point b(folded.points[f[1]]);
+    const point c(folded.points[f[2]]);
+
+    // Two more triangles on edge ab that lie on each other
+    folded.points.append(0.4*a + 0.4*b + 0.2*c);
+    const label p = folded.points.size() - 1;
+    const face other({f[0], f[1], p});
+    folded.faces[0] = face({f[0], f[1], f[2]});
+    folded.faces.append(other);
+    folded.faces.append(other.reverseFace());
+    folded.patchIDs = labelList(folded.faces.size(), Zero);
+
+    const wallSurface made(makeArrangement(folded));
+    EXPECT_TRUE(isClosed(made));
+    EXPECT_NEAR(mag(testSurfaces::enclosedVolume(made)), 1, 1e-12);
+    EXPECT_GE(made.faces.size(), nFaces);
+}
+
+
 TEST(makeSpaceRegions, bodiesThatCutEachOtherAreDivided)
 {
     const wallSurface all
