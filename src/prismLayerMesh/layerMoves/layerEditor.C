@@ -327,7 +327,8 @@ void layerEditor::setDirections
     const label lowest
 )
 {
-    if (isFixed(c))
+    // A column without height has no direction
+    if (isFixed(c) || heights(c)[lowest] <= VSMALL)
     {
         return;
     }
