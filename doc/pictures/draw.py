@@ -21,6 +21,7 @@
 #                         one colour, other cells in another
 #             turns       angles about the z axis: the mesh is shown again, turned
 #                         by them, beside a cyclic side
+#             regions     names: the meshes of these regions, each in its colours
 #
 # All panels have one colour map, from 0 to 1, and a scale in metres. Only body
 # needs -writeFields.
@@ -33,6 +34,10 @@ import vtk
 PANEL = (620, 440)
 LAYERS = (0.75, 0.86, 0.95)
 FAR = (0.97, 0.97, 0.97)
+
+# The same of each region
+REGIONS = ((LAYERS, FAR), ((0.98, 0.83, 0.62), (1.00, 0.93, 0.83)),
+           ((0.70, 0.86, 0.68), (0.88, 0.96, 0.86)))
 LINES = (0.25, 0.25, 0.25)
 
 # Perceived as even, and told apart by all eyes: from low to full
@@ -73,9 +78,9 @@ def read_wall(case):
     return reader.GetOutput()
 
 
-def read_mesh(case):
-    """The cells of constant/polyMesh, with their labels, and with the fields of the
-    last time"""
+def read_mesh(case, region=None):
+    """The cells of constant/polyMesh, or of a region, with their labels, and with the
+    fields of the last time"""
     stub = os.path.join(case, "draw.foam")
     open(stub, "w").close()
     try:
@@ -83,7 +88,8 @@ def read_mesh(case):
         reader.SetFileName(stub)
         reader.UpdateInformation()
         reader.DisableAllPatchArrays()
-        reader.SetPatchArrayStatus("internalMesh", 1)
+        reader.SetPatchArrayStatus(
+            "/" + region + "/internalMesh" if region else "internalMesh", 1)
         reader.DecomposePolyhedraOff()
         reader.CreateCellToPointOff()
         times = reader.GetTimeValues()
@@ -92,7 +98,8 @@ def read_mesh(case):
     finally:
         os.remove(stub)
 
-    mesh = reader.GetOutput().GetBlock(0)
+    blocks = reader.GetOutput().NewIterator()
+    mesh = blocks.GetCurrentDataObject()
     if mesh is None or mesh.GetNumberOfCells() == 0:
         fail("no mesh in " + case)
 
@@ -107,9 +114,9 @@ def read_mesh(case):
     return mesh
 
 
-def layer_cells(case):
+def layer_cells(case, region=None):
     """The number of cells of layers, which come first"""
-    file = os.path.join(case, "postProcessing/harmonicPrismMesh/report")
+    file = os.path.join(case, "postProcessing/harmonicPrismMesh", region or "", "report")
     with open(file) as text:
         lines = iter(text)
         for line in lines:
@@ -119,6 +126,8 @@ def layer_cells(case):
             words = line.replace(";", " ").split()
             if words[:1] == ["cells"]:
                 return int(words[1])
+    if region:
+        return 0
     fail("no cells in " + file)
 
 
@@ -180,12 +189,17 @@ def add_cut(renderer, cut, colour_of, width):
     renderer.AddActor(actor)
 
 
-def add_layers(renderer, case, cut, width):
+def add_layers(renderer, case, cut, width, region=None, colours=REGIONS[0]):
     """Layers in one colour, other cells in another"""
-    n = layer_cells(case)
+    n = layer_cells(case, region)
     cells = cut.GetCellData().GetArray("cell")
-    add_cut(renderer, cut,
-            lambda i: LAYERS if cells.GetValue(i) < n else FAR, width)
+    add_cut(renderer, cut, lambda i: colours[cells.GetValue(i) >= n], width)
+
+
+def add_regions(renderer, case, regions, centre, normal, width):
+    for i, region in enumerate(regions):
+        cut = cut_of(read_mesh(case, region), centre, normal)
+        add_layers(renderer, case, cut, width, region, REGIONS[i % len(REGIONS)])
 
 
 def add_field(renderer, cut, field, width):
@@ -299,11 +313,15 @@ def draw_cut(renderer, case, values):
     centre = vector(values, "centre", None)
     normal = vector(values, "normal", (0, 0, 1))
     height = float(values["height"])
-    cut = cut_of_turns(read_mesh(case), vector(values, "turns", ()), centre, normal)
-    if "field" in values:
-        add_field(renderer, cut, values["field"], 1)
+    if "regions" in values:
+        add_regions(renderer, case, values["regions"].split(), centre, normal, 1.5)
     else:
-        add_layers(renderer, case, cut, 1.5)
+        turns = vector(values, "turns", ())
+        cut = cut_of_turns(read_mesh(case), turns, centre, normal)
+        if "field" in values:
+            add_field(renderer, cut, values["field"], 1)
+        else:
+            add_layers(renderer, case, cut, 1.5)
     look(renderer, centre, normal, vector(values, "up", (0, 1, 0)), height)
     add_scale(renderer, height)
 
