@@ -163,7 +163,7 @@ static std::string faultOf(const spaceRegions& all, const polyMeshParts& mesh)
             volume += cells.volume(c);
         }
 
-        // Sides in single precision are not quite plane, and are put into planes
+        // Sides in single precision are put into planes, which they are not
         if (mag(volume - all.regions[r].volume) > 1e-6*volume)
         {
             fault<< "region " << r << " has the volume " << volume

@@ -146,7 +146,7 @@ vector layerEditor::allowedOffset
     const vector allowed(constraint(c).allowed(offset));
 
     return allowed*visibility.heightCosine(c, offset)
-       /max(visibility.heightCosine(c, allowed), VSMALL);
+       /max(visibility.heightCosine(c, allowed), SMALL);
 }
 
 
