@@ -211,7 +211,7 @@ const struct
     //- CPU time of the first attempt for tetrahedra of given sizes [s], and the
     //  number of tetrahedra, if there may be so many, for which it has one
     //  second more
-    label sizedSeconds = 10;
+    label sizedSeconds = 3;
     label tetsPerSecond = 24000;
 
     //- Tetrahedra that there may be for each point that is added
