@@ -368,11 +368,15 @@ static void improve
     neighbours.volumes.append(volumes);
     improveTets(neighbours, mesh);
 
-    if (!allPositive(mesh.points, mesh.tets))
+    for (const tetCell& tet : mesh.tets)
     {
-        FatalErrorInFunction
-            << "The tetrahedra of the far field could not be certified"
-            << exit(FatalError);
+        if (!allPositive(mesh.points, List<tetCell>(1, tet)))
+        {
+            FatalErrorInFunction
+                << "A tetrahedron of the far field could not be certified: it"
+                << " is flat but for rounding, at "
+                << tet.tet(mesh.points).centre() << exit(FatalError);
+        }
     }
 }
 
