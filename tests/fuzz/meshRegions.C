@@ -84,7 +84,7 @@ static spaceRegions regionsOf(const wallSurface& surface, Random& random)
 //- The mesh of a region, or an empty one if something is wrong
 static polyMeshParts meshOf
 (
-    const spaceRegions& all,
+    spaceRegions& all,
     const label regioni,
     const prismLayerControls& controls,
     const bool hasLayers,

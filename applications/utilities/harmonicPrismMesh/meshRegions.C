@@ -278,7 +278,7 @@ static madeRegion makeRegion
 (
     const prismCase& files,
     const parallelRun& parallel,
-    const spaceRegions& all,
+    spaceRegions& all,
     const label regioni,
     const regionControls& asked,
     const farBoundaryControls& around,
@@ -445,7 +445,7 @@ void meshRegions
             .checkOverwrite(surfaces, region.controls.farField, 0);
     }
 
-    const spaceRegions all(makeRegions(files, controls, log));
+    spaceRegions all(makeRegions(files, controls, log));
     List<polyMeshParts> meshes(all.regions.size());
     List<dictionary> reports(all.regions.size());
     forAll(all.regions, r)

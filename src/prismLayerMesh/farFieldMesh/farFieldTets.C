@@ -174,7 +174,7 @@ void fillWithTets
         farFieldTuned.cellsPerEstimated*nCells
       + farFieldTuned.cellsPerTriangle*both.faces.size()
     );
-    const tetDomain domain{both.points, both.faces, holes};
+    const tetDomain domain{both.points, both.faces, holes, !mesh.hasLayers};
     tetMesh filled(tetrahedralize(domain, std::cref(sizes), mostCells));
 
     if (filled.tets.size() > maxCells)

@@ -5,32 +5,12 @@
 
 #include "prepareWall.H"
 #include "disjointSets.H"
-#include "equalPoints.H"
 #include "splitAtSidePatches.H"
 #include "surfacePart.H"
 #include "wallChanges.H"
 
 namespace Foam
 {
-
-//- Gives points the coordinates that they have on a surface, where rounding has
-//  moved them
-static void restorePoints
-(
-    const equalPoints& known,
-    const pointField& surface,
-    pointField& points
-)
-{
-    for (point& x : points)
-    {
-        if (known.find(x) < 0)
-        {
-            x = surface[findMin(scalarField(magSqr(surface - x)))];
-        }
-    }
-}
-
 
 //- Returns the faces of connected pieces that have a face of a wall
 static bitSet facesWithWall
@@ -113,7 +93,7 @@ static void requireWallsBetween
 
 regionWall prepareRegion
 (
-    const spaceRegions& all,
+    spaceRegions& all,
     const label regioni,
     const prismLayerControls& controls
 )
@@ -142,17 +122,10 @@ regionWall prepareRegion
         )
     );
 
-    // Side patches have moved points into their planes, which are means
-    const pointField& given = region.surface.points;
-    equalPoints known;
-    forAll(given, p)
-    {
-        known.insert(given[p], p);
-    }
-    restorePoints(known, given, wall.points);
+    all.settle(regioni, wall.points);
     for (sidePatch& side : wall.border.sides)
     {
-        restorePoints(known, given, side.points);
+        all.settle(regioni, side.points);
     }
     renumberWall(wall);
 

@@ -7,6 +7,7 @@
 #include "boundBox.H"
 #include "cellPredicates.H"
 #include "EdgeMap.H"
+#include "equalPoints.H"
 #include "ListOps.H"
 #include "OStringStream.H"
 #include "ranges.H"
@@ -445,6 +446,44 @@ label spaceRegions::beyond(const label regioni, const label facei) const
     const labelPair& both = regionsOfFace[regions[regioni].faces[facei]];
 
     return both.first() == regioni ? both.second() : both.first();
+}
+
+
+void spaceRegions::settle(const label regioni, pointField& points)
+{
+    const pointField given(regions[regioni].surface.points);
+    const labelList labels(regions[regioni].points);
+    equalPoints known;
+    forAll(given, p)
+    {
+        known.insert(given[p], p);
+    }
+
+    labelList isMoved(surface.points.size(), Zero);
+    isSettled.resize(surface.points.size());
+    for (point& x : points)
+    {
+        const label same = known.find(x);
+        const label p =
+            same >= 0 ? same : findMin(scalarField(magSqr(given - x)));
+        if (isSettled.set(labels[p]))
+        {
+            isMoved[labels[p]] = same < 0;
+            surface.points[labels[p]] = x;
+        }
+        x = surface.points[labels[p]];
+    }
+
+    for (spaceRegion& region : regions)
+    {
+        forAll(region.points, p)
+        {
+            if (isMoved[region.points[p]])
+            {
+                region.surface.points[p] = surface.points[region.points[p]];
+            }
+        }
+    }
 }
 
 

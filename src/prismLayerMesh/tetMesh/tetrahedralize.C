@@ -279,7 +279,11 @@ static tetMesh attempts
     for (label attempt = 0; attempt < tuned.maxAttempts; ++attempt)
     {
         tellProgress("TetGen, points", domain.points.size());
-        const tensor rotation(generalRotation(attempt));
+        const tensor rotation
+        (
+            domain.areInPlanes && attempt == 0
+          ? tensor(tensor::I) : generalRotation(attempt)
+        );
         tetMesh mesh;
 
         const processEnd end = isolatedProcess

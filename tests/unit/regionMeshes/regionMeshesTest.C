@@ -53,7 +53,7 @@ static spaceRegions bodyInBox()
 
 
 //- The mesh of a region: layers in air, none in bodies
-static polyMeshParts meshOf(const spaceRegions& all, const label regioni)
+static polyMeshParts meshOf(spaceRegions& all, const label regioni)
 {
     prismLayerControls controls;
     controls.layers = withoutLayers(wordList({"box"}));
@@ -73,7 +73,7 @@ static polyMeshParts meshOf(const spaceRegions& all, const label regioni)
 }
 
 
-static List<polyMeshParts> meshesOf(const spaceRegions& all)
+static List<polyMeshParts> meshesOf(spaceRegions& all)
 {
     List<polyMeshParts> meshes;
     forAll(all.regions, r)
@@ -101,7 +101,7 @@ static scalar volumeOf(const polyMesh& mesh, const labelUList& cells)
 
 TEST(joinRegions, oneMeshHasZonesOfRegionsAndOfFacesBetween)
 {
-    const spaceRegions all(bodyInBox());
+    spaceRegions all(bodyInBox());
     List<polyMeshParts> meshes(meshesOf(all));
     const memoryMesh joined(joinRegions(all, meshes));
     const polyMesh* mesh = &joined();
@@ -135,7 +135,7 @@ TEST(joinRegions, oneMeshHasZonesOfRegionsAndOfFacesBetween)
 
 TEST(separateRegions, facesBetweenAreMappedPatchesOfBoth)
 {
-    const spaceRegions all(bodyInBox());
+    spaceRegions all(bodyInBox());
     List<polyMeshParts> meshes(meshesOf(all));
     separateRegions(all, meshes);
 
@@ -174,7 +174,7 @@ TEST(separateRegions, facesBetweenAreMappedPatchesOfBoth)
 
 TEST(joinRegions, aPatchOfTwoTypesIsRefused)
 {
-    const spaceRegions all(bodyInBox());
+    spaceRegions all(bodyInBox());
     List<polyMeshParts> meshes(meshesOf(all));
     meshes[1].patches.entries[meshes[1].patches.names.find("box")].set
     (
