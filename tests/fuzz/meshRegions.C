@@ -8,6 +8,7 @@
 #include "makeFarFieldMesh.H"
 #include "mathematicalConstants.H"
 #include "meshCertificate.H"
+#include "meshFaults.H"
 #include "prepareWall.H"
 #include "prismLayerMesh.H"
 #include "prismPolyMesh.H"
@@ -114,6 +115,12 @@ static polyMeshParts meshOf
             return polyMeshParts();
         }
         layers = std::move(made.made.layers);
+        const std::string fault(findMeshFault(wall, layers));
+        if (fault.size())
+        {
+            tell("failed", oneLine(fault));
+            return polyMeshParts();
+        }
     }
     tell("stage", "far field of " + all.regions[regioni].name);
     farFieldDomain domain;
@@ -131,6 +138,33 @@ static polyMeshParts meshOf
 }
 
 
+//- The faces between regions, and those on the patches of solids
+static labelList wallFaces(const polyMeshParts& mesh)
+{
+    labelList faces;
+    for (const faceZoneParts& zone : mesh.faceZones)
+    {
+        faces.append(zone.faces);
+    }
+    forAll(mesh.patches.names, patchi)
+    {
+        if (mesh.patches.names[patchi] != "box")
+        {
+            faces.append
+            (
+                identity
+                (
+                    mesh.topology.patchSizes[patchi],
+                    mesh.topology.patchStarts[patchi]
+                )
+            );
+        }
+    }
+
+    return faces;
+}
+
+
 //- What is wrong with the whole mesh; empty if nothing is
 static std::string faultOf(const spaceRegions& all, const polyMeshParts& mesh)
 {
@@ -141,13 +175,20 @@ static std::string faultOf(const spaceRegions& all, const polyMeshParts& mesh)
     const polyhedralMesh cells(mesh.points, faces, owner, neighbour);
     const meshCertificate certificate
     (
-        certifyMesh(cells, labelList(), labelList(), bitSet(mesh.nCells, true))
+        certifyMesh
+        (
+            cells, wallFaces(mesh), labelList(), bitSet(mesh.nCells, true)
+        )
     );
 
     std::ostringstream fault;
     if (certificate.invalidCells.size())
     {
-        fault<< certificate.invalidCells.size() << " cells are not positive ";
+        const label c = certificate.invalidCells[0];
+        fault<< certificate.invalidCells.size() << " cells are not positive,"
+            << " the first is a "
+            << meshCellShapeName[certificate.invalidShapes[0]] << " of volume "
+            << cells.volume(c) << " at x = " << cells.centre(c).x() << ' ';
     }
     if (certificate.doubleFaces.size() || !certificate.fillsBoundary())
     {
