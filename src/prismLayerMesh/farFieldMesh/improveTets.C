@@ -32,11 +32,13 @@ bool isFlat(const UList<point>& x, const tetCell& tet)
 
 
 //- Returns the numbers of the points opposite to the two triangles of one patch
-//  that a flat cell has; {-1, -1} of other cells
+//  that a flat cell has; {-1, -1} of other cells, and of cells with a triangle
+//  of the layers or of the wall
 static labelPair flatCorners
 (
     const farFieldTets& mesh,
     const triangleIndex& triangles,
+    const triangleIndex& outer,
     const tetCell& tet
 )
 {
@@ -49,6 +51,10 @@ static labelPair flatCorners
     label n = 0;
     for (label i = 0; i < 4; ++i)
     {
+        if (outer.found(triFace(tet.face(i))))
+        {
+            return labelPair(-1, -1);
+        }
         const label trianglei = triangles.lookup(triFace(tet.face(i)), -1);
         if (trianglei < 0)
         {
@@ -69,6 +75,7 @@ static labelPair flatCorners
 void removeFlatCells(farFieldTets& mesh)
 {
     triangleIndex triangles(makeTriangleIndex(mesh.boundaryTriangles));
+    const triangleIndex outer(makeTriangleIndex(mesh.outerTriangles));
     boolList flat(mesh.tets.size(), false);
     for (bool more = true; more;)
     {
@@ -79,7 +86,7 @@ void removeFlatCells(farFieldTets& mesh)
             const labelPair pair
             (
                 flat[t] ? labelPair(-1, -1)
-              : flatCorners(mesh, triangles, tet)
+              : flatCorners(mesh, triangles, outer, tet)
             );
             if (pair[0] < 0)
             {

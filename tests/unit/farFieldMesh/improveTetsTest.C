@@ -178,6 +178,22 @@ TEST(removeFlatCells, keepsFlatCellsBetweenTwoPatches)
 }
 
 
+TEST(removeFlatCells, keepsFlatCellsOnAWall)
+{
+    // The patch would get the triangle of the wall
+    farFieldTets mesh;
+    mesh.points = pointField({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 1e-17}});
+    mesh.tets = tetCellList({tetCell(0, 1, 2, 3)});
+    mesh.nBoundaryPoints = 4;
+    mesh.boundaryTriangles = faceList({face({0, 1, 2}), face({1, 3, 2})});
+    mesh.patchIDs = labelList({0, 0});
+    mesh.outerTriangles = faceList({face({0, 1, 3})});
+
+    removeFlatCells(mesh);
+    EXPECT_EQ(mesh.tets.size(), 1);
+}
+
+
 TEST(splitCornerCells, leavesOneFaceOnTheBoundary)
 {
     farFieldTets mesh(filledCube(3));
