@@ -127,9 +127,7 @@ static polyMeshParts meshOf
     farFieldControls around(controls.farField);
     if (walls.far.faces.size())
     {
-        domain.boundary.surface = walls.far;
-        domain.boundary.surface.patchTypes.clear();
-        domain.boundary.patchTypes = walls.far.patchTypes;
+        domain.boundary = makeFarBoundary(walls.far);
         around.boundary.type = farBoundaryType::surface;
     }
     farFieldMesh far(makeFarFieldMesh(layers, domain, around));

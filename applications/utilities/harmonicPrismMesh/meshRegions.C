@@ -14,6 +14,7 @@
 #include "regionMeshes.H"
 #include "returnMemory.H"
 #include "splitAtSidePatches.H"
+#include "surfaceMeasures.H"
 #include "surfacePart.H"
 
 namespace Foam
@@ -143,7 +144,7 @@ static wallSurface readSurface
         }
 
         // Where a face is in a side, it is of the side
-        wallSurface all(makeSides(files, controls.boundary).surface);
+        wallSurface all(controls.sides.surface);
         appendSurface(surface, labelList(), all);
         surface = all;
     }
@@ -204,36 +205,13 @@ static spaceRegions makeRegions
 }
 
 
-//- Returns the boundary of a region that is apart from its wall
-static farBoundary farBoundaryOf(const wallSurface& far)
-{
-    farBoundary boundary;
-    boundary.surface = far;
-    boundary.surface.patchTypes.clear();
-    boundary.patchTypes = far.patchTypes;
-
-    return boundary;
-}
-
-
-//- Whether the boundary of a region that is apart from its wall is all of the
-//  far boundary
+//- Whether triangles are all of the far boundary
 static bool isWhole(const wallSurface& far, const farBoundary& whole)
 {
-    const auto areaOf = [](const wallSurface& surface)
-    {
-        scalar sum = 0;
-        for (const face& f : surface.faces)
-        {
-            sum += f.mag(surface.points);
-        }
-
-        return sum;
-    };
     static constexpr scalar rounding = 1e-9;
-    const scalar area = areaOf(whole.surface);
+    const scalar area = measuresOf(whole.surface).area;
 
-    return far.faces.size() && mag(areaOf(far) - area) < rounding*area;
+    return mag(measuresOf(far).area - area) < rounding*area;
 }
 
 
@@ -242,7 +220,7 @@ static farFieldDomain readDomain
 (
     const prismCase& files,
     const regionWall& walls,
-    const farBoundaryControls& around,
+    const regionsControls& all,
     const Time& time,
     prismLayerControls& controls,
     stageLog& log
@@ -250,10 +228,10 @@ static farFieldDomain readDomain
 {
     farBoundaryControls& boundary = controls.farField.boundary;
     const bool isAlone = walls.far.faces.empty();
-    const bool isAround = isWhole(walls.far, makeSides(files, around));
+    const bool isAround = !isAlone && isWhole(walls.far, all.sides);
     if (isAround)
     {
-        boundary = around;
+        boundary = all.boundary;
     }
     farFieldDomain domain
     (
@@ -265,7 +243,7 @@ static farFieldDomain readDomain
     if (!isAlone && !isAround)
     {
         boundary.type = farBoundaryType::surface;
-        domain.boundary = farBoundaryOf(walls.far);
+        domain.boundary = makeFarBoundary(walls.far);
     }
 
     return domain;
@@ -273,27 +251,26 @@ static farFieldDomain readDomain
 
 
 //- Makes the mesh of a region
-//  around: the boundary of all regions
 static madeRegion makeRegion
 (
     const prismCase& files,
     const parallelRun& parallel,
     spaceRegions& all,
     const label regioni,
-    const regionControls& asked,
-    const farBoundaryControls& around,
+    const regionsControls& allControls,
     const Time& time,
     stageLog& log
 )
 {
     Info<< nl << "Region " << all.regions[regioni].name << nl << endl;
+    const regionControls& asked = allControls.regions[regioni];
     prismLayerControls controls(asked.controls);
     const label nStages = log.costs().size();
     const regionWall walls(prepareRegion(all, regioni, controls));
     const wallSurface& wall = walls.wall;
     farFieldDomain domain
     (
-        readDomain(files, walls, around, time, controls, log)
+        readDomain(files, walls, allControls, time, controls, log)
     );
 
     prismLayers layers;
@@ -453,11 +430,7 @@ void meshRegions
         const prismCase regionFiles(files, all.regions[r].name);
         madeRegion made
         (
-            makeRegion
-            (
-                regionFiles, parallel, all, r, controls.regions[r],
-                controls.boundary, time, log
-            )
+            makeRegion(regionFiles, parallel, all, r, controls, time, log)
         );
         meshes[r] = std::move(made.mesh);
         reports[r] = made.report;

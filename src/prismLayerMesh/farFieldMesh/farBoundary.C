@@ -285,6 +285,17 @@ farBoundary makeFarBoundary
 }
 
 
+farBoundary makeFarBoundary(const wallSurface& triangles)
+{
+    farBoundary boundary;
+    boundary.surface = triangles;
+    boundary.surface.patchTypes.clear();
+    boundary.patchTypes = triangles.patchTypes;
+
+    return boundary;
+}
+
+
 // * * * * * * * * * * * * *  Check Far Boundary * * * * * * * * * * * * * * //
 
 //- Sets to false what is said of the bodies of faces that are inside of a solid

@@ -74,6 +74,32 @@ wordList meshPatches::types() const
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
+polyMeshTopology withPatches
+(
+    const polyMeshTopology& given,
+    const UList<labelList>& patchFaces
+)
+{
+    const label nInternal = given.neighbour.size();
+    polyMeshTopology made;
+    made.reserve(given.faces.size(), nInternal);
+    for (label f = 0; f < nInternal; ++f)
+    {
+        made.append(face(given.faces[f]), given.owner[f], given.neighbour[f]);
+    }
+    for (const labelList& faces : patchFaces)
+    {
+        made.startPatch();
+        for (const label f : faces)
+        {
+            made.append(face(given.faces[f]), given.owner[f]);
+        }
+    }
+
+    return made;
+}
+
+
 void setCyclic(const UList<sidePatch>& sides, meshPatches& patches)
 {
     for (const sidePair& pair : pairsOf(sides))

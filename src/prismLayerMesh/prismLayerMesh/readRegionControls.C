@@ -38,7 +38,7 @@ static void refuseEntries(const dictionary& dict)
 }
 
 
-//- The sub-dictionary of a dictionary, which is made if there is none
+//- Returns a sub-dictionary. Adds an empty one if there is none.
 static dictionary& entriesIn(dictionary& dict, const word& key)
 {
     if (!dict.found(key))
@@ -145,10 +145,10 @@ regionsControls readRegionControls
     regionsControls result;
     result.surface = controls.surface;
     result.boundary = controls.farField.boundary;
-    const farBoundary sides
-    (
-        hasBoundary ? farSides(result.boundary) : farBoundary()
-    );
+    if (hasBoundary)
+    {
+        result.sides = farSides(result.boundary);
+    }
 
     const dictionary& regions = mandatoryDict(dict, "regions");
     for (const entry& e : regions)
@@ -157,7 +157,8 @@ regionsControls readRegionControls
         (
             readRegion
             (
-                e.keyword(), optionalDict(regions, e.keyword()), general, sides
+                e.keyword(), optionalDict(regions, e.keyword()), general,
+                result.sides
             )
         );
     }

@@ -193,6 +193,57 @@ List<labelPair> partsOfPatches
 const word boundaryLayerName("boundaryLayer");
 
 
+//- Returns a mesh without patches. It is made, not read, whatever io says.
+static autoPtr<polyMesh> meshWithoutPatches
+(
+    const IOobject& io,
+    pointField&& points,
+    polyMeshTopology&& topology
+)
+{
+    IOobject unread(io);
+    unread.readOpt() = IOobject::NO_READ;
+
+    return autoPtr<polyMesh>
+    (
+        new polyMesh
+        (
+            unread,
+            std::move(points),
+            faceList(std::move(topology.faces)),
+            labelList(std::move(topology.owner)),
+            labelList(std::move(topology.neighbour)),
+            false
+        )
+    );
+}
+
+
+//- Returns the patches of a mesh.
+//  starts: the first face of each patch, and then the first face behind them
+static PtrList<polyPatch> makePatches
+(
+    const meshPatches& all,
+    const labelUList& starts,
+    const polyBoundaryMesh& boundary
+)
+{
+    PtrList<polyPatch> patches(all.names.size());
+    forAll(patches, patchi)
+    {
+        dictionary patch(all.entries[patchi]);
+        patch.set("nFaces", starts[patchi + 1] - starts[patchi]);
+        patch.set("startFace", starts[patchi]);
+        patches.set
+        (
+            patchi, polyPatch::New(all.names[patchi], patch, patchi, boundary)
+        );
+    }
+
+    return patches;
+}
+
+
 //- Adds the patches of the whole mesh, then those to other processes.
 //  process: of the piece
 static void addPatches
@@ -206,18 +257,7 @@ static void addPatches
 {
     const polyBoundaryMesh& boundary = mesh.boundaryMesh();
     const labelList starts(order.patchStarts());
-    PtrList<polyPatch> patches(all.names.size());
-
-    forAll(patches, patchi)
-    {
-        dictionary patch(all.entries[patchi]);
-        patch.set("nFaces", starts[patchi + 1] - starts[patchi]);
-        patch.set("startFace", starts[patchi]);
-        patches.set
-        (
-            patchi, polyPatch::New(all.names[patchi], patch, patchi, boundary)
-        );
-    }
+    PtrList<polyPatch> patches(makePatches(all, starts, boundary));
 
     label start = starts.last();
     for (const labelPair& other : order.facesToProcesses())
@@ -410,20 +450,10 @@ struct prismMesh
         polyMeshTopology&& topology
     ) const
     {
-        IOobject unread(io);
-        unread.readOpt() = IOobject::NO_READ;
         const bool isWhole = points.size();
         autoPtr<polyMesh> mesh
         (
-            new polyMesh
-            (
-                unread,
-                std::move(points),
-                faceList(std::move(topology.faces)),
-                labelList(std::move(topology.owner)),
-                labelList(std::move(topology.neighbour)),
-                false
-            )
+            meshWithoutPatches(io, std::move(points), std::move(topology))
         );
         addPatches(order, patches, process, isWhole, mesh());
         if (far.topology.patchSizes.size())
@@ -492,40 +522,29 @@ static polyMeshParts makeWallMeshParts
     mesh.nCells = far.nCells;
 
     const polyMeshTopology& t = far.topology;
-    const label nInternal = t.neighbour.size();
-    mesh.topology.reserve(t.faces.size(), nInternal);
-    for (label facei = 0; facei < nInternal; ++facei)
+    List<labelList> facesOf(wall.patchNames.size());
     {
-        mesh.topology.append
-        (
-            face(t.faces[facei]), t.owner[facei], t.neighbour[facei]
-        );
-    }
-
-    forAll(wall.patchNames, patchi)
-    {
-        mesh.topology.startPatch();
+        List<DynamicList<label>> onWall(facesOf.size());
         forAll(far.frontFaces, k)
         {
-            if (wall.patchIDs[far.frontFaces[k]] == patchi)
-            {
-                const label facei = t.patchStarts[0] + k;
-                mesh.topology.append(face(t.faces[facei]), t.owner[facei]);
-            }
+            onWall[wall.patchIDs[far.frontFaces[k]]].append
+            (
+                t.patchStarts[0] + k
+            );
+        }
+        forAll(facesOf, patchi)
+        {
+            facesOf[patchi] = onWall[patchi];
         }
     }
     for (label patchi = 1; patchi < t.patchStarts.size(); ++patchi)
     {
-        mesh.topology.startPatch();
-        const label start = t.patchStarts[patchi];
-        for (label i = 0; i < t.patchSizes[patchi]; ++i)
-        {
-            mesh.topology.append
-            (
-                face(t.faces[start + i]), t.owner[start + i]
-            );
-        }
+        facesOf.append
+        (
+            identity(t.patchSizes[patchi], t.patchStarts[patchi])
+        );
     }
+    mesh.topology = withPatches(t, facesOf);
 
     return mesh;
 }
@@ -580,39 +599,20 @@ static void addZones(const polyMeshParts& parts, polyMesh& mesh)
 
 autoPtr<polyMesh> makePolyMesh(polyMeshParts&& parts, const IOobject& io)
 {
-    IOobject unread(io);
-    unread.readOpt() = IOobject::NO_READ;
+    labelList starts(parts.topology.patchStarts);
+    starts.append(parts.topology.faces.size());
     autoPtr<polyMesh> mesh
     (
-        new polyMesh
+        meshWithoutPatches
         (
-            unread,
-            std::move(parts.points),
-            faceList(std::move(parts.topology.faces)),
-            labelList(std::move(parts.topology.owner)),
-            labelList(std::move(parts.topology.neighbour)),
-            false
+            io, std::move(parts.points), std::move(parts.topology)
         )
     );
-
-    PtrList<polyPatch> patches(parts.patches.names.size());
-    forAll(patches, patchi)
-    {
-        dictionary entries(parts.patches.entries[patchi]);
-        entries.set("nFaces", parts.topology.patchSizes[patchi]);
-        entries.set("startFace", parts.topology.patchStarts[patchi]);
-        patches.set
-        (
-            patchi,
-            polyPatch::New
-            (
-                parts.patches.names[patchi], entries, patchi,
-                mesh->boundaryMesh()
-            )
-        );
-    }
+    PtrList<polyPatch> patches
+    (
+        makePatches(parts.patches, starts, mesh->boundaryMesh())
+    );
     mesh->addPatches(patches, true);
-
     addZones(parts, *mesh);
 
     return mesh;

@@ -7,7 +7,6 @@
 #include "disjointSets.H"
 #include "equalPoints.H"
 #include "Map.H"
-#include "ranges.H"
 #include "triangleIndex.H"
 
 #include <algorithm>
@@ -32,7 +31,6 @@ namespace
 class commonFaces
 {
     const spaceRegion& region_;
-    const polyMeshParts& mesh_;
 
     //- Label in the surface of all regions of each face of the mesh; -1 if the
     //  face is not between two regions
@@ -49,7 +47,6 @@ public:
     )
     :
         region_(all.regions[regioni]),
-        mesh_(mesh),
         surfaceFaces_(mesh.topology.faces.size(), -1)
     {
         equalPoints places;
@@ -125,8 +122,6 @@ public:
     label surfaceFace(const label f) const { return surfaceFaces_[f]; }
 
     bool isCommon(const label f) const { return surfaceFaces_[f] >= 0; }
-
-    const polyMeshParts& mesh() const { return mesh_; }
 };
 
 
@@ -467,11 +462,6 @@ dictionary mappedEntries(const spaceRegions& all, const label a, const label b)
     return entries;
 }
 
-} // End anonymous namespace
-
-
-namespace
-{
 
 //- A patch of a mesh that is made anew, and its faces by their former labels
 struct newPatch
@@ -554,32 +544,18 @@ static void separateRegion
 )
 {
     const std::vector<newPatch> patches(separatePatches(all, a, mesh));
-    const polyMeshTopology given(std::move(mesh.topology));
-    const label nInternal = given.neighbour.size();
-
+    DynamicList<labelList> facesOf;
     mesh.patches = meshPatches();
-    mesh.topology = polyMeshTopology();
-    mesh.topology.reserve(given.faces.size(), nInternal);
-    for (label f = 0; f < nInternal; ++f)
-    {
-        mesh.topology.append
-        (
-            face(given.faces[f]), given.owner[f], given.neighbour[f]
-        );
-    }
     for (const newPatch& patch : patches)
     {
         if (patch.faces.size())
         {
             mesh.patches.names.append(patch.name);
             mesh.patches.entries.append(patch.entries);
-            mesh.topology.startPatch();
-            for (const label f : patch.faces)
-            {
-                mesh.topology.append(face(given.faces[f]), given.owner[f]);
-            }
+            facesOf.append(patch.faces);
         }
     }
+    mesh.topology = withPatches(mesh.topology, facesOf);
 }
 
 

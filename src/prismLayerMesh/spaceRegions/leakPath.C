@@ -73,11 +73,6 @@ public:
         return -1;
     }
 
-    point centre(const label t) const
-    {
-        return mesh_.tets[t].tet(mesh_.points).centre();
-    }
-
     //- Sets the width of the widest path from a cell to each cell, 0 if there
     //  is none, and the cell before it and the triangle there
     void findWidths

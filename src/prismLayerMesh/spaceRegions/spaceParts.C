@@ -149,7 +149,7 @@ void spaceParts::setAcross()
 }
 
 
-spaceParts::rayHits spaceParts::findHits(const point& x, vector& ray) const
+spaceParts::rayHits spaceParts::findHits(const point& x) const
 {
     const pointField& p = surface_.points;
     std::mt19937 random(1);
@@ -193,7 +193,7 @@ spaceParts::rayHits spaceParts::findHits(const point& x, vector& ray) const
     static constexpr label maxRays = 100;
     for (label n = 0; n < maxRays; ++n)
     {
-        ray = vector(share(random), share(random), share(random));
+        vector ray(share(random), share(random), share(random));
         ray *= length/max(mag(ray), SMALL);
         rayHits hits;
         if (goThrough(x + ray, hits))
@@ -243,9 +243,8 @@ void spaceParts::joinShells(labelList& shellOfSide, const label nShells) const
         // each other along the ray are in one part.
         const vector n(faces[i].unitNormal(surface_.points));
         const point x(faces[i].centre(surface_.points) + 1e-9*size*n);
-        vector ray;
         label shell = shellOfSide[2*i];
-        for (const auto& hit : findHits(x, ray))
+        for (const auto& hit : findHits(x))
         {
             const label side = sideSeen(hit.second, x);
             parts.join(shell, shellOfSide[side]);
@@ -254,14 +253,11 @@ void spaceParts::joinShells(labelList& shellOfSide, const label nShells) const
         parts.join(shell, nShells);
     }
 
-    for (label& shell : shellOfSide)
-    {
-        shell = parts.find(shell);
-    }
-    // The set with the shell around all
+    // -1: the set with the shell around all
     const label outside = parts.find(nShells);
     for (label& shell : shellOfSide)
     {
+        shell = parts.find(shell);
         shell = shell == outside ? -1 : shell;
     }
 }
@@ -314,8 +310,7 @@ spaceParts::spaceParts(const wallSurface& surface)
 
 label spaceParts::partAt(const point& x) const
 {
-    vector ray;
-    const rayHits hits(findHits(x, ray));
+    const rayHits hits(findHits(x));
 
     return hits.empty() ? 0 : partOfSide_[sideSeen(hits.begin()->second, x)];
 }

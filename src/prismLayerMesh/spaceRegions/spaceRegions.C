@@ -86,20 +86,14 @@ static label divideAtLowPoints(const scalar tolerance, wallSurface& surface)
     forAll(surface.faces, i)
     {
         const face& f = surface.faces[i];
-        label k = 0;
-        for (const label j : {1, 2})
-        {
-            k = f.faceEdge(j).mag(x) > f.faceEdge(k).mag(x) ? j : k;
-        }
-        const edge e(f.faceEdge(k));
-        const label third = f.nextLabel(f.fcIndex(k));
+        const label k = f.longestEdge(x);
         const bool isFree = allOf(f, [&](const label p)
         {
             return !isTouched.test(p);
         });
         if (isFree && smallestHeight(x, f) < tolerance)
         {
-            pointsOn.insert(e, third);
+            pointsOn.insert(f.faceEdge(k), f.prevLabel(k));
             isKept.unset(i);
             isTouched.set(f);
         }
