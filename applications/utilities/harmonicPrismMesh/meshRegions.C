@@ -402,6 +402,33 @@ static void writeReports
 }
 
 
+static void logMeshes
+(
+    const prismCase& files,
+    const regionsControls& controls,
+    const bool areApart
+)
+{
+    fileNameList folders;
+    if (!areApart)
+    {
+        folders.append(files.polyMeshFolder());
+    }
+    for (label r = 0; areApart && r < controls.regions.size(); ++r)
+    {
+        const word& name = controls.regions[r].seed.name;
+        folders.append(prismCase(files, name).polyMeshFolder());
+    }
+
+    Info<< nl;
+    for (const fileName& folder : folders)
+    {
+        Info<< "Mesh:   " << folder << nl;
+    }
+    Info<< endl;
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 void meshRegions
@@ -446,7 +473,7 @@ void meshRegions
         writeReports(files, all, reports, replaced);
     });
     log.end(areApart ? "each region apart" : "one mesh");
-    Info<< nl << "Mesh:   " << files.polyMeshFolder() << nl << endl;
+    logMeshes(files, controls, areApart);
 }
 
 } // End namespace Foam
