@@ -109,7 +109,7 @@ struct pointDivider
             shared.set(i, isShared(p, i));
         }
 
-        const bool hasNoDirection = visibility.cones[p].empty();
+        const bool hasNoDirection = visibility.cones[p].isFlat();
         normalSectors sectors;
 
         // Normals may divide where directions of neighbours do not

@@ -208,7 +208,7 @@ sectorSearch::sectorSearch
     p_(p),
     least_
     (
-        visibility.cones[p].empty()
+        visibility.cones[p].isFlat()
       ? 0
       : max
         (
