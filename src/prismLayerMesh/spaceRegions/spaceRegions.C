@@ -6,6 +6,7 @@
 #include "spaceRegions.H"
 #include "boundBox.H"
 #include "cellPredicates.H"
+#include "contacts.H"
 #include "EdgeMap.H"
 #include "equalPoints.H"
 #include "ListOps.H"
@@ -376,70 +377,87 @@ static wallSurface withoutInnerFaces
 }
 
 
-//- Refuses a boundary that touches itself: some of its points are one on the
-//  surface of all regions
-static void refuseContact(const wallSurface& whole, const spaceRegion& region)
+//- Refuses sheets that are no baffles
+static void requireBaffles
+(
+    const spaceRegions& all,
+    const label regioni,
+    const wordRes& baffles
+)
 {
-    bitSet isKnown(whole.points.size());
-    DynamicList<point> places;
-    for (const label p : region.points)
+    for (const label facei : all.regions[regioni].faces)
     {
-        if (!isKnown.set(p))
+        const word& patch =
+            all.surface.patchNames[all.surface.patchIDs[facei]];
+        if (all.isSheet(facei) && !baffles.match(patch))
         {
-            places.append(whole.points[p]);
+            FatalErrorInFunction
+                << "A sheet of the patch " << patch << " is within the region "
+                << all.regions[regioni].name << ", on both sides of it, at "
+                << all.surface.faces[facei].centre(all.surface.points) << nl
+                << "Name the patch in surface.baffles if both sides of it are"
+                << " to be walls" << exit(FatalError);
         }
-    }
-    if (places.size())
-    {
-        FatalErrorInFunction
-            << "The boundary of the region " << region.name
-            << " touches itself at " << places.size() << " points, first at "
-            << places[0] << nl
-            << "Two bodies meet there in an edge or a point: move them apart,"
-            << " or into each other" << exit(FatalError);
     }
 }
 
 
-//- Refuses sheets, and a boundary that touches itself
-static void requireSound(const wallSurface& whole, const spaceRegion& region)
+//- Makes the regions of a surface without any change of the surface
+static spaceRegions makeRegionsOn
+(
+    const wallSurface& surface,
+    const UList<regionSeed>& seeds
+)
 {
-    labelList sorted(region.faces);
-    Foam::sort(sorted);
-    for (label i = 1; i < sorted.size(); ++i)
+    spaceRegions result;
+    result.surface = surface;
+    const spaceParts parts(surface);
+    const labelList regionOf(findRegionsOfParts(surface, seeds, parts));
+
+    result.regionsOfFace.setSize(surface.faces.size());
+    forAll(result.regionsOfFace, i)
     {
-        if (sorted[i] == sorted[i - 1])
+        result.regionsOfFace[i] = labelPair
+        (
+            regionOf[parts.inFront(i)], regionOf[parts.behind(i)]
+        );
+    }
+
+    result.regions.setSize(seeds.size());
+    forAll(regionOf, parti)
+    {
+        if (regionOf[parti] >= 0)
         {
-            FatalErrorInFunction
-                << "A sheet of the patch "
-                << whole.patchNames[whole.patchIDs[sorted[i]]]
-                << " is within the region " << region.name
-                << ", on both sides of it, at "
-                << whole.faces[sorted[i]].centre(whole.points) << nl
-                << "A region is bounded by surfaces with other regions, or"
-                << " nothing, on their other side" << exit(FatalError);
+            spaceRegion& region = result.regions[regionOf[parti]];
+            region.name = seeds[regionOf[parti]].name;
+            region.surface =
+                parts.boundaryOf(parti, region.points, region.faces);
+            region.volume = parts.volumeOf(parti);
         }
     }
 
-    refuseContact(whole, region);
-    const List<wallDefect> defects(findWallDefects(region.surface));
-    if (defects.size())
-    {
-        FatalErrorInFunction
-            << "The boundary of the region " << region.name
-            << " cannot be meshed" << nl << describe(defects).c_str()
-            << exit(FatalError);
-    }
+    return result;
 }
 
 
 // * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
 
+bool spaceRegions::isSheet(const label facei) const
+{
+    const labelPair& both = regionsOfFace[facei];
+
+    return both.first() >= 0 && both.first() == both.second();
+}
+
+
 label spaceRegions::beyond(const label regioni, const label facei) const
 {
-    const labelPair& both = regionsOfFace[regions[regioni].faces[facei]];
+    const label f = regions[regioni].faces[facei];
+    const labelPair& both = regionsOfFace[f];
 
-    return both.first() == regioni ? both.second() : both.first();
+    return
+        isSheet(f) ? -1
+      : both.first() == regioni ? both.second() : both.first();
 }
 
 
@@ -447,6 +465,7 @@ void spaceRegions::settle(const label regioni, pointField& points)
 {
     const pointField given(regions[regioni].surface.points);
     const labelList labels(regions[regioni].points);
+    const vectorField& openings = regions[regioni].openings;
     equalPoints known;
     forAll(given, p)
     {
@@ -460,12 +479,12 @@ void spaceRegions::settle(const label regioni, pointField& points)
         const label same = known.find(x);
         const label p =
             same >= 0 ? same : findMin(scalarField(magSqr(given - x)));
-        if (isSettled.set(labels[p]))
+        if (isSettled.set(labels[p]) && same < 0)
         {
-            isMoved[labels[p]] = same < 0;
-            surface.points[labels[p]] = x;
+            isMoved[labels[p]] = 1;
+            surface.points[labels[p]] = x - openings[p];
         }
-        x = surface.points[labels[p]];
+        x = surface.points[labels[p]] + openings[p];
     }
 
     for (spaceRegion& region : regions)
@@ -474,7 +493,8 @@ void spaceRegions::settle(const label regioni, pointField& points)
         {
             if (isMoved[region.points[p]])
             {
-                region.surface.points[p] = surface.points[region.points[p]];
+                region.surface.points[p] =
+                    surface.points[region.points[p]] + region.openings[p];
             }
         }
     }
@@ -519,38 +539,23 @@ spaceRegions makeSpaceRegions
 (
     const wallSurface& arrangement,
     const UList<regionSeed>& seeds,
+    const wordRes& baffles,
     const scalar tolerance
 )
 {
+    wallSurface surface(withoutInnerFaces(arrangement, seeds, tolerance));
     spaceRegions result;
-    result.surface = withoutInnerFaces(arrangement, seeds, tolerance);
-    const spaceParts parts(result.surface);
-    const labelList regionOf
-    (
-        findRegionsOfParts(result.surface, seeds, parts)
-    );
-
-    result.regionsOfFace.setSize(result.surface.faces.size());
-    forAll(result.regionsOfFace, i)
+    do
     {
-        result.regionsOfFace[i] = labelPair
-        (
-            regionOf[parts.inFront(i)], regionOf[parts.behind(i)]
-        );
+        result = makeRegionsOn(surface, seeds);
     }
+    while (divideBetweenFreeEdges(result, surface));
 
-    result.regions.setSize(seeds.size());
-    forAll(regionOf, parti)
+    forAll(result.regions, r)
     {
-        if (regionOf[parti] >= 0)
-        {
-            spaceRegion& region = result.regions[regionOf[parti]];
-            region.name = seeds[regionOf[parti]].name;
-            region.surface =
-                parts.boundaryOf(parti, region.points, region.faces);
-            region.volume = parts.volumeOf(parti);
-            requireSound(result.surface, region);
-        }
+        spaceRegion& region = result.regions[r];
+        region.openings.setSize(region.points.size(), Zero);
+        requireBaffles(result, r, baffles);
     }
 
     return result;

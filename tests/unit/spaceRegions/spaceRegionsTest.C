@@ -4,6 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "boundBox.H"
+#include "ListOps.H"
+#include "openSurfaces.H"
+#include "wallDefects.H"
 #include "cellPredicates.H"
 #include "spaceParts.H"
 #include "spaceRegions.H"
@@ -244,20 +247,153 @@ TEST(makeSpaceRegions, aPointOutsideOfAllLeaks)
 }
 
 
-TEST(makeSpaceRegions, aSheetIsRefusedWithItsPlace)
+//- A square of a size about the centre of a box of size 3, in n^2 squares of
+//  two triangles
+static wallSurface sheetInBox(const label n)
 {
-    wallSurface sheet(cubeAt(point(1, 1, 1), 1));
-    sheet.faces.setSize(2);
-    sheet.patchIDs.setSize(2);
+    wallSurface sheet(testSurfaces::sheet(n, 0));
+    for (point& x : sheet.points)
+    {
+        x += vector(1, 1, 1.5);
+    }
+    sheet.patchNames = wordList({"sheet"});
+    wallSurface box(cubeAt(point(0, 0, 0), 3));
+    box.patchNames = wordList({"box"});
+
+    return makeArrangement(merge(box, sheet));
+}
+
+
+static const List<regionSeed> inAir({{"air", point(0.1, 0.2, 0.3)}});
+
+static const wordRes sheetIsBaffle(List<wordRe>({wordRe("sheet")}));
+
+
+static void open(spaceRegions& all)
+{
+    all.open
+    (
+        0, [](const word& patch) { return patch == "box"; }, layerOpening
+    );
+}
+
+
+TEST(makeSpaceRegions, aSheetIsRefusedWithItsPlaceUnlessItIsABaffle)
+{
+    const wallSurface surface(sheetInBox(2));
     const std::string message(thrownMessage<Foam::error>([&]()
     {
-        makeSpaceRegions
-        (
-            makeArrangement(merge(cubeAt(point(0, 0, 0), 3), sheet)),
-            List<regionSeed>({{"air", point(0.1, 0.2, 0.3)}})
-        );
+        makeSpaceRegions(surface, inAir);
     }));
     EXPECT_NE(message.find("within the region air"), string::npos) << message;
+    EXPECT_NE(message.find("surface.baffles"), string::npos) << message;
+
+    const spaceRegions made(makeSpaceRegions(surface, inAir, sheetIsBaffle));
+    EXPECT_NEAR(made.regions[0].volume, 27, 1e-12);
+    forAll(made.regions[0].faces, f)
+    {
+        EXPECT_EQ(made.beyond(0, f), -1);
+    }
+}
+
+
+TEST(makeSpaceRegions, sidesOfASheetHavePointsOfTheirOwnButAtFreeEdges)
+{
+    const label n = 4;
+    const spaceRegions made
+    (
+        makeSpaceRegions(sheetInBox(n), inAir, sheetIsBaffle)
+    );
+    const spaceRegion& air = made.regions[0];
+    EXPECT_TRUE(isClosed(air.surface));
+
+    labelList nCopies(made.surface.points.size(), Zero);
+    for (const label p : air.points)
+    {
+        ++nCopies[p];
+    }
+    label nTwice = 0;
+    forAll(nCopies, p)
+    {
+        const point& x = made.surface.points[p];
+        const bool isWithin =
+            x.x() > 1 && x.x() < 2 && x.y() > 1 && x.y() < 2 && x.z() == 1.5;
+        EXPECT_EQ(nCopies[p], isWithin ? 2 : 1) << x.x() << ' ' << x.y();
+        nTwice += isWithin;
+    }
+    EXPECT_GE(nTwice, (n - 1)*(n - 1));
+}
+
+
+TEST(makeSpaceRegions, edgesOfASheetBetweenItsFreeEdgesAreDivided)
+{
+    // Two triangles: all points are on free edges
+    const spaceRegions made
+    (
+        makeSpaceRegions(sheetInBox(1), inAir, sheetIsBaffle)
+    );
+    EXPECT_TRUE(isClosed(made.regions[0].surface));
+    label nTriangles = 0;
+    forAll(made.surface.faces, f)
+    {
+        nTriangles += made.isSheet(f);
+    }
+    EXPECT_EQ(nTriangles, 4);
+}
+
+
+TEST(spaceRegions, anOpenedSheetIsAnOrdinaryWallAndComesBack)
+{
+    spaceRegions all(makeSpaceRegions(sheetInBox(4), inAir, sheetIsBaffle));
+    const pointField before(all.regions[0].surface.points);
+    EXPECT_FALSE(findWallDefects(all.regions[0].surface).empty());
+
+    open(all);
+    const spaceRegion& air = all.regions[0];
+    EXPECT_TRUE(findWallDefects(air.surface).empty());
+    const scalar moved = max(mag(air.surface.points - before));
+    EXPECT_GT(moved, 0);
+    EXPECT_LT(moved, 1e-9);
+
+    // Into the region: the sheet becomes a hole
+    EXPECT_LT(-testSurfaces::enclosedVolume(air.surface), 27);
+
+    pointField mesh(air.surface.points);
+    mesh.append(point(0.5, 0.5, 0.5));
+    EXPECT_GT(all.close(0, mesh), 0);
+    EXPECT_EQ(pointField(mesh, identity(before.size())), before);
+    EXPECT_EQ(air.surface.points, before);
+    EXPECT_EQ(mesh.last(), point(0.5, 0.5, 0.5));
+}
+
+
+TEST(spaceRegions, bodiesMayTouchInAnEdgeAndNotInAPoint)
+{
+    const auto bodies = [&](const scalar z)
+    {
+        wallSurface box(cubeAt(point(0, 0, 0), 3));
+        box.patchNames = wordList({"box"});
+        const wallSurface both
+        (
+            merge
+            (
+                cubeAt(point(0.5, 0.5, 1), 1), cubeAt(point(1.5, 1.5, z), 1)
+            )
+        );
+
+        return makeSpaceRegions(makeArrangement(merge(box, both)), inAir);
+    };
+    spaceRegions inEdge(bodies(1));
+    open(inEdge);
+    EXPECT_TRUE(isClosed(inEdge.regions[0].surface));
+
+    spaceRegions inPoint(bodies(2));
+    const std::string message(thrownMessage<Foam::error>([&]()
+    {
+        open(inPoint);
+    }));
+    EXPECT_NE(message.find("in a point alone, at (1.5 1.5 2)"), string::npos)
+        << message;
 }
 
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "spaceRegions/spaceParts.C"
+#include "spaceRegions/contacts.C"
 #include "spaceRegions/spaceRegions.C"
 #include "spaceRegions/leakPath.C"
 
