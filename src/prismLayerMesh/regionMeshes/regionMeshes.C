@@ -49,29 +49,35 @@ public:
         region_(all.regions[regioni]),
         surfaceFaces_(mesh.topology.faces.size(), -1)
     {
+        // Points that have one place are one, and sheets are not common
         equalPoints places;
         forAll(region_.surface.points, p)
         {
-            places.insert(region_.surface.points[p], p);
+            places.insert(region_.surface.points[p], region_.points[p]);
         }
-        const triangleIndex index(makeTriangleIndex(region_.surface.faces));
+        triangleIndex index(2*region_.faces.size());
+        forAll(region_.faces, facei)
+        {
+            if (all.beyond(regioni, facei) >= 0)
+            {
+                const label f = region_.faces[facei];
+                index.insert(triFace(all.surface.faces[f]), f);
+            }
+        }
 
         label nFound = 0;
         const polyMeshTopology& t = mesh.topology;
         for (label f = t.neighbour.size(); f < t.faces.size(); ++f)
         {
-            face local(t.faces[f]);
-            for (label& p : local)
+            face whole(t.faces[f]);
+            for (label& p : whole)
             {
                 p = places.find(mesh.points[p]);
             }
-            const label facei =
-                local.size() == 3 && min(local) >= 0
-              ? index.lookup(triFace(local), -1) : -1;
-            if (facei >= 0 && all.beyond(regioni, facei) >= 0)
+            if (whole.size() == 3 && min(whole) >= 0)
             {
-                surfaceFaces_[f] = region_.faces[facei];
-                ++nFound;
+                surfaceFaces_[f] = index.lookup(triFace(whole), -1);
+                nFound += surfaceFaces_[f] >= 0;
             }
         }
         requireAll(all, regioni, nFound);

@@ -11,6 +11,7 @@
 #include "prepareWall.H"
 #include "prismPolyMesh.H"
 #include "soundMesh.H"
+#include "SubField.H"
 #include "testStages.H"
 #include "thrownMessage.H"
 
@@ -48,6 +49,32 @@ static spaceRegions bodyInBox()
             {"shell", point(1.2, 1.3, 0.2)},
             {"core", point(2.01, 2.02, 1.03)}
         })
+    );
+}
+
+
+//- A body on the floor of a box, with a fin of no thickness on it
+static spaceRegions finOnBody()
+{
+    wallSurface box(cubeAt(point(0, 0, 0), 4, 2));
+    box.patchNames = wordList({"box"});
+    wallSurface body(cubeAt(point(1, 1, 0), 2, 4));
+    body.patchNames = wordList({"body"});
+    wallSurface fin(triangulated(sheet(2, 0)));
+    for (point& x : fin.points)
+    {
+        x = point(2, 1.5 + x.x(), 2 + 0.6*x.y());
+    }
+    fin.patchNames = wordList({"fin"});
+    return makeSpaceRegions
+    (
+        makeArrangement(merge(box, merge(body, fin))),
+        List<regionSeed>
+        ({
+            {"air", point(0.3, 0.2, 3.1)},
+            {"shell", point(1.2, 1.3, 0.2)}
+        }),
+        wordRes(List<wordRe>({wordRe("fin")}))
     );
 }
 
@@ -185,6 +212,48 @@ TEST(joinRegions, aPatchOfTwoTypesIsRefused)
         thrownMessage<Foam::error>([&]() { joinRegions(all, meshes); }),
         {"box", "symmetry"}
     );
+}
+
+
+TEST(closeRegion, bothSidesOfASheetAreWallsInOnePlace)
+{
+    spaceRegions all(finOnBody());
+    List<polyMeshParts> meshes;
+    forAll(all.regions, r)
+    {
+        all.open
+        (
+            r,
+            [](const word& patch) { return patch == "box"; },
+            r ? tetOpening : layerOpening
+        );
+        meshes.append(meshOf(all, r));
+        closeRegion(all, r, meshes.last());
+    }
+
+    const memoryMesh joined(joinRegions(all, meshes));
+    const polyMesh& mesh = joined();
+    expectSound(mesh);
+    const polyPatch& patch =
+        mesh.boundaryMesh()[mesh.boundaryMesh().findPatchID("fin")];
+    scalar area = 0;
+    vector sum(Zero);
+    for (const vector& s : vectorField(patch.faceAreas()))
+    {
+        area += mag(s);
+        sum += s;
+    }
+    EXPECT_NEAR(area, 2*0.6, 1e-12);
+    EXPECT_LT(mag(sum), 1e-12);
+    for (const point& x : patch.localPoints())
+    {
+        EXPECT_EQ(x.x(), 2);
+    }
+    for (const label celli : patch.faceCells())
+    {
+        EXPECT_GT(mesh.cellVolumes()[celli], 0);
+    }
+    EXPECT_NEAR(volumeOf(mesh, mesh.cellZones()["air"]), 64 - 8, 1e-9);
 }
 
 
