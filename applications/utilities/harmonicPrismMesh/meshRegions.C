@@ -14,6 +14,7 @@
 #include "regionMeshes.H"
 #include "returnMemory.H"
 #include "splitAtSidePatches.H"
+#include "stringListOps.H"
 #include "surfaceMeasures.H"
 #include "surfacePart.H"
 
@@ -158,7 +159,7 @@ static wallSurface readSurface
 }
 
 
-//- Refuses entries of layers.patches that match no patch
+//- Refuses entries of layers.patches and of surface.baffles that match no patch
 static void requirePatches
 (
     const regionsControls& controls,
@@ -168,6 +169,16 @@ static void requirePatches
     for (const regionControls& region : controls.regions)
     {
         requirePatches(region.controls.layers, surface.patchNames);
+    }
+    for (const wordRe& baffle : controls.baffles)
+    {
+        if (findMatchingStrings(baffle, surface.patchNames).empty())
+        {
+            FatalErrorInFunction
+                << "The entry " << baffle << " of surface.baffles matches no"
+                << " patch of the surface" << nl << "Its patches: "
+                << flatOutput(surface.patchNames) << exit(FatalError);
+        }
     }
 }
 
@@ -188,7 +199,26 @@ static spaceRegions makeRegions
     {
         seeds.append(region.seed);
     }
-    spaceRegions all(makeSpaceRegions(makeArrangement(surface), seeds));
+    spaceRegions all
+    (
+        makeSpaceRegions
+        (
+            makeArrangement(surface), seeds, controls.baffles
+        )
+    );
+    forAll(all.regions, r)
+    {
+        const regionControls& asked = controls.regions[r];
+        all.open
+        (
+            r,
+            [&](const word& patch)
+            {
+                return asked.controls.layers.isSide(patch);
+            },
+            asked.hasLayers ? layerOpening : tetOpening
+        );
+    }
     log.end(name(all.surface.faces.size()) + " faces");
 
     forAll(all.regions, r)
@@ -306,6 +336,7 @@ static madeRegion makeRegion
     madeRegion made;
     made.report = reportEntries(asked.hasLayers ? &report : nullptr, &far);
     made.mesh = makePrismMeshParts(layers, farField);
+    closeRegion(all, regioni, made.mesh);
     returnMemory();
 
     return made;

@@ -177,7 +177,7 @@ static wallSurfaceControls readSurface(const dictionary& dict)
         {
             "file", "files", "patches", "fluid", "scale", "mergeTolerance",
             "sidePlanes", "cad", "repair", "stitchCoeffs", "wrapCoeffs",
-            "remesh"
+            "remesh", "baffles"
         }
     );
 
@@ -197,6 +197,13 @@ static wallSurfaceControls readSurface(const dictionary& dict)
     controls.cad = readCad(optionalDict(dict, "cad"));
     controls.repair = readRepair(dict);
     controls.remesh = readRemeshControls(dict);
+    if (dict.found("baffles", keyType::LITERAL))
+    {
+        entryError(dict, "baffles")
+            << "Sheets of no thickness are possible with regions. One region"
+            << " is enough: regions { fluid { inside (x y z); } }"
+            << exit(FatalIOError);
+    }
 
     return controls;
 }

@@ -129,6 +129,13 @@ regionsControls readRegionControls
     const bool hasBoundary =
         optionalDict(whole, "farField").found("boundary", keyType::LITERAL);
     mandatoryDict(whole, "surface");
+    regionsControls result;
+    for (dictionary* dict : {&general, &whole})
+    {
+        dictionary& surface = dict->subDict("surface");
+        surface.readIfPresent("baffles", result.baffles, keyType::LITERAL);
+        surface.remove("baffles");
+    }
     whole.subDict("surface").set
     (
         "fluid", hasBoundary ? "outside" : "inside"
@@ -142,7 +149,6 @@ regionsControls readRegionControls
     }
     const prismLayerControls controls(readPrismLayerControls(whole));
 
-    regionsControls result;
     result.surface = controls.surface;
     result.boundary = controls.farField.boundary;
     if (hasBoundary)
