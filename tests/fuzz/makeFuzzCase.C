@@ -45,7 +45,7 @@ static wallSurface makeSurface
 
     if (one.hasRegions)
     {
-        return assemblyInBox(random);
+        return one.hasSheets ? sheetsInBox(random) : assemblyInBox(random);
     }
     if (one.isAssembly)
     {

@@ -6,7 +6,6 @@
 #include "meshRegions.H"
 #include "boundBox.H"
 #include "makeFarFieldMesh.H"
-#include "mathematicalConstants.H"
 #include "meshCertificate.H"
 #include "meshFaults.H"
 #include "prepareWall.H"
@@ -77,8 +76,28 @@ static spaceRegions regionsOf(const wallSurface& surface, Random& random)
 
     return makeSpaceRegions
     (
-        arrangement, seedsOf(arrangement, makeArrangement(box), random)
+        arrangement, seedsOf(arrangement, makeArrangement(box), random),
+        wordRes(List<wordRe>({wordRe("sheet")}))
     );
+}
+
+
+//- Opens all regions. Returns which ones get layers
+static boolList openAll(spaceRegions& all, Random& random)
+{
+    boolList hasLayers(all.regions.size());
+    forAll(hasLayers, r)
+    {
+        hasLayers[r] = randomSurfaces::chance(random, 0.5);
+        all.open
+        (
+            r,
+            [](const word& patch) { return patch == "box"; },
+            hasLayers[r] ? layerOpening : tetOpening
+        );
+    }
+
+    return hasLayers;
 }
 
 
@@ -253,119 +272,7 @@ static prismLayerControls controlsOf(const wallSurface& surface, Random& random)
 }
 
 
-//- A cylinder with its axis along z, or a cube, in the cell about the origin.
-//  It ends in the sides of the cell. A cube may have another body within it.
-static wallSurface bodyInCell(Random& random)
-{
-    using constant::mathematical::twoPi;
-
-    wallSurface body(testSurfaces::cube(random.position<label>(1, 3)));
-    const bool isCube = randomSurfaces::chance(random, 0.5);
-    if (!isCube)
-    {
-        const label n = random.position<label>(5, 16);
-        const scalar radius = random.position<scalar>(0.2, 0.45);
-        List<vector2D> circle(n);
-        forAll(circle, i)
-        {
-            const scalar phi = twoPi*i/n;
-            circle[i] = radius*vector2D(Foam::cos(phi), Foam::sin(phi))
-              + 0.5*vector2D::one;
-        }
-        body = testSurfaces::extruded(circle, 1, 0.5);
-    }
-    else if (randomSurfaces::chance(random, 0.3))
-    {
-        const label n = random.position<label>(1, 3);
-        wallSurface within(testSurfaces::sphere(2*n, 0.3));
-        for (point& x : within.points)
-        {
-            x += 0.5*vector::one;
-        }
-        body = testSurfaces::merge(body, within);
-    }
-    for (point& x : body.points)
-    {
-        x -= 0.5*vector::one;
-    }
-
-    return body;
-}
-
-
-//- One to three bodies in a row, which meet in sides of their cells or leave a
-//  gap
-static wallSurface bodiesInRow(Random& random)
-{
-    const label n = random.position<label>(1, 3);
-    const label direction = random.position<label>(0, 2);
-    wallSurface row;
-    scalar z = 0;
-    for (label i = 0; i < n; ++i)
-    {
-        wallSurface body(bodyInCell(random));
-        const scalar size = random.position<scalar>(0.5, 0.95);
-        for (point& x : body.points)
-        {
-            x.x() *= size;
-            x.y() *= size;
-            x.z() += z;
-            for (label k = 0; k < direction; ++k)
-            {
-                x = point(x.y(), x.z(), x.x());
-            }
-            x += direction == 0 ? vector(1, 1, 0)
-              : direction == 1 ? vector(1, 0, 1) : vector(0, 1, 1);
-        }
-        row = i ? testSurfaces::merge(row, body) : body;
-        z += randomSurfaces::chance(random, 0.7) ? 1 : 1.2;
-    }
-
-    return row;
-}
-
-
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
-wallSurface assemblyInBox(Random& random)
-{
-    wallSurface solids
-    (
-        randomSurfaces::chance(random, 0.2)
-      ? randomSurfaces::assembly(random) : bodiesInRow(random)
-    );
-    solids.patchIDs = labelList(solids.faces.size(), Zero);
-    solids.patchNames = wordList({"solids"});
-    wallSurface box(testSurfaces::cube(2));
-    box.patchNames = wordList({"box"});
-    const scalar least = random.position<scalar>(-0.9, -0.5);
-    const scalar low = randomSurfaces::chance(random, 0.5) ? -0.5 : least;
-    const scalar high = randomSurfaces::chance(random, 0.5) ? 2.5 : 3;
-    for (point& x : box.points)
-    {
-        x = low*vector::one + (high - low)*x;
-    }
-
-    wallSurface all(testSurfaces::merge(box, solids));
-    if (randomSurfaces::chance(random, 0.5))
-    {
-        const tensor turn(randomSurfaces::rotation(random));
-        all.points = (turn & all.points)();
-    }
-    if (randomSurfaces::chance(random, 0.5))
-    {
-        for (point& x : all.points)
-        {
-            for (direction d = 0; d < 3; ++d)
-            {
-                x[d] = float(x[d]);
-            }
-        }
-    }
-
-    return all;
-}
-
 
 void meshRegionsCase(const fuzzCase& one, const listener& tell)
 {
@@ -392,13 +299,23 @@ void meshRegionsCase(const fuzzCase& one, const listener& tell)
         return;
     }
 
+    boolList hasLayers;
+    try
+    {
+        hasLayers = openAll(all, random);
+    }
+    catch (const Foam::error& e)
+    {
+        tell("skipped", oneLine(e.message()));
+        return;
+    }
     List<polyMeshParts> meshes;
     forAll(all.regions, r)
     {
-        const bool hasLayers = randomSurfaces::chance(random, 0.5);
         try
         {
-            meshes.append(meshOf(all, r, controls, hasLayers, tell));
+            meshes.append(meshOf(all, r, controls, hasLayers[r], tell));
+            closeRegion(all, r, meshes.last());
         }
         catch (const Foam::error& e)
         {

@@ -53,6 +53,9 @@ Usage
         Solids that touch and overlap, in a box that cuts or touches some: each
         part of space is a region, and some have layers. The meshes are joined.
 
+      - \par -sheets
+        Sheets of no thickness in a box, as baffles of its regions
+
       - \par -index \<i\>
         That case alone, in this process
 
@@ -113,6 +116,10 @@ static void addOptions()
     argList::addBoolOption
     (
         "regions", "Solids that touch and overlap, in a box, as regions"
+    );
+    argList::addBoolOption
+    (
+        "sheets", "Sheets of no thickness in a box, as baffles of a region"
     );
     argList::addBoolOption
     (
@@ -180,7 +187,8 @@ static fuzzCase caseOf(const argList& args, const label index)
     one.hasFarField = args.found("farField");
     one.isPeriodic = args.found("cyclic");
     one.isAtSides = one.isPeriodic || args.found("sides");
-    one.hasRegions = args.found("regions");
+    one.hasSheets = args.found("sheets");
+    one.hasRegions = one.hasSheets || args.found("regions");
     one.isAssembly = args.found("assemblies");
     if (one.isAssembly)
     {

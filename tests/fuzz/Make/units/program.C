@@ -33,6 +33,7 @@
 #include "curvedEnds.C"
 #include "assembly.C"
 #include "meshRegions.C"
+#include "regionSurfaces.C"
 #include "damageSurface.C"
 #include "addNeedles.C"
 
