@@ -199,11 +199,14 @@ static spaceRegions makeRegions
     {
         seeds.append(region.seed);
     }
+    const scalar tolerance =
+        max(regionTolerance, controls.surface.mergeTolerance);
     spaceRegions all
     (
         makeSpaceRegions
         (
-            makeArrangement(surface), seeds, controls.baffles
+            makeArrangement(surface, tolerance), seeds, controls.baffles,
+            tolerance
         )
     );
     forAll(all.regions, r)

@@ -131,24 +131,75 @@ static label divideAtLowPoints(const scalar tolerance, wallSurface& surface)
 }
 
 
+//- Makes the ends of the shortest edges of triangles one, if the triangles are
+//  lower than a tolerance [m]. Returns the number of these edges.
+static label collapseLowTriangles(const scalar tolerance, wallSurface& surface)
+{
+    const pointField& x = surface.points;
+    labelList oneOf(identity(x.size()));
+    bitSet isTouched(x.size());
+    label nCollapsed = 0;
+    for (const face& f : surface.faces)
+    {
+        const bool isFree = allOf(f, [&](const label p)
+        {
+            return !isTouched.test(p);
+        });
+        if (isFree && smallestHeight(x, f) < tolerance)
+        {
+            label shortest = 0;
+            for (label k = 1; k < 3; ++k)
+            {
+                if (f.faceEdge(k).mag(x) < f.faceEdge(shortest).mag(x))
+                {
+                    shortest = k;
+                }
+            }
+            const edge e(f.faceEdge(shortest));
+            oneOf[max(e.start(), e.end())] = min(e.start(), e.end());
+            isTouched.set(f);
+            ++nCollapsed;
+        }
+    }
+
+    bitSet isKept(surface.faces.size());
+    forAll(surface.faces, i)
+    {
+        inplaceRenumber(oneOf, surface.faces[i]);
+        isKept.set(i, !hasRepeatedPoint(surface.faces[i]));
+    }
+    keepFaces(isKept, surface);
+
+    return nCollapsed;
+}
+
+
 //- Triangles are divided so many times at most: their rounded parts may
 //  intersect again
 static constexpr label maxDivisions = 5;
 
-//- Low triangles are removed so many times at most: needles side by side may
-//  divide each other again and again
+//- Low triangles are removed so many times at most
 static constexpr label maxPasses = 30;
+
+//- One in so many times their shortest edges are collapsed, not their longest
+//  ones divided
+static constexpr label collapsingPass = 10;
 
 
 //- Merges near points, and removes triangles that are lower than the tolerance
 static void removeLowTriangles(const scalar share, wallSurface& surface)
 {
     const scalar tolerance = share*boundBox(surface.points, false).mag();
+    label nPasses = 0;
     repeatUntilStable("removing low triangles", maxPasses, [&]()
     {
         mergePoints(share, surface);
 
-        return divideAtLowPoints(tolerance, surface) > 0;
+        // Low triangles on one short edge divide each other again and again
+        return
+            ++nPasses % collapsingPass
+          ? divideAtLowPoints(tolerance, surface) > 0
+          : collapseLowTriangles(tolerance, surface) > 0;
     });
     mergePoints(share, surface);
     removeWithoutArea(surface);
