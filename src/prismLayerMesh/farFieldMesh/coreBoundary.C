@@ -64,10 +64,18 @@ static void addPatch(const word& name, const word& type, meshPatches& patches)
 
 
 //- Whether cells of a core can stay on all side patches: whether these are
-//  planes, and along the axes if the cells are hexahedra of an octree
-static bool staysOnSides(const UList<sidePatch>& sides, const bool isHexCore)
+//  planes, and along the axes if the cells are hexahedra of an octree. On two
+//  cyclic sides such hexahedra differ.
+static bool staysOnSides
+(
+    const prismLayers& layers,
+    const farFieldDomain& domain,
+    const bool isHexCore
+)
 {
-    return allOf(sides, [&](const sidePatch& side)
+    const bool isCyclic = domain.boundary.cyclicSides.size();
+
+    return !isCyclic && allOf(layers.border.sides, [&](const sidePatch& side)
     {
         const bool alongAxis = cmptMax(cmptMag(side.normal)) > 1 - 1e-12;
 
@@ -107,7 +115,7 @@ static hexCoreBox makeHexCoreBox
 {
     const farBoundary& boundary = domain.boundary;
     const List<sidePatch>& sides = layers.border.sides;
-    const bool onSides = staysOnSides(sides, true);
+    const bool onSides = staysOnSides(layers, domain, true);
     hexCoreBox result;
     result.box = coreBox(layers, domain);
     if (onSides)
@@ -174,6 +182,14 @@ struct coreBoundaryMaker
     const List<sidePatch>& sides = layers.border.sides;
 
     bool isHexCore() const { return controls.type == farFieldType::hexCore; }
+
+    //- Whether cells of the core stay on the sides of the far boundary, on none
+    //  of which layers end
+    bool staysOnBox() const
+    {
+        return domain.boundary.boxPatches.size() && sides.empty()
+            && staysOnSides(layers, domain, isHexCore());
+    }
 
     //- Patches of the core for all side patches
     void addSidePatches()
@@ -278,7 +294,7 @@ struct coreBoundaryMaker
         }
 
         tetBoundary result;
-        if (domain.boundary.boxPatches.empty() || sides.size())
+        if (!staysOnBox())
         {
             result = makeTetBoundary(layers, domain.boundary, size);
         }
@@ -296,7 +312,8 @@ struct coreBoundaryMaker
 
     tetBoundary make()
     {
-        const bool onPlanes = sides.size() && staysOnSides(sides, isHexCore());
+        const bool onPlanes =
+            sides.size() && staysOnSides(layers, domain, isHexCore());
 
         return onPlanes ? makeOnPlanes() : makeAround();
     }

@@ -369,7 +369,7 @@ static void refuseOtherTypes(const dictionary& dict, const farFieldType type)
 }
 
 
-//- Refuses cyclic patches beside cells that are not the same on both of a pair
+//- Refuses cyclic planes beside an existing mesh
 static void refuseCyclic
 (
     const dictionary& dict,
@@ -379,15 +379,13 @@ static void refuseCyclic
 {
     if
     (
-        (controls.type == farFieldType::hexCore
-      || controls.type == farFieldType::mesh)
-     && (anyCyclic(controls.boundary.patches) || anyCyclic(surface.sidePlanes))
+        controls.type == farFieldType::mesh && anyCyclic(surface.sidePlanes)
     )
     {
         entryError(dict, "type")
-            << "Beside patches of type cyclic the far field is of type tet:"
-            << " other cells are not the same on both patches of a pair"
-            << exit(FatalIOError);
+            << "Beside planes of type cyclic the far field is of type tet or"
+            << " hexCore: the cells of a mesh that stay are not the same on"
+            << " both planes of a pair" << exit(FatalIOError);
     }
 }
 

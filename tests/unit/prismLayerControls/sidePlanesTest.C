@@ -126,21 +126,22 @@ TEST(sidePlanes, cyclicOnesHaveAPartnerAndARotation)
 }
 
 
-TEST(sidePlanes, besideCyclicOnesTheFarFieldIsOfTets)
+TEST(sidePlanes, besideCyclicOnesThereIsNoExistingMesh)
 {
-    const auto read = [](const std::string& type)
+    const auto errorOfType = [](const std::string& type)
     {
-        readControls
+        return errorOf
         (
-            surface + layers + "farField { type " + type + "; boundary {"
-            " type box; min (0 0 0); max (1 1 1); patches {"
-            " a { type cyclic; partner b; sides (xMin); }"
-            " b { type cyclic; sides (xMax); } } } }"
+            "surface { file a.stl; sidePlanes {"
+            " a { point (0 0 0); normal (-1 0 0); type cyclic; partner b; }"
+            " b { point (1 0 0); normal (1 0 0); type cyclic; } } }"
+          + layers + "farField { type " + type + "; }"
         );
     };
 
-    EXPECT_NO_THROW(read("tet"));
-    expectWords(thrownMessage([&]() { read("hexCore"); }), {"cyclic", "tet"});
+    EXPECT_EQ(errorOfType("tet"), "");
+    EXPECT_EQ(errorOfType("hexCore"), "");
+    expectWords(errorOfType("mesh"), {"type", "cyclic", "tet or hexCore"});
 }
 
 

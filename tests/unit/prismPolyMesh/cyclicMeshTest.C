@@ -17,15 +17,35 @@
 using namespace Foam;
 using namespace testSurfaces;
 
-//- Waves with five layers, and tetrahedra up to z = 1
-static const polyMesh& wavesMesh()
+//- Waves with five layers
+static const prismLayerMesh& wavesRun()
 {
     static const prismLayerMesh run(layeredMesh(periodicWaves(8), 5, 0.1));
+
+    return run;
+}
+
+
+//- The far field of the waves, up to z = 1
+static farFieldMesh wavesFarField(const farFieldType type)
+{
     farFieldControls controls;
-    controls.type = farFieldType::tet;
+    controls.type = type;
+    controls.maxCellSize = 0.1;
     controls.boundary.type = farBoundaryType::box;
     controls.boundary.box = boundBox(point(0, 0, -1), point(1, 1, 1));
-    static const memoryMesh mesh(run.made.layers, farFieldOf(run, controls));
+
+    return farFieldOf(wavesRun(), controls);
+}
+
+
+//- The waves with tetrahedra
+static const polyMesh& wavesMesh()
+{
+    static const memoryMesh mesh
+    (
+        wavesRun().made.layers, wavesFarField(farFieldType::tet)
+    );
 
     return mesh();
 }
@@ -54,11 +74,8 @@ static void expectImage
 }
 
 
-// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
-
-TEST(cyclicMesh, facesOfPairsAreImages)
+static void expectImages(const polyMesh& mesh)
 {
-    const polyMesh& mesh = wavesMesh();
     const List<sidePatch> sides(cyclicPlanes());
     for (const sidePair& pair : pairsOf(sides))
     {
@@ -73,6 +90,25 @@ TEST(cyclicMesh, facesOfPairsAreImages)
             expectImage(mesh, first[i], second[i], pair.toSecond);
         }
     }
+}
+
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(cyclicMesh, facesOfPairsAreImages)
+{
+    expectImages(wavesMesh());
+}
+
+
+TEST(cyclicMesh, facesOfPairsAreImagesAroundACore)
+{
+    const farFieldMesh far(wavesFarField(farFieldType::hexCore));
+    const memoryMesh mesh(wavesRun().made.layers, far);
+
+    ASSERT_EQ(far.cellZones.last().name, hexCoreName);
+    EXPECT_GT(far.cellZones.last().cells.size(), 50);
+    expectImages(mesh());
 }
 
 
