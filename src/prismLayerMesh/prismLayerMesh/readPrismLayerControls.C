@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "readPrismLayerControls.H"
+#include "boxSides.H"
 #include "controlEntries.H"
 #include "diffusionTensor.H"
 #include "planarWall.H"
@@ -373,6 +374,13 @@ prismLayerControls readPrismLayerControls(const dictionary& dict)
     {
         refuseEmptySides(dict, controls);
     }
+
+    const List<sidePatch>& planes = controls.surface.sidePlanes;
+    controls.surface.planar.sides = planes;
+    controls.surface.planar.sides.append
+    (
+        freeSides(controls.farField.boundary, planes)
+    );
 
     return controls;
 }

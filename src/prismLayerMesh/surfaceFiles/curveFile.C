@@ -219,6 +219,27 @@ const struct
 } tunedCurves;
 
 
+} // End anonymous namespace
+
+
+bool isCorner
+(
+    const vector2D& before,
+    const vector2D& x,
+    const vector2D& after
+)
+{
+    const vector2D a(x - before);
+    const vector2D b(after - x);
+
+    return std::atan2(mag(a.x()*b.y() - a.y()*b.x()), a & b)
+        > tunedCurves.corner;
+}
+
+
+namespace
+{
+
 //- A smooth part of a curve between two corners
 class smoothPart
 {
@@ -283,7 +304,14 @@ class smoothPart
         }
     }
 
-    void setSizes(const scalar maxEdge, const scalar maxTurn, const bool isLoop)
+    //  goesOn: for both ends, whether the end is no corner
+    void setSizes
+    (
+        const scalar maxEdge,
+        const scalar maxTurn,
+        const bool isLoop,
+        const FixedList<bool, 2>& goesOn
+    )
     {
         const label n = samples_.size();
         sizes_ = scalarList(n, maxEdge);
@@ -302,7 +330,9 @@ class smoothPart
         }
         else
         {
-            sizes_[0] = sizes_[n - 1] = tunedCurves.cornerShare*maxEdge;
+            const scalar atCorner = tunedCurves.cornerShare*maxEdge;
+            sizes_[0] = goesOn[0] ? sizes_[1] : atCorner;
+            sizes_[n - 1] = goesOn[1] ? sizes_[n - 2] : atCorner;
         }
 
         // Edges that grow by a factor have lengths that are linear along them
@@ -335,16 +365,18 @@ class smoothPart
 public:
 
     //- nBeside: points at both ends that only shape the spline, of a loop
+    //  goesOn: for both ends of another part, whether the end is no corner
     smoothPart
     (
         const UList<vector2D>& points,
         const scalar maxEdge,
         const scalar maxTurn,
-        const label nBeside
+        const label nBeside,
+        const FixedList<bool, 2>& goesOn
     )
     {
         sample(points, maxEdge, nBeside);
-        setSizes(maxEdge, maxTurn, nBeside > 0);
+        setSizes(maxEdge, maxTurn, nBeside > 0, goesOn);
     }
 
     //- Appends the points, without the last one
@@ -380,22 +412,6 @@ public:
 } // End anonymous namespace
 
 
-//- Whether a curve turns at a point by more than a corner
-static bool isCorner
-(
-    const vector2D& before,
-    const vector2D& x,
-    const vector2D& after
-)
-{
-    const vector2D a(x - before);
-    const vector2D b(after - x);
-
-    return std::atan2(mag(a.x()*b.y() - a.y()*b.x()), a & b)
-        > tunedCurves.corner;
-}
-
-
 //- A closed curve without corners
 static DynamicList<vector2D> resampledLoop
 (
@@ -412,7 +428,8 @@ static DynamicList<vector2D> resampledLoop
         loop.append(points[i % n]);
     }
     DynamicList<vector2D> made;
-    smoothPart(loop, maxEdge, maxTurn, nBeside).append(made);
+    const FixedList<bool, 2> goesOn(true);
+    smoothPart(loop, maxEdge, maxTurn, nBeside, goesOn).append(made);
 
     return made;
 }
@@ -423,7 +440,8 @@ static DynamicList<vector2D> resampledBetween
 (
     const UList<vector2D>& points,
     const scalar maxEdge,
-    const scalar maxTurn
+    const scalar maxTurn,
+    const FixedList<bool, 2>& goesOn
 )
 {
     DynamicList<vector2D> made;
@@ -433,10 +451,13 @@ static DynamicList<vector2D> resampledBetween
         const bool isLast = i + 1 == points.size();
         if (isLast || isCorner(points[i - 1], points[i], points[i + 1]))
         {
+            FixedList<bool, 2> partGoesOn;
+            partGoesOn[0] = begin == 0 && goesOn[0];
+            partGoesOn[1] = isLast && goesOn[1];
             smoothPart
             (
                 SubList<vector2D>(points, i + 1 - begin, begin),
-                maxEdge, maxTurn, 0
+                maxEdge, maxTurn, 0, partGoesOn
             ).append(made);
             begin = i;
         }
@@ -485,7 +506,7 @@ planeCurve resampled
         points.append(vector2D(points[0]));
     }
 
-    result.points = resampledBetween(points, maxEdge, maxTurn);
+    result.points = resampledBetween(points, maxEdge, maxTurn, curve.goesOn);
     result.points.setSize(result.points.size() - curve.isClosed);
 
     return result;

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "planarWall.H"
+#include "curveEnds.H"
 #include "EdgeMap.H"
 
 namespace Foam
@@ -37,19 +38,23 @@ struct stripMaker
 
 wallSurface stripOn
 (
-    const UList<planeCurve>& curves,
+    List<planeCurve> curves,
     const planarControls& controls
 )
 {
     const labelPair in(controls.directions());
-    stripMaker maker;
-    for (const planeCurve& given : curves)
+    if (controls.maxEdge < GREAT)
     {
-        const planeCurve curve
-        (
-            controls.maxEdge < GREAT
-          ? resampled(given, controls.maxEdge, controls.maxTurn) : given
-        );
+        setCurveEnds(curves, controls);
+        for (planeCurve& curve : curves)
+        {
+            curve = resampled(curve, controls.maxEdge, controls.maxTurn);
+        }
+    }
+
+    stripMaker maker;
+    for (const planeCurve& curve : curves)
+    {
         const label first = maker.points.size();
         const label n = curve.points.size();
         for (const vector2D& x : curve.points)

@@ -5,6 +5,7 @@
 
 #include "surfaceFiles/surfaceFile.C"
 #include "surfaceFiles/curveFile.C"
+#include "surfaceFiles/curveEnds.C"
 #include "surfaceFiles/planarWall.C"
 #include "surfaceFiles/readWallSurface.C"
 

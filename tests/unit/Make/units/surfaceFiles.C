@@ -5,6 +5,7 @@
 
 #include "surfaceFiles/readWallSurfaceTest.C"
 #include "surfaceFiles/curveFileTest.C"
+#include "surfaceFiles/curveEndsTest.C"
 #include "surfaceFiles/mergeNearPointsTest.C"
 #include "surfaceFiles/severalFilesTest.C"
 #include "surfaceFiles/orientWallSurfaceTest.C"
