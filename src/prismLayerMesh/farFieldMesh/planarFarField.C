@@ -89,32 +89,31 @@ void orderSidesAsImages
     UList<prismSide>& second
 )
 {
-    const labelList from(endsOf(first));
-    const labelList to(endsOf(second));
-    const labelList places
-    (
-        imagesAmong
-        (
-            pointField(points, to), pointField(points, from), toSecond,
-            1e-9*boundBox(points, false).mag()
-        )
-    );
-    Map<label> images(2*from.size());
-    forAll(from, i)
+    const auto refuse = [](const point& at)
     {
-        images.insert(from[i], places[i] < 0 ? -1 : to[places[i]]);
-    }
-
-    const label lone = orderAsImages
+        FatalErrorInFunction
+            << "The face at " << at << " has no image on the second of two"
+            << " cyclic patches" << exit(FatalError);
+    };
+    label lone;
+    const Map<label> images
     (
-        first, second, [](const prismSide& side) { return side.along; }, images
+        imagesByLabel
+        (
+            endsOf(first), endsOf(second),
+            [&](const label p) { return points[p]; }, toSecond,
+            1e-9*boundBox(points, false).mag(), lone
+        )
     );
     if (lone >= 0)
     {
-        FatalErrorInFunction
-            << "The face at " << first[lone].along.centre(points)
-            << " has no image on the second of two cyclic patches"
-            << exit(FatalError);
+        refuse(points[lone]);
+    }
+    const auto edgeOf = [](const prismSide& side) { return side.along; };
+    lone = orderAsImages(first, second, edgeOf, images);
+    if (lone >= 0)
+    {
+        refuse(first[lone].along.centre(points));
     }
 }
 

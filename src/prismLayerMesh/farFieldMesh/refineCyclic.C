@@ -85,27 +85,24 @@ static labelList endsOf(const edgeList& edges)
 //- Joins the points of both outlines
 static void joinOutlines(const wallSurface& surface, patchPair& pair)
 {
-    const labelList first(endsOf(outlineOf(surface, pair.first)));
-    const labelList second(endsOf(outlineOf(surface, pair.second)));
-    const labelList places
+    label lone;
+    pair.images = imagesByLabel
     (
-        imagesAmong
-        (
-            pointField(surface.points, second),
-            pointField(surface.points, first), pair.sides.toSecond,
-            1e-9*boundBox(surface.points, false).mag()
-        )
+        endsOf(outlineOf(surface, pair.first)),
+        endsOf(outlineOf(surface, pair.second)),
+        [&](const label p) { return surface.points[p]; }, pair.sides.toSecond,
+        1e-9*boundBox(surface.points, false).mag(), lone
     );
-    forAll(first, i)
+    if (lone >= 0)
     {
-        if (places[i] < 0 || first.size() != second.size())
-        {
-            FatalErrorInFunction
-                << "The outlines of the cyclic patches " << pair.first
-                << " and " << pair.second << " are no images of each other at "
-                << surface.points[first[i]] << exit(FatalError);
-        }
-        pair.join(first[i], second[places[i]]);
+        FatalErrorInFunction
+            << "The outlines of the cyclic patches " << pair.first << " and "
+            << pair.second << " are no images of each other at "
+            << surface.points[lone] << exit(FatalError);
+    }
+    forAllConstIters(pair.images, iter)
+    {
+        pair.originals.insert(iter.val(), iter.key());
     }
 }
 

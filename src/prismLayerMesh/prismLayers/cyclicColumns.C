@@ -15,40 +15,25 @@ static const scalar imageRounding = 1e-12;
 
 Map<label> imagesOfColumns(const prismLayers& layers, const sidePair& pair)
 {
-    const labelList first(layers.border.pointsOn(pair.first));
-    const labelList second(layers.border.pointsOn(pair.second));
-    const label n = layers.nLayers;
-    const auto topsOf = [&](const labelUList& columns)
-    {
-        pointField tops(columns.size());
-        forAll(columns, i)
-        {
-            tops[i] = layers(columns[i], n);
-        }
-
-        return tops;
-    };
-    const labelList places
+    label lone;
+    Map<label> images
     (
-        imagesAmong
+        imagesByLabel
         (
-            topsOf(second), topsOf(first), pair.toSecond,
-            imageRounding*boundBox(layers.points, false).mag()
+            layers.border.pointsOn(pair.first),
+            layers.border.pointsOn(pair.second),
+            [&](const label c) { return layers(c, layers.nLayers); },
+            pair.toSecond, imageRounding*boundBox(layers.points, false).mag(),
+            lone
         )
     );
-
-    Map<label> images(2*first.size());
-    forAll(first, i)
+    if (lone >= 0)
     {
-        if (places[i] < 0 || first.size() != second.size())
-        {
-            FatalErrorInFunction
-                << "The column at " << layers(first[i], 0)
-                << " on the cyclic side patch "
-                << layers.border.sides[pair.first].name << " has no image on "
-                << layers.border.sides[pair.second].name << exit(FatalError);
-        }
-        images.insert(first[i], second[places[i]]);
+        FatalErrorInFunction
+            << "The column at " << layers(lone, 0)
+            << " on the cyclic side patch "
+            << layers.border.sides[pair.first].name << " has no image on "
+            << layers.border.sides[pair.second].name << exit(FatalError);
     }
 
     return images;

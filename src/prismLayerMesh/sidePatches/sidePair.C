@@ -76,6 +76,49 @@ labelList imagesAmong
 }
 
 
+Map<label> imagesByLabel
+(
+    const labelUList& labels,
+    const labelUList& others,
+    const std::function<point(label)>& pointOf,
+    const rigidMotion& motion,
+    const scalar tolerance,
+    label& lone
+)
+{
+    const auto pointsOf = [&](const labelUList& some)
+    {
+        pointField points(some.size());
+        forAll(some, i)
+        {
+            points[i] = pointOf(some[i]);
+        }
+
+        return points;
+    };
+    const labelList places
+    (
+        imagesAmong(pointsOf(others), pointsOf(labels), motion, tolerance)
+    );
+
+    lone = -1;
+    Map<label> images(2*labels.size());
+    forAll(labels, i)
+    {
+        if (places[i] >= 0)
+        {
+            images.insert(labels[i], others[places[i]]);
+        }
+        if (lone < 0 && (places[i] < 0 || labels.size() != others.size()))
+        {
+            lone = labels[i];
+        }
+    }
+
+    return images;
+}
+
+
 // * * * * * * * * * * * * * * * *  Side Pair  * * * * * * * * * * * * * * * //
 
 //- The one side of type cyclic with a name; -1 if there is none

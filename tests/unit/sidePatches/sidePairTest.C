@@ -88,6 +88,32 @@ TEST(sidePair, motionsAreComposedAndInverted)
 }
 
 
+TEST(sidePair, imagesAreFoundByLabel)
+{
+    const rigidMotion move(pairsOf(cyclicPlanes())[0].toSecond);
+    const pointField points({{1, 0, 0}, {0, 2, 0}, {1, 2, 0}, {0, 0, 0}});
+    const auto imagesOf = [&](const labelList& labels, label& lone)
+    {
+        return imagesByLabel
+        (
+            labels, labelList({0, 2}),
+            [&](const label p) { return points[p]; }, move, 1e-9, lone
+        );
+    };
+
+    label lone;
+    const Map<label> images(imagesOf({1, 3}, lone));
+    EXPECT_EQ(lone, -1);
+    EXPECT_EQ(images[1], 2);
+    EXPECT_EQ(images[3], 0);
+
+    EXPECT_EQ(imagesOf({3, 2}, lone).size(), 1);
+    EXPECT_EQ(lone, 2);
+    EXPECT_EQ(imagesOf({1}, lone).size(), 1);
+    EXPECT_EQ(lone, 1);
+}
+
+
 TEST(sidePair, errorsNameTheSides)
 {
     List<sidePatch> lone(cyclicPlanes());
