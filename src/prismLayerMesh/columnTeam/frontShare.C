@@ -212,6 +212,23 @@ static labelList ringsOf
 }
 
 
+labelList columnsInShare
+(
+    const layerFront& whole,
+    const labelUList& owners,
+    const label process
+)
+{
+    const labelList rings(ringsOf(whole, owners, process));
+
+    return subsetList
+    (
+        identity(rings.size()),
+        [&](const label c) { return rings[c] != notInShare; }
+    );
+}
+
+
 template<class Type>
 static List<Type> some(const UList<Type>& all, const labelUList& which)
 {

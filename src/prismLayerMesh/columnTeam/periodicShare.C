@@ -227,36 +227,60 @@ struct ownColumnFinder
 } // End anonymous namespace
 
 
-//- For each column of the whole front the own column
+//- For each of some columns of the whole front the own column; -1 if points
+//  have other columns than their images
 static labelList ownColumnsOf
 (
     const periodicWall& wall,
     const layerFront& whole,
-    const labelUList& columns,
-    labelList& unequal
+    const labelUList& columns
 )
 {
     const ownColumnFinder finder(wall, whole);
-    labelHashSet bases;
     labelList own(columns);
     forAll(columns, c)
     {
         const label p = whole.wallPoints[columns[c]];
-        if (wall.isBase(p))
+        if (!wall.isBase(p))
         {
-            continue;
+            const labelList onBase(finder.ownColumns(p));
+            own[c] = onBase.size()
+              ? onBase[finder.columnsOn(p).find(columns[c])] : -1;
         }
-        const labelList onBase(finder.ownColumns(p));
-        if (onBase.empty())
-        {
-            bases.insert(wall.bases[p]);
-            continue;
-        }
-        own[c] = onBase[finder.columnsOn(p).find(columns[c])];
     }
-    unequal = bases.sortedToc();
 
     return own;
+}
+
+
+//- The only process owns the points of the given wall
+static labelList ownersOf(const periodicWall& wall)
+{
+    labelList owners(wall.surface.points.size(), 1);
+    SubList<label>(owners, wall.nPoints) = 0;
+
+    return owners;
+}
+
+
+labelList pointsWithOtherColumns
+(
+    const periodicWall& wall,
+    const layerFront& whole
+)
+{
+    const labelList columns(columnsInShare(whole, ownersOf(wall), 0));
+    const labelList own(ownColumnsOf(wall, whole, columns));
+    labelHashSet bases;
+    forAll(columns, c)
+    {
+        if (own[c] < 0)
+        {
+            bases.insert(wall.bases[whole.wallPoints[columns[c]]]);
+        }
+    }
+
+    return bases.sortedToc();
 }
 
 
@@ -317,29 +341,22 @@ frontShare makePeriodicShare
 (
     const wallSurface& given,
     const periodicWall& wall,
-    const layerFront& whole,
-    labelList& unequal
+    const layerFront& whole
 )
 {
     // Two rings around all points of the given wall
-    labelList owners(wall.surface.points.size(), 1);
-    SubList<label>(owners, wall.nPoints) = 0;
     frontShare share
     (
         makeFrontShare
         (
-            whole, whole.addressing, whole.visibility, owners, 2, 0
+            whole, whole.addressing, whole.visibility, ownersOf(wall), 2, 0
         )
     );
     share.owners = pointOwners();
 
     // The only process gives its own columns to their images
     const labelList& columns = share.columns.whole;
-    share.ownColumns = ownColumnsOf(wall, whole, columns, unequal);
-    if (unequal.size())
-    {
-        return share;
-    }
+    share.ownColumns = ownColumnsOf(wall, whole, columns);
     share.motions = wall.motions;
     share.motionOfColumn = UIndirectList<label>
     (

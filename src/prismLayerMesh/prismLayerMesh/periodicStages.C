@@ -7,7 +7,6 @@
 #include "layerStages.H"
 #include "periodicShare.H"
 #include "planarColumns.H"
-#include "wallPointsError.H"
 
 namespace Foam
 {
@@ -41,30 +40,6 @@ static layerColumns columnsOfShare
     }
 
     return columns;
-}
-
-
-//- Errors: wallPointsError with the points that have other columns than their
-//  images
-static frontShare shareOf
-(
-    const wallSurface& given,
-    const periodicWall& images,
-    const layerFront& whole
-)
-{
-    labelList unequal;
-    frontShare share(makePeriodicShare(given, images, whole, unequal));
-    if (unequal.size())
-    {
-        throw wallPointsError
-        (
-            given, unequal,
-            "have other columns than their images beyond a cyclic side patch"
-        );
-    }
-
-    return share;
 }
 
 
@@ -190,7 +165,10 @@ void makePeriodicLayers
     prismLayerMesh& mesh
 )
 {
-    const frontShare share(shareOf(given, images, mesh.share.front));
+    const frontShare share
+    (
+        makePeriodicShare(given, images, mesh.share.front)
+    );
     const layerFront& front = share.front;
     const labelList points
     (

@@ -45,29 +45,28 @@ struct pipeline
     }
 
 
-    //- Whether all points have the columns of their images
-    bool hasEqualColumns(const layerFront& whole) const
-    {
-        labelList unequal;
-        makePeriodicShare(given, *images, whole, unequal);
-
-        return unequal.empty();
-    }
-
-
-    //- Constrains columns to cyclic sides. Refuses points without a direction
+    //- Constrains columns to cyclic sides. Refuses points without a direction,
+    //  and points that have other columns than their images
     void constrain(layerFront& whole) const
     {
-        const labelList blind(constrainToCyclicSides(given, *images, whole));
-        if (blind.size())
+        const auto refuse = [&](const labelList& points, const char* why)
         {
-            throw wallPointsError
-            (
-                given, blind,
-                "have no direction in the plane of their cyclic side patch"
-                " from which all their faces are visible"
-            );
-        }
+            if (points.size())
+            {
+                throw wallPointsError(given, points, why);
+            }
+        };
+        refuse
+        (
+            constrainToCyclicSides(given, *images, whole),
+            "have no direction in the plane of their cyclic side patch from"
+            " which all their faces are visible"
+        );
+        refuse
+        (
+            pointsWithOtherColumns(*images, whole),
+            "have other columns than their images beyond a cyclic side patch"
+        );
     }
 
 
@@ -75,7 +74,11 @@ struct pipeline
     plannedColumns plan(const scalar angle, prismLayerMesh& mesh) const
     {
         shareOfWall start(makeShareAt(angle));
-        if (images && angle > 0 && !hasEqualColumns(start.share.front))
+        if
+        (
+            images && angle > 0
+         && pointsWithOtherColumns(*images, start.share.front).size()
+        )
         {
             start = makeShareAt(0);
         }
