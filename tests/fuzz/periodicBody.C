@@ -107,7 +107,10 @@ Foam::wallSurface Foam::randomSurfaces::periodicBody
     }
     controls.surface.fluidOutside = true;
     controls.surface.repair.repair = surfaceRepairControls::method::stitch;
-    far.type = chance(random, 0.8) ? farFieldType::tet : farFieldType::none;
+    const scalar which = random.sample01<scalar>();
+    far.type =
+        which < 0.2 ? farFieldType::none
+      : which < 0.6 ? farFieldType::tet : farFieldType::hexCore;
     far.growthRate = random.position<scalar>(1.1, 1.5);
     far.maxCellSize = logUniform(random, 0.1, 1);
     far.boundary.type = farBoundaryType::box;
