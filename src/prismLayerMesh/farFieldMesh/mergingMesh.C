@@ -206,17 +206,25 @@ label mergingMesh::partOf(label c) const
 }
 
 
+//- Rounding of the centre of a polyhedron, over its largest coordinate: another
+//  order of the faces gives another centre
+static constexpr scalar centreRounding = 100*SMALL;
+
+
 bool mergingMesh::isStar(const label c) const
 {
-    for (const label f : cells_[c].faces)
-    {
-        if (!isBehind(cells_[c].centre, f, faces_[f].owner == c))
-        {
-            return false;
-        }
-    }
+    const point& centre = cells_[c].centre;
+    const scalar rounding = centreRounding*cmptMax(cmptMag(centre));
 
-    return true;
+    return allOf(cells_[c].faces, [&](const label f)
+    {
+        const faceGeometry& g = faces_[f].geometry;
+        const bool isOwner = faces_[f].owner == c;
+        const scalar pyramid3 = (isOwner ? 1 : -1)*g.pyramid3(centre);
+
+        return pyramid3 > rounding*mag(g.area)
+            && isBehind(centre, f, isOwner);
+    });
 }
 
 
