@@ -47,6 +47,42 @@ void hexOctree::divide(const label i)
 }
 
 
+labelVector hexOctree::opposite
+(
+    labelVector at,
+    const label level,
+    const direction d
+) const
+{
+    const label last = (nRoots_[d] << level) - 1;
+    if (isPeriodic_[d] && (at[d] == 0 || at[d] == last))
+    {
+        at[d] = last - at[d];
+    }
+
+    return at;
+}
+
+
+void hexOctree::makePeriodic(const label first, List<parts>& wanted) const
+{
+    for (direction d = 0; d < 3; ++d)
+    {
+        forAll(wanted, i)
+        {
+            const node& n = nodes_[first + i];
+            const label j = find(opposite(n.at, n.level, d), n.level) - first;
+            if (wanted[i] != wanted[j])
+            {
+                const bool isEight =
+                    wanted[i] == parts::eight || wanted[j] == parts::eight;
+                wanted[i] = wanted[j] = isEight ? parts::eight : parts::none;
+            }
+        }
+    }
+}
+
+
 void hexOctree::divideAll(const division& parts, const label maxNodes)
 {
     for (label first = 0; complete && first < nodes_.size();)
@@ -58,6 +94,10 @@ void hexOctree::divideAll(const division& parts, const label maxNodes)
         forAll(wanted, i)
         {
             wanted[i] = parts(boxOf(first + i), nodes_[first + i].mark);
+        }
+        if (isPeriodic_.found(true))
+        {
+            makePeriodic(first, wanted);
         }
 
         forAll(wanted, i)
@@ -82,6 +122,25 @@ void hexOctree::divideAll(const division& parts, const label maxNodes)
 }
 
 
+label hexOctree::divideTo
+(
+    const labelVector& at,
+    const label level,
+    List<DynamicList<label>>& divided
+)
+{
+    label n = find(at, level);
+    while (n >= 0 && isCell(n) && nodes_[n].level < level)
+    {
+        divided[nodes_[n].level].append(n);
+        divide(n);
+        n = child(nodes_[n], at, level);
+    }
+
+    return n;
+}
+
+
 void hexOctree::balance()
 {
     // Where a node has parts, all nodes around it are of its level at least
@@ -94,11 +153,12 @@ void hexOctree::balance()
         }
     }
 
-    for (label level = depth_; level > 0; --level)
+    for (label level = depth_; level >= 0; --level)
     {
-        for (const label i : divided[level])
+        // The list grows
+        for (label i = 0; i < divided[level].size(); ++i)
         {
-            const labelVector centre(nodes_[i].at);
+            const labelVector centre(nodes_[divided[level][i]].at);
 
             for (label k = 0; k < 27; ++k)
             {
@@ -106,13 +166,16 @@ void hexOctree::balance()
                 (
                     centre + labelVector(k % 3 - 1, k/3 % 3 - 1, k/9 - 1)
                 );
-                label n = find(at, level);
-
-                while (n >= 0 && isCell(n) && nodes_[n].level < level)
+                divideTo(at, level, divided);
+            }
+            for (direction d = 0; d < 3; ++d)
+            {
+                const labelVector at(opposite(centre, level, d));
+                const label n = divideTo(at, level, divided);
+                if (isCell(n))
                 {
-                    divided[nodes_[n].level].append(n);
+                    divided[level].append(n);
                     divide(n);
-                    n = child(nodes_[n], at, level);
                 }
             }
         }
@@ -127,11 +190,13 @@ hexOctree::hexOctree
     const boundBox& box,
     const labelVector& nRoots,
     const division& parts,
-    const label maxNodes
+    const label maxNodes,
+    const FixedList<bool, 3>& isPeriodic
 )
 :
     box_(box),
-    nRoots_(nRoots)
+    nRoots_(nRoots),
+    isPeriodic_(isPeriodic)
 {
     for (label i = 0; i < nRoots.x(); ++i)
     {

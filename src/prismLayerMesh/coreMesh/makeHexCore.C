@@ -291,7 +291,8 @@ polyMeshParts makeHexCore
     };
     const hexOctree tree
     (
-        box.box, rootsOf(box.box, size), partsOf, hexTuned.nodesPerCell*maxCells
+        box.box, rootsOf(box.box, size), partsOf,
+        hexTuned.nodesPerCell*maxCells, box.isPeriodic
     );
 
     if (!tree.complete)

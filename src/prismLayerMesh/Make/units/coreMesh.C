@@ -6,6 +6,7 @@
 #include "coreMesh/planeOutlines.C"
 #include "coreMesh/hexOctree.C"
 #include "coreMesh/makeHexCore.C"
+#include "coreMesh/periodicCore.C"
 #include "coreMesh/stayingCells.C"
 #include "coreMesh/cutCore.C"
 #include "coreMesh/partsOfMesh.C"

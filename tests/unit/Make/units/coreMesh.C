@@ -8,6 +8,7 @@
 #include "coreMesh/makeHexCoreTest.C"
 #include "coreMesh/planeOutlinesTest.C"
 #include "coreMesh/cutCoreTest.C"
+#include "coreMesh/periodicCoreTest.C"
 #include "coreMesh/stayingCellsTest.C"
 #include "coreMesh/partsOfMeshTest.C"
 
