@@ -23,6 +23,7 @@ struct coreCutter
     const coreObstacles& obstacles;
     const UList<sidePatch>& planes;
     const stayingCells& stays;
+    const UList<labelPair>& cyclicPatches;
 
     //- Triangles of the surface of the cut, on points of the core, and their
     //  patches
@@ -87,21 +88,70 @@ struct coreCutter
         }
     }
 
-    //- A face whose cell is gone
+    //- Adds the images of the last triangles, which are of a face
+    void addImages
+    (
+        const label first,
+        const label facei,
+        const label image,
+        const label patchi
+    )
+    {
+        const face& f = faceOf(facei);
+        const label end = triangles.size();
+        for (label i = first; i < end; ++i)
+        {
+            face triangle(triangles[i].reverseFace());
+            for (label& p : triangle)
+            {
+                p = faceOf(image)[(f.size() - f.find(p)) % f.size()];
+            }
+            triangles.append(triangle);
+            patchIDs.append(patchi);
+            faces.append(image);
+        }
+    }
+
+    //- A face whose cell is gone, and its image
     void addBoundary(const label facei, const label patchi)
     {
         const label plane = stays.planeOf(facei);
+        label other = -1;
+        for (const labelPair& pair : cyclicPatches)
+        {
+            other = pair.first() == patchi ? pair.second() : other;
+            if (plane < 0 && pair.second() == patchi)
+            {
+                return;
+            }
+        }
 
         if (plane < 0)
         {
             if (stays.inFluid(facei))
             {
+                const label first = triangles.size();
                 addPolygon(facei, true, patchi);
+                if (other >= 0)
+                {
+                    const labelList& starts = core.topology.patchStarts;
+                    const label image = facei - starts[patchi] + starts[other];
+                    addImages(first, facei, image, other);
+                }
             }
             return;
         }
 
         outlines.addGone(plane, faceOf(facei));
+    }
+
+    //- Whether a patch is one of a pair whose faces are images
+    bool isOfPair(const label patchi) const
+    {
+        return anyOf(cyclicPatches, [&](const labelPair& pair)
+        {
+            return pair.found(patchi);
+        });
     }
 
     void addPatches()
@@ -116,7 +166,7 @@ struct coreCutter
              || stays.wallPatches().found(core.patches.names[patchi]);
             const label start = t.patchStarts[patchi];
             const label end = isWall ? start : start + t.patchSizes[patchi];
-            if (!isWall && !stays.isPlain(patchi))
+            if (!isWall && !stays.isPlain(patchi) && !isOfPair(patchi))
             {
                 refuseCoupled(core, stays, obstacles, patchi);
             }
@@ -252,12 +302,13 @@ coreCut cutCore
     const polyMeshParts& core,
     const coreObstacles& obstacles,
     const scalar gap,
-    const UList<sidePatch>& planes
+    const UList<sidePatch>& planes,
+    const UList<labelPair>& cyclicPatches
 )
 {
-    const stayingCells stays(core, obstacles, gap, planes);
+    const stayingCells stays(core, obstacles, gap, planes, cyclicPatches);
 
-    return coreCutter{core, obstacles, planes, stays}.cut();
+    return coreCutter{core, obstacles, planes, stays, cyclicPatches}.cut();
 }
 
 

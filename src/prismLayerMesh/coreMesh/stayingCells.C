@@ -273,6 +273,28 @@ bool stayingCells::removeTouching(const label plane)
 }
 
 
+bool stayingCells::removeWithImages(const labelPair& cyclicPatches)
+{
+    const polyMeshTopology& t = core_.topology;
+    const label first = t.patchStarts[cyclicPatches.first()];
+    const label second = t.patchStarts[cyclicPatches.second()];
+    bool more = false;
+    for (label i = 0; i < t.patchSizes[cyclicPatches.first()]; ++i)
+    {
+        const label a = t.owner[first + i];
+        const label b = t.owner[second + i];
+        if ((*this)[a] != (*this)[b])
+        {
+            leave(a);
+            leave(b);
+            more = true;
+        }
+    }
+
+    return more;
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 stayingCells::stayingCells
@@ -280,7 +302,8 @@ stayingCells::stayingCells
     const polyMeshParts& core,
     const coreObstacles& obstacles,
     const scalar gap,
-    const UList<sidePatch>& planes
+    const UList<sidePatch>& planes,
+    const UList<labelPair>& cyclicPatches
 )
 :
     core_(core),
@@ -297,16 +320,21 @@ stayingCells::stayingCells
     removeAtLongEdges();
     removeOnWall();
     removeWide();
-    for (label plane = 0; plane < planes_.size();)
+    bool more = true;
+    while (more)
     {
-        if (removeTouching(plane))
+        more = false;
+        for (label plane = 0; plane < planes_.size(); ++plane)
+        {
+            more = removeTouching(plane) || more;
+        }
+        for (const labelPair& pair : cyclicPatches)
+        {
+            more = removeWithImages(pair) || more;
+        }
+        if (more)
         {
             removeWide();
-            plane = 0;
-        }
-        else
-        {
-            ++plane;
         }
     }
 }

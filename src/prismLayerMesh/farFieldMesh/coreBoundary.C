@@ -5,7 +5,9 @@
 
 #include "coreBoundary.H"
 #include "makeHexCore.H"
+#include "periodicCore.H"
 #include "ranges.H"
+#include "sidePair.H"
 #include "sidePatchRemainders.H"
 
 namespace Foam
@@ -53,6 +55,22 @@ static labelList planesOn(const UList<sidePatch>& sides)
 }
 
 
+//- Returns whether some sides are across each axis
+static FixedList<bool, 3> directionsAcross(const UList<sidePatch>& sides)
+{
+    FixedList<bool, 3> areAcross(false);
+    for (const sidePatch& side : sides)
+    {
+        for (direction d = 0; d < 3; ++d)
+        {
+            areAcross[d] = areAcross[d] || mag(side.normal[d]) > 0.5;
+        }
+    }
+
+    return areAcross;
+}
+
+
 //- Appends a patch if there is none of that name
 static void addPatch(const word& name, const word& type, meshPatches& patches)
 {
@@ -63,9 +81,9 @@ static void addPatch(const word& name, const word& type, meshPatches& patches)
 }
 
 
-//- Whether cells of a core can stay on all side patches: whether these are
-//  planes, and along the axes if the cells are hexahedra of an octree. On two
-//  cyclic sides such hexahedra differ.
+//- Whether cells of a core can stay on all sides: whether the side patches are
+//  planes. For the hexahedra of an octree they must be along the axes, and
+//  cyclic sides must be a translation apart.
 static bool staysOnSides
 (
     const prismLayers& layers,
@@ -73,14 +91,20 @@ static bool staysOnSides
     const bool isHexCore
 )
 {
-    const bool isCyclic = domain.boundary.cyclicSides.size();
+    const bool turns = anyOf
+    (
+        pairsOf(domain.boundary.cyclicSides),
+        [](const sidePair& pair) { return pair.toSecond.turns; }
+    );
 
-    return !isCyclic && allOf(layers.border.sides, [&](const sidePatch& side)
-    {
-        const bool alongAxis = cmptMax(cmptMag(side.normal)) > 1 - 1e-12;
+    return
+        !(isHexCore && turns)
+     && allOf(layers.border.sides, [&](const sidePatch& side)
+        {
+            const bool alongAxis = cmptMax(cmptMag(side.normal)) > 1 - 1e-12;
 
-        return !side.isPart() && (alongAxis || !isHexCore);
-    });
+            return !side.isPart() && (alongAxis || !isHexCore);
+        });
 }
 
 
@@ -127,6 +151,8 @@ static hexCoreBox makeHexCoreBox
     {
         return result;
     }
+
+    result.isPeriodic = directionsAcross(boundary.cyclicSides);
 
     // Patches of the far boundary with a side that is on no plane
     const labelList planeOn(planesOn(sides));
@@ -270,12 +296,20 @@ struct coreBoundaryMaker
         const wallSearch fluid(closed);
         const coreObstacles obstacles{surface, fluid};
         setCore(obstacles);
+        const List<labelPair> cyclic
+        (
+            cyclicPatchesOf(domain.boundary.cyclicSides, domain.core)
+        );
         addSidePatches();
-        cut = cutCore(domain.core, obstacles, controls.gap, sides);
+        cut = cutCore(domain.core, obstacles, controls.gap, sides, cyclic);
 
         tetBoundary result
         (
-            makePlaneBoundary(layers, cut, domain.core.patches, size)
+            makePlaneBoundary
+            (
+                layers, cut, domain.core.patches, domain.boundary.cyclicSides,
+                size
+            )
         );
         addCut(cut, domain.core.patches, result);
 
@@ -293,8 +327,9 @@ struct coreBoundaryMaker
                 << " type tet or hexCore" << exit(FatalError);
         }
 
+        const bool onBox = staysOnBox();
         tetBoundary result;
-        if (!staysOnBox())
+        if (!onBox)
         {
             result = makeTetBoundary(layers, domain.boundary, size);
         }
@@ -304,7 +339,12 @@ struct coreBoundaryMaker
         const wallSearch surface(both);
         const coreObstacles obstacles{surface, surface};
         setCore(obstacles);
-        cut = cutCore(domain.core, obstacles, controls.gap);
+        List<labelPair> cyclic;
+        if (onBox)
+        {
+            cyclic = cyclicPatchesOf(domain.boundary.cyclicSides, domain.core);
+        }
+        cut = cutCore(domain.core, obstacles, controls.gap, {}, cyclic);
         addCut(cut, domain.core.patches, result);
 
         return result;

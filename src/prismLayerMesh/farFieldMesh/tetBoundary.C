@@ -182,6 +182,7 @@ tetBoundary makePlaneBoundary
     const prismLayers& layers,
     const coreCut& cut,
     const meshPatches& patches,
+    const UList<sidePatch>& cyclicSides,
     const std::function<scalar(const point&)>& size
 )
 {
@@ -202,7 +203,7 @@ tetBoundary makePlaneBoundary
     (
         planes.points.begin(), planes.points.end(), nKept
     ) - planes.points.begin();
-    refineSurface(planes.surface, size, nullptr);
+    refineCyclic(planes.surface, cyclicSides, size, nullptr);
     result.surface.points = SubList<point>(remainders.surface.points, nKept);
     appendSurface
     (

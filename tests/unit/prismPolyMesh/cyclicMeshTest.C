@@ -6,6 +6,7 @@
 #include "cyclicPolyPatch.H"
 #include "memoryMesh.H"
 #include "openSurfaces.H"
+#include "ranges.H"
 #include "sidePair.H"
 #include "testFarField.H"
 #include "testStages.H"
@@ -109,6 +110,40 @@ TEST(cyclicMesh, facesOfPairsAreImagesAroundACore)
     ASSERT_EQ(far.cellZones.last().name, hexCoreName);
     EXPECT_GT(far.cellZones.last().cells.size(), 50);
     expectImages(mesh());
+}
+
+
+// Cells of the core at the sides make room for the layers
+TEST(cyclicMesh, facesOfPairsAreImagesWhereABodyIsNear)
+{
+    const wallSurface ball
+    (
+        translated(quadSphere(6, 0.3), vector(0.4, 0.5, 0.5))
+    );
+    const prismLayerMesh run(layeredMesh(ball, 3, 0.05));
+    farFieldControls controls;
+    controls.type = farFieldType::hexCore;
+    controls.maxCellSize = 0.1;
+    controls.boundary.type = farBoundaryType::box;
+    controls.boundary.box = boundBox(point::zero, point::uniform(1));
+    const List<sidePatch> planes(cyclicPlanes());
+    const char* sides[] = {"xMin", "xMax", "yMin", "yMax"};
+    forAll(planes, i)
+    {
+        farPatch patch;
+        patch.name = planes[i].name;
+        patch.type = planes[i].type;
+        patch.cyclic = planes[i].cyclic;
+        patch.sides = wordRes(1, wordRe(word(sides[i])));
+        controls.boundary.patches.append(patch);
+    }
+    const farFieldMesh far(farFieldOf(run, controls));
+    const memoryMesh mesh(run.made.layers, far);
+    const polyPatch& left = mesh().boundaryMesh()["left"];
+
+    expectImages(mesh());
+    EXPECT_TRUE(anyOf(left, [](const face& f) { return f.size() == 3; }));
+    EXPECT_TRUE(anyOf(left, [](const face& f) { return f.size() > 3; }));
 }
 
 
