@@ -130,12 +130,14 @@ farFieldDomain readFarField
     }
 
     domain.bounds = makeSizeBounds(controls, time);
+    const auto cyclic(cyclicSides(controls.boundary, wall.border.sides));
 
     if (controls.type == farFieldType::mesh)
     {
         log.begin("readMesh");
         domain.core = files.readCore(controls.region);
         log.end(name(domain.core.nCells) + " cells");
+        domain.boundary.cyclicSides = cyclic;
         return domain;
     }
 
@@ -145,9 +147,7 @@ farFieldDomain readFarField
         controls.boundary,
         [&](const fileName& file) { return files.surfaceFile(file); }
     );
-
-    domain.boundary.cyclicSides =
-        cyclicSides(controls.boundary, wall.border.sides);
+    domain.boundary.cyclicSides = cyclic;
 
     for (const word& patch : domain.boundary.surface.patchNames)
     {

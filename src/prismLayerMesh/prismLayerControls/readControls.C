@@ -369,27 +369,6 @@ static void refuseOtherTypes(const dictionary& dict, const farFieldType type)
 }
 
 
-//- Refuses cyclic planes beside an existing mesh
-static void refuseCyclic
-(
-    const dictionary& dict,
-    const farFieldControls& controls,
-    const wallSurfaceControls& surface
-)
-{
-    if
-    (
-        controls.type == farFieldType::mesh && anyCyclic(surface.sidePlanes)
-    )
-    {
-        entryError(dict, "type")
-            << "Beside planes of type cyclic the far field is of type tet or"
-            << " hexCore: the cells of a mesh that stay are not the same on"
-            << " both planes of a pair" << exit(FatalIOError);
-    }
-}
-
-
 farFieldControls readFarFieldControls
 (
     const dictionary& dict,
@@ -426,8 +405,6 @@ farFieldControls readFarFieldControls
     {
         controls.boundary = readBoundary(optionalDict(dict, "boundary"));
     }
-
-    refuseCyclic(dict, controls, surface);
 
     // An open wall inside of which the fluid is may have one
     const bool fluidOutside = surface.fluidOutside;

@@ -126,25 +126,6 @@ TEST(sidePlanes, cyclicOnesHaveAPartnerAndARotation)
 }
 
 
-TEST(sidePlanes, besideCyclicOnesThereIsNoExistingMesh)
-{
-    const auto errorOfType = [](const std::string& type)
-    {
-        return errorOf
-        (
-            "surface { file a.stl; sidePlanes {"
-            " a { point (0 0 0); normal (-1 0 0); type cyclic; partner b; }"
-            " b { point (1 0 0); normal (1 0 0); type cyclic; } } }"
-          + layers + "farField { type " + type + "; }"
-        );
-    };
-
-    EXPECT_EQ(errorOfType("tet"), "");
-    EXPECT_EQ(errorOfType("hexCore"), "");
-    expectWords(errorOfType("mesh"), {"type", "cyclic", "tet or hexCore"});
-}
-
-
 TEST(sidePlanes, emptyNeedsAMeshWithoutAFarField)
 {
     const std::string planes
