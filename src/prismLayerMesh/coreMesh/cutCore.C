@@ -126,23 +126,39 @@ struct coreCutter
             }
         }
 
-        if (plane < 0)
+        if (plane >= 0)
         {
-            if (stays.inFluid(facei))
-            {
-                const label first = triangles.size();
-                addPolygon(facei, true, patchi);
-                if (other >= 0)
-                {
-                    const labelList& starts = core.topology.patchStarts;
-                    const label image = facei - starts[patchi] + starts[other];
-                    addImages(first, facei, image, other);
-                }
-            }
-            return;
+            outlines.addGone(plane, faceOf(facei));
         }
+        else if (other >= 0)
+        {
+            addBoundaryOfPair(facei, labelPair(patchi, other));
+        }
+        else if (stays.inFluid(facei))
+        {
+            addPolygon(facei, true, patchi);
+        }
+    }
 
-        outlines.addGone(plane, faceOf(facei));
+    //- A face on the first of two cyclic patches, and its image; the cells of
+    //  both are gone
+    void addBoundaryOfPair(const label facei, const labelPair& patches)
+    {
+        const labelList& starts = core.topology.patchStarts;
+        const label image =
+            facei - starts[patches.first()] + starts[patches.second()];
+        const bool isIn = stays.inFluid(facei);
+        if (isIn != stays.inFluid(image))
+        {
+            refuseCoupled(core, stays, obstacles, patches.first());
+            refuseCoupled(core, stays, obstacles, patches.second());
+        }
+        if (isIn)
+        {
+            const label first = triangles.size();
+            addPolygon(facei, true, patches.first());
+            addImages(first, facei, image, patches.second());
+        }
     }
 
     //- Whether a patch is one of a pair whose faces are images

@@ -5,7 +5,9 @@
 
 #include "periodicCore.H"
 #include "boundBox.H"
+#include "ranges.H"
 #include "sidePair.H"
+#include "stayingCells.H"
 
 namespace Foam
 {
@@ -142,6 +144,63 @@ List<labelPair> cyclicPatchesOf
             cyclicSides[pair.second].name
         };
         all.append(both.checkAndMove());
+    }
+
+    return List<labelPair>(std::move(all));
+}
+
+
+//- Whether the faces of two patches have equal numbers of points
+static bool haveEqualFaces(const polyMeshTopology& t, const labelPair& patches)
+{
+    const label first = t.patchStarts[patches.first()];
+    const label second = t.patchStarts[patches.second()];
+    const label n = t.patchSizes[patches.first()];
+
+    return
+        t.patchSizes[patches.second()] == n
+     && allOf(identity(n), [&](const label i)
+        {
+            return t.faces[first + i].size() == t.faces[second + i].size();
+        });
+}
+
+
+List<labelPair> cyclicPatchesBeside
+(
+    const UList<sidePatch>& planes,
+    const polyMeshParts& core
+)
+{
+    const corePlanes inPlanes(core, planes);
+    const auto isBeside = [&](const label patchi)
+    {
+        const polyMeshTopology& t = core.topology;
+
+        return allOf
+        (
+            identity(t.patchSizes[patchi], t.patchStarts[patchi]),
+            [&](const label facei) { return inPlanes.planeOf(facei) < 0; }
+        );
+    };
+    const wordList types(core.patches.types());
+    DynamicList<labelPair> all;
+    forAll(types, patchi)
+    {
+        const label other = types[patchi] != "cyclic" ? -1
+          : core.patches.names.find
+            (
+                core.patches.entries[patchi].get<word>("neighbourPatch")
+            );
+        const labelPair pair(patchi, other);
+        if
+        (
+            other > patchi && haveEqualFaces(core.topology, pair)
+         && isBeside(patchi) && isBeside(other)
+        )
+        {
+            all.append(pair);
+        }
     }
 
     return List<labelPair>(std::move(all));

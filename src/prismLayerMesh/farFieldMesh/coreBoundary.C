@@ -276,6 +276,22 @@ struct coreBoundaryMaker
         return makeFarBoundary(boxControls, nullptr);
     }
 
+    //- The pairs of patches of the core. A mesh may have pairs on which no
+    //  layers end.
+    List<labelPair> cyclicPatches()
+    {
+        List<labelPair> pairs
+        (
+            cyclicPatchesOf(domain.boundary.cyclicSides, domain.core)
+        );
+        if (!isHexCore())
+        {
+            pairs.append(cyclicPatchesBeside(sides, domain.core));
+        }
+
+        return pairs;
+    }
+
     tetBoundary makeOnPlanes()
     {
         // Closed by coarse triangles of planes and box
@@ -296,10 +312,7 @@ struct coreBoundaryMaker
         const wallSearch fluid(closed);
         const coreObstacles obstacles{surface, fluid};
         setCore(obstacles);
-        const List<labelPair> cyclic
-        (
-            cyclicPatchesOf(domain.boundary.cyclicSides, domain.core)
-        );
+        const List<labelPair> cyclic(cyclicPatches());
         addSidePatches();
         cut = cutCore(domain.core, obstacles, controls.gap, sides, cyclic);
 
@@ -340,9 +353,9 @@ struct coreBoundaryMaker
         const coreObstacles obstacles{surface, surface};
         setCore(obstacles);
         List<labelPair> cyclic;
-        if (onBox)
+        if (onBox || !isHexCore())
         {
-            cyclic = cyclicPatchesOf(domain.boundary.cyclicSides, domain.core);
+            cyclic = cyclicPatches();
         }
         cut = cutCore(domain.core, obstacles, controls.gap, {}, cyclic);
         addCut(cut, domain.core.patches, result);

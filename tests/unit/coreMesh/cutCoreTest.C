@@ -217,14 +217,18 @@ TEST(cutCore, oneOfTwoCoupledPatchesIsNotLeftAlone)
         )
     );
 
-    expectWords
-    (
-        thrownMessage<error>
+    const auto errorOf = [&](const List<labelPair>& pairs)
+    {
+        return thrownMessage<error>
         (
-            [&]() { cutCore(core, coreObstacles{search, search}, 0.1); }
-        ),
-        {"the patch low", "of type cyclic"}
-    );
+            [&]()
+            {
+                cutCore(core, coreObstacles{search, search}, 0.1, {}, pairs);
+            }
+        );
+    };
+    expectWords(errorOf({}), {"the patch low", "of type cyclic"});
+    expectWords(errorOf({{0, 1}}), {"the patch high", "of type cyclic"});
 }
 
 

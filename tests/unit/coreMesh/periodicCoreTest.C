@@ -101,6 +101,22 @@ TEST(periodicCore, pointsMoveOntoImagesIfTheyAreNear)
 }
 
 
+TEST(periodicCore, patchesThatNameEachOtherAreAPair)
+{
+    polyMeshParts core(smallNearLeft(true));
+    core.patches.entries[0].set("neighbourPatch", word("right"));
+    core.patches.entries[1].set("neighbourPatch", word("left"));
+    core.patches.entries[2].set("type", word("patch"));
+    core.patches.entries[3].set("type", word("patch"));
+
+    EXPECT_EQ(cyclicPatchesBeside({}, core), List<labelPair>({{0, 1}}));
+    EXPECT_TRUE
+    (
+        cyclicPatchesBeside(testSurfaces::cyclicPlanes(), core).empty()
+    );
+}
+
+
 TEST(periodicCore, patchesMustBeCyclic)
 {
     polyMeshParts core(smallNearLeft(true));
