@@ -6,6 +6,7 @@
 #include "fuzzFarField.H"
 #include "planeDomain.H"
 #include "boxSides.H"
+#include "makeHexCore.H"
 #include "randomSurface.H"
 
 using Foam::randomSurfaces::chance;
@@ -57,6 +58,10 @@ class farFieldMaker
     void setSphere();
 
     void setMesh();
+
+    //- A mesh of equal hexahedra in the box of the controls, with its patches.
+    //  There is no far boundary any more.
+    void setEqualHexahedra();
 
     //- Couples the sides xMin and xMax of some meshes
     void setCyclic();
@@ -353,6 +358,53 @@ void farFieldMaker::setCyclic()
 }
 
 
+void farFieldMaker::setEqualHexahedra()
+{
+    static const scalar most = 30;
+    farBoundaryControls& boundary = made_.controls.boundary;
+    hexCoreBox box;
+    box.box = boundary.box;
+    box.sidePatches = identity(6);
+    for (const sidePatch& side : sidesOf(boundary.box))
+    {
+        box.patches.append(side.name, "patch");
+    }
+    for (const farPatch& patch : boundary.patches)
+    {
+        const label i = box.patches.names.find(string(patch.sides[0]));
+        box.patches.entries[i].set("type", patch.type);
+        box.patches.names[i] = patch.name;
+    }
+
+    labelVector n;
+    for (direction d = 0; d < 3; ++d)
+    {
+        const scalar counts = box.box.span()[d]/made_.controls.maxCellSize;
+        n[d] = max(min(2*counts + 1, most), scalar(1));
+        for (const label side : {2*d, 2*d + 1})
+        {
+            box.patches.entries[side].set
+            (
+                "neighbourPatch", box.patches.names[side ^ 1]
+            );
+        }
+    }
+    const hexOctree tree
+    (
+        box.box, n,
+        [](const boundBox&, bool&) { return hexOctree::parts::none; }, 100000
+    );
+    made_.core = hexFaces(tree, box);
+    made_.core.topology.patchStarts.setSize(6);
+    made_.core.topology.patchSizes.setSize(6);
+    made_.core.cellZones.append
+    (
+        cellZoneParts("all", identity(made_.core.nCells))
+    );
+    boundary = farBoundaryControls();
+}
+
+
 fuzzFarField farFieldMaker::make()
 {
     made_.fluidInside = boundsFluid(wall_);
@@ -406,6 +458,10 @@ fuzzFarField farFieldMaker::make(const prismLayerControls& controls)
     made_.fluidInside = boundsFluid(wall_);
     addSides();
     addBoxSides();
+    if (made_.controls.type == farFieldType::mesh)
+    {
+        setEqualHexahedra();
+    }
 
     return made_;
 }

@@ -110,7 +110,8 @@ Foam::wallSurface Foam::randomSurfaces::periodicBody
     const scalar which = random.sample01<scalar>();
     far.type =
         which < 0.2 ? farFieldType::none
-      : which < 0.6 ? farFieldType::tet : farFieldType::hexCore;
+      : which < 0.4 ? farFieldType::tet
+      : which < 0.6 ? farFieldType::mesh : farFieldType::hexCore;
     far.growthRate = random.position<scalar>(1.1, 1.5);
     far.maxCellSize = logUniform(random, 0.1, 1);
     far.boundary.type = farBoundaryType::box;
