@@ -4,5 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "meshExport/innerPoint.C"
+#include "meshExport/cellDivision.C"
+#include "meshExport/elementMesh.C"
 
 // ************************************************************************* //

@@ -1,0 +1,226 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "elementMesh.H"
+#include "cellDivision.H"
+#include "polyMesh.H"
+#include "polyMeshParts.H"
+#include "processorPolyPatch.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Returns the cells of each zone, and at last the cells outside of all zones
+static List<cellZoneParts> cellsOfZones(const polyMesh& mesh)
+{
+    const cellZoneMesh& zones = mesh.cellZones();
+    List<cellZoneParts> parts(zones.size() + 1);
+    labelList zoneOf(mesh.nCells(), -1);
+
+    forAll(zones, zonei)
+    {
+        parts[zonei] = cellZoneParts(zones[zonei].name(), zones[zonei]);
+        for (const label celli : zones[zonei])
+        {
+            if (zoneOf[celli] >= 0)
+            {
+                FatalErrorInFunction
+                    << "Cell " << celli << " at " << mesh.cellCentres()[celli]
+                    << " is in the cellZones " << zones[zoneOf[celli]].name()
+                    << " and " << zones[zonei].name() << nl
+                    << "An element is in one zone only: remove one of the"
+                    << " zones" << exit(FatalError);
+            }
+            zoneOf[celli] = zonei;
+        }
+    }
+    parts.last() = cellZoneParts("cells", findIndices(zoneOf, -1));
+
+    return parts;
+}
+
+
+static void checkPatches(const polyMesh& mesh)
+{
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        if (isA<processorPolyPatch>(patch))
+        {
+            FatalErrorInFunction
+                << "The patch " << patch.name() << " is of type "
+                << patch.type() << ": reconstructParMesh makes one mesh of the"
+                << " pieces" << exit(FatalError);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * * //
+
+void elementList::append(const elementShape shape, const UList<label>& points)
+{
+    shapes_.append(shape);
+    starts_.append(points_.size());
+    points_.append(points);
+}
+
+
+void elementList::endGroup
+(
+    const word& name,
+    DynamicList<elementGroup>& groups
+) const
+{
+    const label start =
+        groups.empty() ? 0 : groups.last().start + groups.last().size;
+
+    if (size() > start)
+    {
+        groups.append({name, start, size() - start});
+    }
+}
+
+
+label elementMesh::count(const elementShape shape) const
+{
+    label n = 0;
+    for (label i = 0; i < cells.size(); ++i)
+    {
+        n += cells.shape(i) == shape;
+    }
+
+    return n;
+}
+
+
+scalar elementMesh::volume(const label i) const
+{
+    const face labels(cells.points(i));
+
+    if (labels.size() < 4 || dimension == 2)
+    {
+        return mag(labels.areaNormal(points));
+    }
+    scalar sum = 0;
+    for (const face& f : facesOf(cells.shape(i)))
+    {
+        const face g(renumber(labels, f));
+        sum += g.areaNormal(points)
+            & (average(pointField(points, g)) - points[labels[0]]);
+    }
+
+    return sum/3;
+}
+
+
+scalar elementMesh::volume(const elementGroup& zone) const
+{
+    scalar sum = 0;
+    for (label i = zone.start; i < zone.start + zone.size; ++i)
+    {
+        sum += volume(i);
+    }
+
+    return sum;
+}
+
+
+scalar elementMesh::area(const elementGroup& patch) const
+{
+    scalar sum = 0;
+    for (label i = patch.start; i < patch.start + patch.size; ++i)
+    {
+        const face f(faces.points(i));
+        sum += dimension == 2
+          ? mag(points[f[1]] - points[f[0]]) : mag(f.areaNormal(points));
+    }
+
+    return sum;
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+const elementFacts& factsOf(const elementShape shape)
+{
+    static const elementFacts facts[nElementShapes] =
+    {
+        {"line", 2, 3, 1},
+        {"triangle", 3, 5, 2},
+        {"quadrilateral", 4, 9, 3},
+        {"tetrahedron", 4, 10, 4},
+        {"pyramid", 5, 14, 7},
+        {"prism", 6, 13, 6},
+        {"hexahedron", 8, 12, 5}
+    };
+
+    return facts[int(shape)];
+}
+
+
+const std::vector<face>& facesOf(const elementShape shape)
+{
+    static const std::vector<face> faces[nElementShapes] =
+    {
+        {}, {}, {},
+        {face({0, 2, 1}), face({0, 1, 3}), face({1, 2, 3}), face({2, 0, 3})},
+        {
+            face({0, 3, 2, 1}), face({0, 1, 4}), face({1, 2, 4}),
+            face({2, 3, 4}), face({3, 0, 4})
+        },
+        {
+            face({0, 2, 1}), face({3, 4, 5}), face({0, 1, 4, 3}),
+            face({1, 2, 5, 4}), face({2, 0, 3, 5})
+        },
+        {
+            face({0, 3, 2, 1}), face({4, 5, 6, 7}), face({0, 1, 5, 4}),
+            face({1, 2, 6, 5}), face({2, 3, 7, 6}), face({3, 0, 4, 7})
+        }
+    };
+
+    return faces[int(shape)];
+}
+
+
+elementMesh elementsOf(const polyMesh& mesh)
+{
+    checkPatches(mesh);
+    const List<cellZoneParts> zones(cellsOfZones(mesh));
+    const polyhedralMesh given
+    (
+        mesh.points(), mesh.faces(), mesh.faceOwner(), mesh.faceNeighbour()
+    );
+    const cellDivision division(given);
+
+    elementMesh elements;
+    elements.points = mesh.points();
+    elements.points.append(division.apices());
+    elements.nDivided = division.apices().size();
+
+    for (const cellZoneParts& zone : zones)
+    {
+        for (const label celli : zone.cells)
+        {
+            division.appendCell(celli, mesh.nPoints(), elements.cells);
+        }
+        elements.cells.endGroup(zone.name, elements.zones);
+    }
+    for (const polyPatch& patch : mesh.boundaryMesh())
+    {
+        for (label i = 0; i < patch.size(); ++i)
+        {
+            division.appendFace(patch.start() + i, elements.faces);
+        }
+        elements.faces.endGroup(patch.name(), elements.patches);
+    }
+
+    return elements;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
