@@ -5,6 +5,7 @@
 
 #include "elementMesh.H"
 #include "cellDivision.H"
+#include "planeElements.H"
 #include "polyMesh.H"
 #include "polyMeshParts.H"
 #include "processorPolyPatch.H"
@@ -190,6 +191,11 @@ elementMesh elementsOf(const polyMesh& mesh)
 {
     checkPatches(mesh);
     const List<cellZoneParts> zones(cellsOfZones(mesh));
+
+    if (isPlane(mesh))
+    {
+        return planeElementsOf(mesh, zones);
+    }
     const polyhedralMesh given
     (
         mesh.points(), mesh.faces(), mesh.faceOwner(), mesh.faceNeighbour()

@@ -292,4 +292,43 @@ TEST(elementMesh, aCellIsInOneZone)
 }
 
 
+TEST(elementMesh, aMeshBetweenEmptyPatchesIsItsPlane)
+{
+    // Normal to each axis
+    const wordList along[3] =
+    {
+        {"patch", "patch", "patch", "empty", "patch", "empty"},
+        {"patch", "patch", "empty", "patch", "empty", "patch"},
+        {"empty", "empty", "patch", "patch", "patch", "patch"}
+    };
+    faceList faces(6);
+    std::copy(cubeFaces().begin(), cubeFaces().end(), faces.begin());
+    const pointField points(cmptMultiply(cubePoints(), vector(2, 3, 5)));
+    const scalar areas[3] = {15, 10, 6};
+
+    for (direction axis = 0; axis < 3; ++axis)
+    {
+        const elementMesh mesh
+        (
+            exported(oneCell(points, faces, along[axis]))
+        );
+        EXPECT_EQ(mesh.dimension, 2);
+        EXPECT_EQ(mesh.points.size(), 4);
+        ASSERT_EQ(mesh.cells.size(), 1);
+        EXPECT_EQ(mesh.cells.shape(0), elementShape::quadrilateral);
+        const face plane(mesh.cells.points(0));
+        EXPECT_NEAR(plane.areaNormal(mesh.points).z(), areas[axis], 1e-14);
+
+        ASSERT_EQ(mesh.patches.size(), 4);
+        scalar length = 0;
+        for (const elementGroup& patch : mesh.patches)
+        {
+            length += mesh.area(patch);
+        }
+        const vector sides(2, 3, 5);
+        EXPECT_NEAR(length, 2*(cmptSum(sides) - sides[axis]), 1e-14);
+    }
+}
+
+
 // ************************************************************************* //

@@ -5,6 +5,7 @@
 
 #include "meshExport/innerPoint.C"
 #include "meshExport/cellDivision.C"
+#include "meshExport/planeElements.C"
 #include "meshExport/elementMesh.C"
 
 // ************************************************************************* //
