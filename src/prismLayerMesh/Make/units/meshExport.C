@@ -7,5 +7,7 @@
 #include "meshExport/cellDivision.C"
 #include "meshExport/planeElements.C"
 #include "meshExport/elementMesh.C"
+#include "meshExport/writeElements.C"
+#include "meshExport/writeVtu.C"
 
 // ************************************************************************* //

@@ -5,5 +5,6 @@
 
 #include "meshExport/innerPointTest.C"
 #include "meshExport/elementMeshTest.C"
+#include "meshExport/writeElementsTest.C"
 
 // ************************************************************************* //
