@@ -46,6 +46,16 @@ TEST(pluginVersion, isThatOfTheCitation)
 }
 
 
+TEST(pluginVersion, isThatOfThePythonModule)
+{
+    EXPECT_EQ
+    (
+        after("version = ", "python/pyproject.toml"),
+        std::string("\"") + pluginVersion + '"'
+    );
+}
+
+
 TEST(pluginVersion, isPrintedIfItIsAskedFor)
 {
     const char* asked[] = {"harmonicPrismMesh", "-overwrite", "-version"};
