@@ -15,6 +15,10 @@ import numpy
 import vtk
 from vtk.util.numpy_support import vtk_to_numpy
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)),
+                                "..", "python"))
+from harmonicPrismMesh import read_dictionary
+
 # Edges of the wall that count, by the angle between the normals [deg]
 SHARP = 20
 
@@ -67,13 +71,6 @@ def edge_points(wall):
 def number(text, pattern, default="-"):
     found = re.search(pattern, text)
     return found.group(1) if found else default
-
-
-def entry(text, *keys):
-    """Value of a dictionary's entry, as text"""
-    for key in keys[:-1]:
-        text = text[re.search(r"\b%s\s*\{" % key, text).end():]
-    return number(text, r"\b%s\s+([^;]+);" % keys[-1])
 
 
 def short(text, digits=3):
@@ -143,8 +140,9 @@ def level_sets(root):
             wall = read_wall(case)
             concave, convex = edge_points(wall)
             first, last = wall["firstLevelSet"], wall["lastLevelSet"]
-            report = read(case + "/postProcessing/harmonicPrismMesh/levelSets")
-            critical = [entry(report, "extrema"), entry(report, "saddlePoints")]
+            counts = read_dictionary(
+                case + "/postProcessing/harmonicPrismMesh/levelSets")
+            critical = [str(counts[key]) for key in ("extrema", "saddlePoints")]
             uneven = [unevenness(first[points]) if points else None
                       for points in (concave, convex)]
             spreads = [value for points in (concave, convex) if points
@@ -176,25 +174,24 @@ def meshes(root, ending):
 
     for name, field, case in cases(root, ending):
         folder = case + "/postProcessing/harmonicPrismMesh/"
-        report = read(folder + "report")
+        report = read_dictionary(folder + "report")
         check = read(case + "/log.checkMesh")
         wall = read_wall(case)
         beside = beside_edges(wall, edge_points(wall)[0])
-        seconds = [float(s) for s in re.findall(r"seconds\s+([\d.e+-]+);",
-                                                report)]
-        everywhere = report[report.index("allPatches"):]
-        row((name, field, entry(report, "cells"),
-             entry(everywhere, "fullLayersAreaPercent"),
-             short(entry(everywhere, "firstHeightOverRequest", "p1")) + " to "
-             + short(entry(everywhere, "firstHeightOverRequest", "p99")),
+        seconds = [stage["seconds"] for stage in report["stages"].values()]
+        everywhere = report["allPatches"]
+        first = everywhere["firstHeightOverRequest"]
+        row((name, field, report["certificate"]["cells"],
+             everywhere["fullLayersAreaPercent"],
+             short(first["p1"]) + " to " + short(first["p99"]),
              spread(wall["firstHeightOverRequest"][beside]),
              spread(wall["thicknessOverRequest"][beside]),
-             short(entry(everywhere, "worstScaledJacobian"), 2),
-             short(entry(everywhere, "meanScaledJacobian")),
+             short(everywhere["worstScaledJacobian"], 2),
+             short(everywhere["meanScaledJacobian"]),
              short(number(check, r"non-orthogonality Max: ([\d.]+)")),
              short(number(check,
                           r"non-orthogonality Max: [\d.]+ average: ([\d.]+)")),
-             short(entry(everywhere, "growthOverRequest", "p99"), 4),
+             short(everywhere["growthOverRequest"]["p99"], 4),
              "%.1f" % sum(seconds)))
 
 
@@ -202,13 +199,11 @@ def stages(root, name):
     case = os.path.join(root, name, "anisotropic")
     if not os.path.exists(case):
         return
-    report = read(case + "/postProcessing/harmonicPrismMesh/report")
-    report = report[report.index("stages"):]
+    report = read_dictionary(case + "/postProcessing/harmonicPrismMesh/report")
     print("\n## Stages: %s, anisotropic\n" % name)
     header(("stage", "seconds", "peak MB"))
-    for stage in re.findall(r"(\w+)\s*\{\s*seconds\s+([\d.e+-]+);\s*"
-                            r"peakMemoryMB\s+([\d.e+-]+);", report):
-        row((stage[0], "%.2f" % float(stage[1]), "%.0f" % float(stage[2])))
+    for stage, cost in report["stages"].items():
+        row((stage, "%.2f" % cost["seconds"], "%.0f" % cost["peakMemoryMB"]))
 
 
 def local(root):
