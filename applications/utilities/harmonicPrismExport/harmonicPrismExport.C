@@ -164,25 +164,6 @@ static void write
 }
 
 
-//- Logs a group, and beside its size the same of the mesh, unless in a plane
-static void writeRow
-(
-    const word& name,
-    const label nElements,
-    const scalar ofElements,
-    const scalar ofMesh,
-    const elementMesh& elements
-)
-{
-    Info<< "    " << name.c_str() << ' ' << nElements << ' ' << ofElements;
-    if (elements.dimension == 3)
-    {
-        Info<< ' ' << ofMesh;
-    }
-    Info<< nl;
-}
-
-
 static void writeShapes(const elementMesh& elements, const label nCells)
 {
     Info<< nl << "Cells: " << nCells << ", divided " << elements.nDivided << nl
@@ -197,43 +178,48 @@ static void writeShapes(const elementMesh& elements, const label nCells)
 }
 
 
+//- Logs volumes, or areas in a plane; in three dimensions beside the volume of
+//  the mesh
 static void writeZones(const elementMesh& elements, const polyMesh& mesh)
 {
-    Info<< nl << "Zones: elements, "
-        << (elements.dimension == 3 ? "volume [m3], of the mesh" : "area [m2]")
-        << nl;
-    const scalarField& volumes = mesh.cellVolumes();
+    const bool solid = elements.dimension == 3;
     scalar all = 0;
-    scalar outside = sum(volumes);
 
-    // Cells outside of all zones are the last group
+    Info<< nl << "Zones: elements, " << (solid ? "volume [m3]" : "area [m2]")
+        << nl;
     for (const elementGroup& zone : elements.zones)
     {
-        const label i = mesh.cellZones().findZoneID(zone.name);
-        const scalar ofMesh = i < 0
-          ? outside : sum(scalarField(volumes, mesh.cellZones()[i]));
-        outside -= ofMesh;
-
         const scalar volume = elements.volume(zone);
         all += volume;
-        writeRow(zone.name, zone.size, volume, ofMesh, elements);
+        Info<< "    " << zone.name.c_str() << ' ' << zone.size << ' ' << volume
+            << nl;
     }
-    writeRow("all", elements.cells.size(), all, sum(volumes), elements);
+    Info<< "    all " << elements.cells.size() << ' ' << all;
+    if (solid)
+    {
+        Info<< ", of the mesh " << sum(mesh.cellVolumes());
+    }
+    Info<< nl;
 }
 
 
+//- Logs areas beside those of the mesh, or lengths in a plane
 static void writePatches(const elementMesh& elements, const polyMesh& mesh)
 {
-    Info<< nl << "Patches: elements, "
-        << (elements.dimension == 3 ? "area [m2], of the mesh" : "length [m]")
+    const bool solid = elements.dimension == 3;
+
+    Info<< nl << "Patches: elements, " << (solid ? "area [m2]" : "length [m]")
         << nl;
     for (const elementGroup& patch : elements.patches)
     {
-        writeRow
-        (
-            patch.name, patch.size, elements.area(patch),
-            sum(mag(mesh.boundaryMesh()[patch.name].faceAreas())), elements
-        );
+        Info<< "    " << patch.name.c_str() << ' ' << patch.size << ' '
+            << elements.area(patch);
+        if (solid)
+        {
+            const polyPatch& given = mesh.boundaryMesh()[patch.name];
+            Info<< ", of the mesh " << sum(mag(given.faceAreas()));
+        }
+        Info<< nl;
     }
     Info<< nl;
 }

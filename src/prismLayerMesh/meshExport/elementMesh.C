@@ -5,41 +5,53 @@
 
 #include "elementMesh.H"
 #include "cellDivision.H"
+#include "labelPair.H"
 #include "planeElements.H"
 #include "polyMesh.H"
 #include "polyMeshParts.H"
 #include "processorPolyPatch.H"
+
+#include <map>
 
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Returns the cells of each zone, and at last the cells outside of all zones
+//- Returns the cells that are in the same zones, and at last the cells that are
+//  in none
 static List<cellZoneParts> cellsOfZones(const polyMesh& mesh)
 {
     const cellZoneMesh& zones = mesh.cellZones();
-    List<cellZoneParts> parts(zones.size() + 1);
-    labelList zoneOf(mesh.nCells(), -1);
+    DynamicList<word> names;
+    names.append("cells");
+
+    // The group that a cell of some group joins by being in a zone, too
+    std::map<labelPair, label> joined;
+    labelList groupOf(mesh.nCells(), Zero);
 
     forAll(zones, zonei)
     {
-        parts[zonei] = cellZoneParts(zones[zonei].name(), zones[zonei]);
         for (const label celli : zones[zonei])
         {
-            if (zoneOf[celli] >= 0)
+            label& group = groupOf[celli];
+            const auto found =
+                joined.emplace(labelPair(group, zonei), names.size());
+            if (found.second)
             {
-                FatalErrorInFunction
-                    << "Cell " << celli << " at " << mesh.cellCentres()[celli]
-                    << " is in the cellZones " << zones[zoneOf[celli]].name()
-                    << " and " << zones[zonei].name() << nl
-                    << "An element is in one zone only: remove one of the"
-                    << " zones" << exit(FatalError);
+                const word before(group ? names[group] + '+' : word());
+                names.append(before + zones[zonei].name());
             }
-            zoneOf[celli] = zonei;
+            group = found.first->second;
         }
     }
-    parts.last() = cellZoneParts("cells", findIndices(zoneOf, -1));
+    const labelListList cells(invertOneToMany(names.size(), groupOf));
+    List<cellZoneParts> parts(names.size());
+    forAll(parts, i)
+    {
+        parts[i == 0 ? names.size() - 1 : i - 1] =
+            cellZoneParts(names[i], cells[i]);
+    }
 
     return parts;
 }

@@ -280,15 +280,18 @@ TEST(elementMesh, aCellWithoutACentreIsRefused)
 }
 
 
-TEST(elementMesh, aCellIsInOneZone)
+TEST(elementMesh, cellsOfTwoZonesAreAGroup)
 {
     faceList faces(6);
     std::copy(cubeFaces().begin(), cubeFaces().end(), faces.begin());
     polyMeshParts parts(oneCell(cubePoints(), faces));
     parts.cellZones.append(cellZoneParts("here", labelList(1, Zero)));
     parts.cellZones.append(cellZoneParts("there", labelList(1, Zero)));
+    const elementMesh mesh(exported(parts));
 
-    expectWords(refusal(parts), {"Cell 0", "here", "there"});
+    ASSERT_EQ(mesh.zones.size(), 1);
+    EXPECT_EQ(mesh.zones[0].name, "here+there");
+    EXPECT_EQ(mesh.zones[0].size, 1);
 }
 
 
