@@ -13,8 +13,6 @@
 #include "ranges.H"
 #include "tetMatcher.H"
 
-#include <array>
-#include <vector>
 
 namespace Foam
 {
@@ -78,47 +76,6 @@ public:
 } // End anonymous namespace
 
 
-typedef std::array<int, 4> cornerPoints;
-
-//- The tetrahedra at the corners of an element
-static const std::vector<cornerPoints>& cornersOf(const elementShape shape)
-{
-    static const std::vector<cornerPoints> corners[] =
-    {
-        {{0, 1, 2, 3}},
-        {{0, 1, 3, 4}, {1, 2, 0, 4}, {2, 3, 1, 4}, {3, 0, 2, 4}},
-        {
-            {0, 1, 2, 3}, {1, 2, 0, 4}, {2, 0, 1, 5},
-            {3, 5, 4, 0}, {4, 3, 5, 1}, {5, 4, 3, 2}
-        },
-        {
-            {0, 1, 3, 4}, {1, 2, 0, 5}, {2, 3, 1, 6}, {3, 0, 2, 7},
-            {4, 7, 5, 0}, {5, 4, 6, 1}, {6, 5, 7, 2}, {7, 6, 4, 3}
-        }
-    };
-
-    return corners[int(shape) - int(elementShape::tetrahedron)];
-}
-
-
-bool isPositive
-(
-    const elementShape shape,
-    const UList<label>& labels,
-    const pointField& points
-)
-{
-    return allOf(cornersOf(shape), [&](const cornerPoints& c)
-    {
-        return orientation
-        (
-            points[labels[c[0]]], points[labels[c[1]]],
-            points[labels[c[2]]], points[labels[c[3]]]
-        ) > 0;
-    });
-}
-
-
 //- Smallest distance of a point behind the planes of triangles over the mean of
 //  all these distances; negative if it is before a plane
 static scalar depth
@@ -167,17 +124,29 @@ void cellDivision::setWhole()
 }
 
 
-void cellDivision::divideFace(const label facei, const faceList& triangles)
+void cellDivision::divideFace
+(
+    const label facei,
+    const label celli,
+    faceList triangles
+)
 {
+    const label owner = mesh_.owner(facei);
+    for (face& f : triangles)
+    {
+        if (owner != celli)
+        {
+            f.flip();
+        }
+    }
     trianglesOf_.set(facei, triangles);
 
-    const label owner = mesh_.owner(facei);
-    for (const label celli : {owner, mesh_.across(facei, owner)})
+    for (const label beside : {owner, mesh_.across(facei, owner)})
     {
-        if (celli >= 0)
+        if (beside >= 0)
         {
-            wholeOf_[celli] = -1;
-            pending_.append(celli);
+            wholeOf_[beside] = -1;
+            pending_.append(beside);
         }
     }
 }
@@ -260,6 +229,158 @@ bool cellDivision::findApex(const label celli, point& apex) const
 }
 
 
+label cellDivision::prismTop
+(
+    const label facei,
+    const label celli,
+    Map<label>& above
+) const
+{
+    const face& lower = mesh_.faces()[facei];
+    const label top = mesh_.opposite(facei, celli);
+    if (top < 0 || mesh_.cellFaces(celli).size() != lower.size() + 2)
+    {
+        return -1;
+    }
+    const face& upper = mesh_.faces()[top];
+
+    for (const label sidei : mesh_.cellFaces(celli))
+    {
+        const face& side = mesh_.faces()[sidei];
+        if (sidei == facei || sidei == top)
+        {
+            continue;
+        }
+        if (side.size() != 4 || trianglesOf_.found(sidei))
+        {
+            return -1;
+        }
+        for (label k = 0; k < 4; ++k)
+        {
+            if (lower.found(side[k]) && upper.found(side.nextLabel(k)))
+            {
+                above.set(side[k], side.nextLabel(k));
+            }
+        }
+    }
+
+    return
+        upper.size() == lower.size() && above.size() == lower.size()
+      ? top : -1;
+}
+
+
+faceList cellDivision::raised
+(
+    const label facei,
+    const label celli,
+    const Map<label>& above
+) const
+{
+    faceList triangles(partsOf(facei, celli));
+    for (face& f : triangles)
+    {
+        f = face({above[f[0]], above[f[2]], above[f[1]]});
+    }
+
+    return triangles;
+}
+
+
+void cellDivision::dividePolygon(const label facei)
+{
+    DynamicList<label> faces;
+    faces.append(facei);
+    divideFace
+    (
+        facei,
+        mesh_.owner(facei),
+        splitPolygon(mesh_.points(), mesh_.faces()[facei])
+    );
+
+    while (faces.size())
+    {
+        const label lower = faces.remove();
+        const label owner = mesh_.owner(lower);
+        for (const label celli : {owner, mesh_.across(lower, owner)})
+        {
+            Map<label> above;
+            const label top = celli < 0 ? -1 : prismTop(lower, celli, above);
+            if (top >= 0 && !trianglesOf_.found(top))
+            {
+                divideFace(top, celli, raised(lower, celli, above));
+                faces.append(top);
+            }
+        }
+    }
+}
+
+
+bool cellDivision::isOnPolygon(const label celli) const
+{
+    return anyOf(mesh_.cellFaces(celli), [&](const label facei)
+    {
+        return mesh_.faces()[facei].size() > 4;
+    });
+}
+
+
+bool cellDivision::dividePrism(const label celli)
+{
+    for (const label facei : mesh_.cellFaces(celli))
+    {
+        Map<label> above;
+        const label top = trianglesOf_.found(facei)
+          ? prismTop(facei, celli, above) : -1;
+        if (top < 0)
+        {
+            continue;
+        }
+        const faceList upper(raised(facei, celli, above));
+        const faceList given(partsOf(top, celli));
+        labelListList prisms;
+        for (const face& f : partsOf(facei, celli))
+        {
+            prisms.append
+            (
+                labelList
+                ({
+                    f[0], f[2], f[1], above[f[0]], above[f[2]], above[f[1]]
+                })
+            );
+        }
+        const bool alike = given.size() == 1 || allOf(upper, [&](const face& f)
+        {
+            return anyOf(given, [&](const face& g)
+            {
+                return face::compare(f, g) != 0;
+            });
+        });
+        const bool positive = allOf(prisms, [&](const labelList& prism)
+        {
+            return isPositive(elementShape::prism, prism, mesh_.points());
+        });
+
+        if (alike && positive)
+        {
+            if (!trianglesOf_.found(top))
+            {
+                divideFace(top, celli, upper);
+            }
+            wholeOf_[celli] = whole_.size();
+            nPrismsOf_.set(celli, prisms.size());
+            for (const labelList& prism : prisms)
+            {
+                whole_.append(elementShape::prism, prism);
+            }
+            return true;
+        }
+    }
+
+    return false;
+}
+
+
 bool cellDivision::divideCell(const label celli)
 {
     point apex;
@@ -274,55 +395,93 @@ bool cellDivision::divideCell(const label celli)
 }
 
 
-bool cellDivision::divideQuads(const label celli)
+//- The two triangles of a quadrilateral on the diagonal from point k, 0 or 1
+static faceList trianglesOn(const label k, const face& f)
 {
-    DynamicList<label> quads;
-    List<faceList> triangles[2];
-    for (const label facei : mesh_.cellFaces(celli))
+    return faceList
+    ({
+        face({f[k], f[k + 1], f[k + 2]}), face({f[k], f[k + 2], f[(k + 3)%4]})
+    });
+}
+
+
+//- Number of the first digits of a way, to the base 3, that are not 2
+static label nDiagonals(label way, const label nDigits)
+{
+    label n = 0;
+    for (label i = 0; i < nDigits; ++i, way /= 3)
     {
-        const face& f = mesh_.faces()[facei];
-        if (f.size() == 4 && !trianglesOf_.found(facei))
-        {
-            const faceList better(splitPolygon(mesh_.points(), f));
-
-            // The other diagonal begins at point 0 or 1
-            const label k = better[0].found(f[0]) && better[1].found(f[0]);
-            quads.append(facei);
-            triangles[0].append(better);
-            triangles[1].append
-            (
-                faceList
-                ({
-                    face({f[k], f[k + 1], f[k + 2]}),
-                    face({f[k], f[k + 2], f[(k + 3)%4]})
-                })
-            );
-        }
+        n += way % 3 < 2;
     }
-    const label nWays = 1 << min(quads.size(), maxDivided);
 
-    for (label way = 0; way < nWays && apexOf_[celli] < 0; ++way)
-    {
-        forAll(quads, i)
-        {
-            const label diagonal = i < maxDivided ? (way >> i) & 1 : 0;
-            trianglesOf_.set(quads[i], triangles[diagonal][i]);
-        }
-        divideCell(celli);
-    }
-    const bool divided = apexOf_[celli] >= 0;
+    return n;
+}
 
+
+bool cellDivision::divideAlong
+(
+    const label celli,
+    const labelUList& quads,
+    label way
+)
+{
+    Map<faceList> chosen;
     for (const label facei : quads)
     {
-        const faceList chosen(trianglesOf_[facei]);
-        trianglesOf_.erase(facei);
-        if (divided && !isSeen(facei, celli, apices_.last()))
+        if (way % 3 < 2)
         {
-            divideFace(facei, chosen);
+            chosen.set(facei, trianglesOn(way % 3, mesh_.faces()[facei]));
+            trianglesOf_.set(facei, chosen[facei]);
+        }
+        way /= 3;
+    }
+    const bool divided = divideCell(celli);
+
+    for (const label facei : chosen.sortedToc())
+    {
+        trianglesOf_.erase(facei);
+        if (divided)
+        {
+            divideFace(facei, mesh_.owner(facei), chosen[facei]);
         }
     }
 
     return divided;
+}
+
+
+bool cellDivision::divideQuads(const label celli)
+{
+    DynamicList<label> quads;
+    label nWays = 1;
+    for (const label facei : mesh_.cellFaces(celli))
+    {
+        if
+        (
+            mesh_.faces()[facei].size() == 4 && !trianglesOf_.found(facei)
+         && quads.size() < maxDivided
+        )
+        {
+            quads.append(facei);
+            nWays *= 3;
+        }
+    }
+    for (label n = 1; n <= quads.size(); ++n)
+    {
+        for (label way = 0; way < nWays; ++way)
+        {
+            if
+            (
+                nDiagonals(way, quads.size()) == n
+             && divideAlong(celli, quads, way)
+            )
+            {
+                return true;
+            }
+        }
+    }
+
+    return false;
 }
 
 
@@ -348,10 +507,9 @@ cellDivision::cellDivision(const polyhedralMesh& mesh)
 
     forAll(mesh.faces(), facei)
     {
-        const face& f = mesh.faces()[facei];
-        if (f.size() > 4)
+        if (mesh.faces()[facei].size() > 4 && !trianglesOf_.found(facei))
         {
-            divideFace(facei, splitPolygon(mesh.points(), f));
+            dividePolygon(facei);
         }
     }
 
@@ -360,27 +518,43 @@ cellDivision::cellDivision(const polyhedralMesh& mesh)
     DynamicList<label> hard;
     while (pending_.size() || hard.size())
     {
-        if (pending_.size())
+        const bool easy = pending_.size();
+        const label celli = easy ? pending_.remove() : hard.remove();
+
+        if (wholeOf_[celli] >= 0 || apexOf_[celli] >= 0)
         {
-            const label celli = pending_.remove();
-            if (apexOf_[celli] < 0 && !divideCell(celli))
+            continue;
+        }
+        if (easy)
+        {
+            const bool divided =
+                (isOnPolygon(celli) && dividePrism(celli)) || divideCell(celli);
+            if (!divided)
             {
                 hard.append(celli);
             }
         }
-        else
+        else if (!dividePrism(celli) && !divideQuads(celli))
         {
-            const label celli = hard.remove();
-            if (apexOf_[celli] < 0 && !divideQuads(celli))
-            {
-                refuse(celli);
-            }
+            refuse(celli);
         }
     }
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+label cellDivision::nDivided() const
+{
+    label n = 0;
+    forAll(wholeOf_, celli)
+    {
+        n += wholeOf_[celli] < 0 || nPrismsOf_.found(celli);
+    }
+
+    return n;
+}
+
 
 void cellDivision::appendCell
 (
@@ -389,10 +563,13 @@ void cellDivision::appendCell
     elementList& cells
 ) const
 {
-    const label i = wholeOf_[celli];
-    if (i >= 0)
+    if (wholeOf_[celli] >= 0)
     {
-        cells.append(whole_.shape(i), whole_.points(i));
+        const label first = wholeOf_[celli];
+        for (label i = first; i < first + nPrismsOf_.lookup(celli, 1); ++i)
+        {
+            cells.append(whole_.shape(i), whole_.points(i));
+        }
         return;
     }
     const label apex = firstApex + apexOf_[celli];

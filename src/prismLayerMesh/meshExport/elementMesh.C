@@ -158,47 +158,6 @@ scalar elementMesh::area(const elementGroup& patch) const
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-const elementFacts& factsOf(const elementShape shape)
-{
-    static const elementFacts facts[nElementShapes] =
-    {
-        {"line", 2, 3, 1},
-        {"triangle", 3, 5, 2},
-        {"quadrilateral", 4, 9, 3},
-        {"tetrahedron", 4, 10, 4},
-        {"pyramid", 5, 14, 7},
-        {"prism", 6, 13, 6},
-        {"hexahedron", 8, 12, 5}
-    };
-
-    return facts[int(shape)];
-}
-
-
-const std::vector<face>& facesOf(const elementShape shape)
-{
-    static const std::vector<face> faces[nElementShapes] =
-    {
-        {}, {}, {},
-        {face({0, 2, 1}), face({0, 1, 3}), face({1, 2, 3}), face({2, 0, 3})},
-        {
-            face({0, 3, 2, 1}), face({0, 1, 4}), face({1, 2, 4}),
-            face({2, 3, 4}), face({3, 0, 4})
-        },
-        {
-            face({0, 2, 1}), face({3, 4, 5}), face({0, 1, 4, 3}),
-            face({1, 2, 5, 4}), face({2, 0, 3, 5})
-        },
-        {
-            face({0, 3, 2, 1}), face({4, 5, 6, 7}), face({0, 1, 5, 4}),
-            face({1, 2, 6, 5}), face({2, 3, 7, 6}), face({3, 0, 4, 7})
-        }
-    };
-
-    return faces[int(shape)];
-}
-
-
 elementMesh elementsOf(const polyMesh& mesh)
 {
     checkPatches(mesh);
@@ -217,7 +176,7 @@ elementMesh elementsOf(const polyMesh& mesh)
     elementMesh elements;
     elements.points = mesh.points();
     elements.points.append(division.apices());
-    elements.nDivided = division.apices().size();
+    elements.nDivided = division.nDivided();
 
     for (const cellZoneParts& zone : zones)
     {

@@ -7,6 +7,7 @@
 #include "cellDivision.H"
 #include "makeHexCore.H"
 #include "memoryMesh.H"
+#include "testLayers.H"
 #include "testSurfaces.H"
 #include "throwingErrors.H"
 #include "thrownMessage.H"
@@ -43,8 +44,9 @@ static polyMeshParts oneCell
 }
 
 
-//- A cell of height 1 on a polygon that is counter-clockwise in the plane z = 0
-static polyMeshParts prismOn(const List<point>& corners)
+//- A cell of height 1 on a polygon in the plane z = 0, counter-clockwise seen
+//  from above, with its last side cut into triangles on request
+static polyMeshParts prismOn(const List<point>& corners, const bool cut = false)
 {
     const pointField polygon(corners);
     const label n = polygon.size();
@@ -56,6 +58,11 @@ static polyMeshParts prismOn(const List<point>& corners)
     {
         faces[1][i] = i + n;
         faces.append(face({i, (i + 1)%n, (i + 1)%n + n, i + n}));
+    }
+    if (cut)
+    {
+        faces.last() = face({n - 1, 0, n});
+        faces.append(face({n - 1, n, 2*n - 1}));
     }
 
     return oneCell(points, faces);
@@ -253,7 +260,7 @@ TEST(elementMesh, theApexIsNotNearToAPlaneOfAFace)
             ({
                 point(0, 0, 0), point(2, 0, 0), point(2, 1, 0),
                 point(1.001, 1.001, 0), point(1, 2, 0), point(0, 2, 0)
-            })
+            }, true)
         )
     );
     expectConformal(mesh);
@@ -264,19 +271,43 @@ TEST(elementMesh, theApexIsNotNearToAPlaneOfAFace)
 }
 
 
+//- The letter U
+static const List<point> letterU
+({
+    point(0, 0, 0), point(3, 0, 0), point(3, 3, 0), point(2, 3, 0),
+    point(2, 1, 0), point(1, 1, 0), point(1, 3, 0), point(0, 3, 0)
+});
+
+
+TEST(elementMesh, aPrismOnAPolygonIsPrismsOnItsTriangles)
+{
+    const elementMesh mesh(exported(prismOn(letterU)));
+
+    EXPECT_EQ(mesh.nDivided, 1);
+    EXPECT_EQ(mesh.cells.size(), 6);
+    EXPECT_EQ(mesh.count(elementShape::prism), 6);
+    EXPECT_NEAR(totalVolume(mesh), 7, 1e-14);
+    expectConformal(mesh);
+}
+
+
+TEST(elementMesh, layersOnAPolygonArePrismsOnTheSameTriangles)
+{
+    const memoryMesh layers(testSurfaces::onePolygon(6, scalarList({0, 1, 3})));
+    const elementMesh mesh(elementsOf(layers()));
+
+    EXPECT_EQ(mesh.cells.size(), 8);
+    EXPECT_EQ(mesh.count(elementShape::prism), 8);
+    expectConformal(mesh);
+}
+
+
 TEST(elementMesh, aCellWithoutACentreIsRefused)
 {
-    // The letter U
-    const polyMeshParts parts
+    expectWords
     (
-        prismOn
-        ({
-            point(0, 0, 0), point(3, 0, 0), point(3, 3, 0), point(2, 3, 0),
-            point(2, 1, 0), point(1, 1, 0), point(1, 3, 0), point(0, 3, 0)
-        })
+        refusal(prismOn(letterU, true)), {"Cell 0 at (1.5 1.75 0.5)", "divided"}
     );
-
-    expectWords(refusal(parts), {"Cell 0 at (1.5 1.75 0.5)", "divided"});
 }
 
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "meshExport/innerPoint.C"
+#include "meshExport/elementShape.C"
 #include "meshExport/cellDivision.C"
 #include "meshExport/planeElements.C"
 #include "meshExport/elementMesh.C"
