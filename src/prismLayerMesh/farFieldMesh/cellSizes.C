@@ -80,6 +80,27 @@ void cellSizes::setSource
 }
 
 
+vector cellSizes::spanInBox(const point& centre, const scalar width) const
+{
+    const vector half(vector::uniform(0.5*width));
+
+    return min(centre + half, box_.max()) - max(centre - half, box_.min());
+}
+
+
+scalar cellSizes::nEqualIn
+(
+    const point& centre,
+    const scalar width,
+    const scalar size
+) const
+{
+    const vector span(spanInBox(centre, width)/size);
+
+    return cmptMin(span) < 0 ? 0 : cmptProduct(max(span, vector::one));
+}
+
+
 bool cellSizes::isDivided
 (
     const cube& c,
@@ -88,7 +109,8 @@ bool cellSizes::isDivided
     const scalar bound
 ) const
 {
-    return min(bound, at.least) - change(width) < c.bound
+    return cmptMin(spanInBox(at.centre, width)) >= 0
+     && min(bound, at.least) - change(width) < c.bound
      && width > farFieldTuned.maxWidth*sizeAt(c, at.centre);
 }
 
@@ -123,7 +145,7 @@ void cellSizes::divide
 {
     const bool divided = isDivided(c, at, width, bound);
     const label first = cubes_.size() + parts.size();
-    nEqual += divided ? 0 : pow3(width/sizeAt(c, at.centre));
+    nEqual += divided ? 0 : nEqualIn(at.centre, width, sizeAt(c, at.centre));
     complete_ = complete_ && first + nEqual <= maxCubes;
 
     if (complete_ && divided)
@@ -149,6 +171,7 @@ cellSizes::cellSizes
     points_(points),
     sizes_(sizes),
     slope_(ratio - 1),
+    box_(box),
     width_(farFieldTuned.cubeWidth*cmptMax(box.span())),
     cubes_(1, cube{-1, -1, GREAT})
 {
@@ -207,6 +230,11 @@ scalar cellSizes::cubesIn
     const std::function<bool(const point&)>& inside
 ) const
 {
+    if (cmptMin(spanInBox(centre, width)) < 0)
+    {
+        return 0;
+    }
+
     const cube& c = cubes_[cubei];
     const scalar inSizes = width/sizeAt(c, centre);
 
@@ -235,6 +263,7 @@ scalar cellSizes::cubesIn
 
 scalar cellSizes::operator()(const point& x) const
 {
+    const point nearest(max(box_.min(), min(box_.max(), x)));
     label cubei = 0;
     point centre(corner_ + point::uniform(0.5*width_));
     scalar width = width_;
@@ -242,8 +271,8 @@ scalar cellSizes::operator()(const point& x) const
     for (; cubes_[cubei].children >= 0; width /= 2)
     {
         const label octant =
-            (x.x() > centre.x()) | (x.y() > centre.y()) << 1
-          | (x.z() > centre.z()) << 2;
+            (nearest.x() > centre.x()) | (nearest.y() > centre.y()) << 1
+          | (nearest.z() > centre.z()) << 2;
 
         centre = partCentre(centre, width, octant);
         cubei = cubes_[cubei].children + octant;

@@ -86,13 +86,23 @@ cellSizes sizesFromLayers
 (
     const wallSurface& outer,
     const scalarField& sizes,
+    const sidePlane* plane,
     const farFieldDomain& domain,
     const farFieldControls& controls
 )
 {
-    boundBox box(outer.points, false);
-    box.add(domain.boundary.surface.points);
-    box.add(domain.core.points);
+    boundBox box(boundBox::invertedBox);
+    for
+    (
+        const pointField* points :
+        {&outer.points, &domain.boundary.surface.points, &domain.core.points}
+    )
+    {
+        for (const point& x : *points)
+        {
+            box.add(plane ? x - plane->distance(x)*plane->normal : x);
+        }
+    }
 
     return makeSizes(outer.points, sizes, box, controls, domain.bounds);
 }

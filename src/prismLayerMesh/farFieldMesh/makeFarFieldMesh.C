@@ -629,9 +629,12 @@ farFieldMesh makeFarFieldMesh
             outer, frontAddressing(layers), across, controls.growthRate
         )
     );
+    const sidePlane* plane =
+        across.empty() ? nullptr
+      : &layers.border.sides[emptySides(layers.border).first()];
     const cellSizes fromLayers
     (
-        sizesFromLayers(outer, layerSizes, domain, controls)
+        sizesFromLayers(outer, layerSizes, plane, domain, controls)
     );
 
     farFieldMesh made

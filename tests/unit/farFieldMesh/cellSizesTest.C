@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 using namespace Foam;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
@@ -129,6 +131,46 @@ TEST(cellSizes, areNotCompleteWithoutEnoughCubes)
     bounds.largest = 0.01;
     EXPECT_FALSE(twoPoints(bounds, 10000000).complete());
     EXPECT_TRUE(twoPoints(bounds, 100000000).complete());
+}
+
+
+TEST(cellSizes, aBoxWithoutThicknessNeedsSquares)
+{
+    // 4 x 2, with 80,000 squares, or 16,000,000 cubes if it had a thickness
+    const boundBox flat(point(-1, -1, 0), point(3, 1, 0));
+    const auto complete = [&](const sizeBounds& bounds, const label maxCubes)
+    {
+        return cellSizes
+        (
+            pointField(1, Zero), scalarField(1, 1), 1.2, flat, bounds, maxCubes
+        ).complete();
+    };
+
+    sizeBounds everywhere;
+    everywhere.largest = 0.01;
+    EXPECT_FALSE(complete(everywhere, 60000));
+    EXPECT_TRUE(complete(everywhere, 100000));
+
+    // Divided into cubes, on both sides of the plane
+    sizeBounds region;
+    region.atPoints = [](const pointField& x)
+    {
+        return scalarField(x.size(), 0.01);
+    };
+    EXPECT_TRUE(complete(region, 2000000));
+}
+
+
+TEST(cellSizes, beyondABoxAreThoseOfTheCubeAtItsSide)
+{
+    const boundBox flat(point(-1, -1, 0), point(3, 1, 0));
+    const cellSizes sizes
+    (
+        pointField(1, Zero), scalarField(1, 0.1), 1.2, flat, unbounded, 1000000
+    );
+
+    EXPECT_NEAR(sizes(point(1, 0.5, 0)), 0.1 + 0.2*std::sqrt(1.25), 1e-12);
+    EXPECT_NEAR(sizes(point(1, 0.5, 2)), 0.1 + 0.2*std::sqrt(5.25), 1e-12);
 }
 
 
