@@ -8,6 +8,7 @@
 #include "distributeFront.H"
 #include "levelSets.H"
 #include "makePrismLayers.H"
+#include "OStringStream.H"
 #include "planarColumns.H"
 #include "returnMemory.H"
 #include "sidePair.H"
@@ -312,6 +313,35 @@ madeLayers makeLayers
 }
 
 
+//- Refuses cells that a solver takes for flat: there is no room for more
+static void refuseFlatStacks
+(
+    const prismLayers& layers,
+    const layerCertificate& certificate,
+    const columnTeam& team
+)
+{
+    const labelList& flat = certificate.flatStacks;
+    const label nFlat = team.sum(flat.size());
+    if (nFlat)
+    {
+        string place;
+        if (flat.size())
+        {
+            OStringStream os;
+            const label c = layers.faces[flat[0]][0];
+            os  << ", at " << layers(c, 0);
+            place = os.str();
+        }
+        FatalErrorInFunction
+            << "Cells of the layers on " << nFlat << " faces are flat but for"
+            << " rounding" << place.c_str() << nl
+            << "Walls are too near to each other there: move them apart, or"
+            << " unite them" << exit(FatalError);
+    }
+}
+
+
 layerCertificate makeCertificate
 (
     const prismLayers& layers,
@@ -331,6 +361,7 @@ layerCertificate makeCertificate
         FatalErrorInFunction
             << "The layers could not be certified" << exit(FatalError);
     }
+    refuseFlatStacks(layers, certificate, team);
 
     return certificate;
 }

@@ -191,6 +191,44 @@ bool hasPositivePyramids(const prismLayers& layers, const label facei)
 }
 
 
+//- Largest magnitude of a coordinate of a stack
+static scalar largestCoordinate(const prismLayers& layers, const face& f)
+{
+    scalar largest = 0;
+    for (const label c : f)
+    {
+        for (const label i : {label(0), layers.nLayers})
+        {
+            largest = max(largest, cmptMax(cmptMag(layers(c, i))));
+        }
+    }
+
+    return largest;
+}
+
+
+bool isFlatStack(const prismLayers& layers, const label facei)
+{
+    const face& front = layers.faces[facei];
+    const scalar rounding = SMALL*largestCoordinate(layers, front);
+
+    return !visitCells
+    (
+        layers, front,
+        [&](label, const UList<faceGeometry>& faces)
+        {
+            scalar area = 0;
+            for (const faceGeometry& f : faces)
+            {
+                area += mag(f.area);
+            }
+
+            return cellGeometry(faces).volume3 > 3*rounding*area;
+        }
+    );
+}
+
+
 // * * * * * * * * * * * * *  Prism Intersections  * * * * * * * * * * * * * //
 
 // * * * * * * * * * * * * * * *  Outer Polygons  * * * * * * * * * * * * * * //
@@ -519,6 +557,7 @@ layerCertificate certify(const prismLayers& layers, const columnTeam& team)
 {
     const label nFaces = layers.faces.size();
     boolList outlying(nFaces, false);
+    boolList flat(nFaces, false);
     label nCounted = 0, nNotPositive = 0;
 
     layerCertificate certificate;
@@ -535,12 +574,14 @@ layerCertificate certify(const prismLayers& layers, const columnTeam& team)
         ++nCounted;
         nNotPositive += !isPositiveStack(layers, facei);
         outlying[facei] = !hasPositivePyramids(layers, facei);
+        flat[facei] = isFlatStack(layers, facei);
         certificate.worstJacobian[facei] = worstJacobian(layers, facei);
     }
 
     certificate.nCells = nCounted*layers.nLayers;
     certificate.nStacksNotPositive = nNotPositive;
     certificate.outlyingCentres = findIndices(outlying, true);
+    certificate.flatStacks = findIndices(flat, true);
     certificate.nOverlaps = findOverlaps
     (
         layers, team.withOwn(identity(nFaces), layers.faces),

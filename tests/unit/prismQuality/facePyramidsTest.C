@@ -142,4 +142,28 @@ TEST(facePyramids, noneInCellsWithoutVolume)
 }
 
 
+TEST(isFlatStack, layersOfTheHeightOfRoundingAreFlat)
+{
+    // Far from the origin coordinates are rounded to 1e-13
+    const wallSurface wall
+    (
+        testSurfaces::translated(testSurfaces::cube(2), vector(1000, 0, 0))
+    );
+    const auto nFlat = [&](const scalar height)
+    {
+        return certify
+        (
+            testSurfaces::straightLayers
+            (
+                wall, testSurfaces::geometricHeights(nLevels, height, 1)
+            )
+        ).flatStacks.size();
+    };
+
+    EXPECT_EQ(nFlat(0.01), 0);
+    EXPECT_EQ(nFlat(1e-9), 0);
+    EXPECT_EQ(nFlat(1e-13), wall.faces.size());
+}
+
+
 // ************************************************************************* //
