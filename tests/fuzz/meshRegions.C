@@ -246,6 +246,8 @@ static bool isRefusal(const Foam::error& e)
     return
         dynamic_cast<const wallPointsError*>(&e)
      || has("boundary cuts the layers")
+     || has("Walls are too near to each other there")
+     || has("all of its patches are to have no layers")
      || has("crosses another edge of its side")
      || has("More than two side patches meet");
 }

@@ -58,7 +58,8 @@ static boolList onBoundary
 }
 
 
-//- Refuses cells at points that were moved if they are not positive
+//- Refuses cells at moved points that are not positive, or flat but for
+//  rounding
 static void requirePositive
 (
     const spaceRegion& region,
@@ -78,7 +79,9 @@ static void requirePositive
         const bool isSnapped =
             verdict.shape == meshCellShape::hexahedron
          && judge.isPositivePolyhedron(celli);
-        if (!verdict.positive && !isSnapped)
+        const bool isFlat =
+            cells.volume(celli) <= cells.roundingVolume(celli);
+        if (isFlat || !(verdict.positive || isSnapped))
         {
             FatalErrorInFunction
                 << "The boundary of the region " << region.name
