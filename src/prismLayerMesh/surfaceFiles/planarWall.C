@@ -36,6 +36,20 @@ struct stripMaker
 };
 
 
+//- Whether one who looks against the normal sees the first axis to the right
+//  and the second one up. The face on an edge has its normal to the right then.
+static bool seesCoordinates(const planarControls& controls)
+{
+    const labelPair in(controls.directions());
+    vector first(Zero);
+    first[in.first()] = 1;
+    vector second(Zero);
+    second[in.second()] = 1;
+
+    return ((first ^ second) & controls.normal) > 0;
+}
+
+
 wallSurface stripOn
 (
     List<planeCurve> curves,
@@ -43,6 +57,7 @@ wallSurface stripOn
 )
 {
     const labelPair in(controls.directions());
+    const bool isSeen = seesCoordinates(controls);
     if (controls.maxEdge < GREAT)
     {
         setCurveEnds(curves, controls);
@@ -66,7 +81,8 @@ wallSurface stripOn
         }
         for (label i = 0; i < curve.nEdges(); ++i)
         {
-            maker.edges.append(edge(first + i, first + (i + 1) % n));
+            const edge along(first + i, first + (i + 1) % n);
+            maker.edges.append(isSeen ? along : along.reverseEdge());
             maker.patchIDs.append(0);
         }
     }
@@ -127,7 +143,8 @@ class sectionMaker
         }
         if (up >= 0 && down >= 0 && up != down)
         {
-            made.edges.append(edge(up, down));
+            // The strip's normal is that of the face
+            made.edges.append(edge(down, up));
             made.patchIDs.append(surface_.patchIDs[facei]);
         }
     }

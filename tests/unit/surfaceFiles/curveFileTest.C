@@ -193,6 +193,61 @@ TEST_F(curveFiles, aStripStandsBetweenItsPlanes)
 }
 
 
+TEST_F(curveFiles, aStripFacesTheRightOfItsCurve)
+{
+    // Down along the second coordinate: the first one falls to the right
+    planeCurve curve;
+    curve.points = {{0, 1}, {0, 0}};
+    curve.isClosed = false;
+    planarControls controls;
+    controls.thickness = 1;
+    for (direction d = 0; d < 3; ++d)
+    {
+        for (const scalar sign : {-1, 1})
+        {
+            controls.normal = Zero;
+            controls.normal[d] = sign;
+            const wallSurface strip
+            (
+                stripOn(List<planeCurve>(1, curve), controls)
+            );
+            vector right(Zero);
+            right[controls.directions().first()] = -1;
+            EXPECT_LT
+            (
+                mag(strip.faces[0].unitNormal(strip.points) - right), 1e-12
+            ) << sign << " along " << int(d);
+        }
+    }
+}
+
+
+TEST_F(curveFiles, aSectionFacesWhereItsSurfaceFaces)
+{
+    wallSurface wall;
+    wall.points = pointField
+    ({
+        point(0, 0, -1), point(1, 0, -1), point(1, 0, 1), point(0, 0, 1)
+    });
+    wall.faces = faceList(1, face({0, 1, 2, 3}));
+    wall.patchIDs = labelList(1, label(0));
+    wall.patchNames = wordList(1, word("wall"));
+    planarControls controls;
+    controls.thickness = 1;
+    for (const bool isFlipped : {false, true})
+    {
+        const wallSurface strip(stripOn(wall, controls));
+        EXPECT_GT
+        (
+            strip.faces[0].unitNormal(strip.points)
+          & wall.faces[0].unitNormal(wall.points),
+            1 - 1e-12
+        ) << isFlipped;
+        wall.faces[0].flip();
+    }
+}
+
+
 TEST_F(curveFiles, aSectionHasTheAreaOfItsPlane)
 {
     planarControls controls;
