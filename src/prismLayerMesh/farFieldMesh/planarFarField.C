@@ -118,6 +118,16 @@ void orderSidesAsImages
 }
 
 
+//- A prism is so if one part of the wall is not in the fluid of another one
+static void refusePrism(const char* how, const point& at)
+{
+    FatalErrorInFunction
+        << "A prism of the far field is " << how << ", at " << at << nl
+        << "Is this place in the fluid of all parts of the wall? To turn an"
+        << " open curve, reverse its points" << exit(FatalError);
+}
+
+
 class planarJoiner
 {
     const prismLayers& layers_;
@@ -217,9 +227,7 @@ class planarJoiner
                 ) <= 0
             )
             {
-                FatalErrorInFunction
-                    << "A prism of the far field is not positive, at "
-                    << f.centre(mesh_.points) << exit(FatalError);
+                refusePrism("not positive", f.centre(mesh_.points));
             }
         }
     }
@@ -306,9 +314,13 @@ class planarJoiner
             {
                 onPatches_[patches[e]].append(prismSide{c, e});
             }
-            else
+            else if (fronts.found(e))
             {
                 onLayers_.append(std::make_pair(fronts[e], prismSide{c, e}));
+            }
+            else
+            {
+                refusePrism("behind the layers", e.centre(mesh_.points));
             }
         });
         std::sort
