@@ -103,18 +103,11 @@ void closeRegion
     polyMeshParts& mesh
 )
 {
-    const pointField opened(mesh.points);
-    if (all.close(regioni, mesh.points) == 0)
+    const bitSet isMoved(all.close(regioni, mesh.points));
+    if (isMoved.any())
     {
-        return;
+        requirePositive(all.regions[regioni], mesh, isMoved);
     }
-
-    bitSet isMoved(mesh.points.size());
-    forAll(opened, p)
-    {
-        isMoved.set(p, mesh.points[p] != opened[p]);
-    }
-    requirePositive(all.regions[regioni], mesh, isMoved);
 }
 
 } // End namespace Foam

@@ -317,13 +317,10 @@ void spaceRegions::open
         (share*boundBox(surface.points, false).mag())
        *contactDirections(region, isContact, isSidePatch);
     region.surface.points += region.openings;
-    if (isContact.any())
-    {
-        refuseContact(region, isContact);
-    }
     const List<wallDefect> defects(findWallDefects(region.surface));
     if (defects.size())
     {
+        refuseContact(region, isContact);
         FatalErrorInFunction
             << "The boundary of the region " << region.name
             << " cannot be meshed" << nl << describe(defects).c_str()
@@ -332,7 +329,7 @@ void spaceRegions::open
 }
 
 
-label spaceRegions::close(const label regioni, pointField& points)
+bitSet spaceRegions::close(const label regioni, pointField& points)
 {
     spaceRegion& region = regions[regioni];
     equalPoints opened;
@@ -345,18 +342,18 @@ label spaceRegions::close(const label regioni, pointField& points)
         }
     }
 
-    label nMoved = 0;
-    for (point& x : points)
+    bitSet isMoved(points.size());
+    forAll(points, i)
     {
-        const label p = opened.find(x);
+        const label p = opened.find(points[i]);
         if (p >= 0)
         {
-            x = surface.points[p];
-            ++nMoved;
+            points[i] = surface.points[p];
+            isMoved.set(i);
         }
     }
 
-    return nMoved;
+    return isMoved;
 }
 
 } // End namespace Foam

@@ -360,7 +360,7 @@ TEST(spaceRegions, anOpenedSheetIsAnOrdinaryWallAndComesBack)
 
     pointField mesh(air.surface.points);
     mesh.append(point(0.5, 0.5, 0.5));
-    EXPECT_GT(all.close(0, mesh), 0);
+    EXPECT_GT(all.close(0, mesh).count(), 0u);
     EXPECT_EQ(pointField(mesh, identity(before.size())), before);
     EXPECT_EQ(air.surface.points, before);
     EXPECT_EQ(mesh.last(), point(0.5, 0.5, 0.5));
