@@ -105,8 +105,8 @@ static void checkFile(const argList& args, const fileName& file)
 }
 
 
-//- Warns of names that the configuration of SU2, which is a list of them with
-//  comments, cannot have
+//- Warns of names with characters that mean something else in the configuration
+//  of SU2
 static void warnOfMarkers(const elementMesh& mesh)
 {
     for (const elementGroup& patch : mesh.patches)
@@ -203,7 +203,7 @@ static void writeZones(const elementMesh& elements, const polyMesh& mesh)
 }
 
 
-//- Logs areas beside those of the mesh, or lengths in a plane
+//- Logs the areas of patches and the areas in the mesh; in a plane, lengths
 static void writePatches(const elementMesh& elements, const polyMesh& mesh)
 {
     const bool solid = elements.dimension == 3;

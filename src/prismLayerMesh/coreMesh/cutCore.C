@@ -88,7 +88,8 @@ struct coreCutter
         }
     }
 
-    //- Adds the images of the last triangles, which are of a face
+    //- Adds the images of the triangles from 'first' on. They are parts of a
+    //  face of the core.
     void addImages
     (
         const label first,
