@@ -5,6 +5,7 @@
 
 #include "farFieldMesh.H"
 #include "error.H"
+#include "surfaceMeasures.H"
 
 namespace Foam
 {
@@ -36,7 +37,7 @@ void requireVolumes(const farFieldMesh& far, const label nCells)
 {
     const polyMeshTopology& t = far.topology;
     scalarField volumes(far.nCells, 0), areas(far.nCells, 0);
-    scalarField largest(far.nCells, 0);
+    List<boundBox> boxes(far.nCells, boundBox(boundBox::invertedBox));
     labelList apex(far.nCells, -1);
     const auto add = [&](const label celli, const face& f, const scalar way)
     {
@@ -47,8 +48,7 @@ void requireVolumes(const farFieldMesh& far, const label nCells)
         areas[celli] += mag(area);
         for (const label p : f)
         {
-            const scalar most = cmptMax(cmptMag(far.points[p]));
-            largest[celli] = max(largest[celli], most);
+            boxes[celli].add(far.points[p]);
         }
     };
     forAll(t.faces, facei)
@@ -62,7 +62,7 @@ void requireVolumes(const farFieldMesh& far, const label nCells)
 
     for (label celli = 0; celli < nCells; ++celli)
     {
-        if (volumes[celli] <= SMALL*largest[celli]*areas[celli])
+        if (volumes[celli] <= roundingVolume(boxes[celli], areas[celli]))
         {
             FatalErrorInFunction
                 << "A cell of the far field at " << far.points[apex[celli]]

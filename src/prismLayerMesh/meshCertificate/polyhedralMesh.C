@@ -6,6 +6,7 @@
 #include "polyhedralMesh.H"
 #include "HashSet.H"
 #include "ranges.H"
+#include "surfaceMeasures.H"
 
 namespace Foam
 {
@@ -174,17 +175,17 @@ scalar polyhedralMesh::volume(const label celli) const
 scalar polyhedralMesh::roundingVolume(const label celli) const
 {
     scalar area = 0;
-    scalar largest = 0;
+    boundBox box(boundBox::invertedBox);
     for (const label facei : cellFaces(celli))
     {
         area += mag(outwardArea(facei, celli));
         for (const label p : faces_[facei])
         {
-            largest = max(largest, cmptMax(cmptMag(points_[p])));
+            box.add(points_[p]);
         }
     }
 
-    return SMALL*largest*area;
+    return Foam::roundingVolume(box, area);
 }
 
 

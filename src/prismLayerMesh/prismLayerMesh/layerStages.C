@@ -336,8 +336,9 @@ static void refuseFlatStacks
         FatalErrorInFunction
             << "Cells of the layers on " << nFlat << " faces are flat but for"
             << " rounding" << place.c_str() << nl
-            << "Walls are too near to each other there: move them apart, or"
-            << " unite them" << exit(FatalError);
+            << "Walls are too near to each other there, or faces are too long"
+            << " and narrow: move walls apart, unite them, or remesh the"
+            << " surface" << exit(FatalError);
     }
 }
 

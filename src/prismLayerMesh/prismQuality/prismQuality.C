@@ -191,39 +191,25 @@ bool hasPositivePyramids(const prismLayers& layers, const label facei)
 }
 
 
-//- Largest magnitude of a coordinate of a stack
-static scalar largestCoordinate(const prismLayers& layers, const face& f)
-{
-    scalar largest = 0;
-    for (const label c : f)
-    {
-        for (const label i : {label(0), layers.nLayers})
-        {
-            largest = max(largest, cmptMax(cmptMag(layers(c, i))));
-        }
-    }
-
-    return largest;
-}
-
-
 bool isFlatStack(const prismLayers& layers, const label facei)
 {
     const face& front = layers.faces[facei];
-    const scalar rounding = SMALL*largestCoordinate(layers, front);
 
     return !visitCells
     (
         layers, front,
-        [&](label, const UList<faceGeometry>& faces)
+        [&](const label i, const UList<faceGeometry>& faces)
         {
+            boundBox box(boxOf(layers, facei, i - 1));
+            box.add(boxOf(layers, facei, i));
             scalar area = 0;
             for (const faceGeometry& f : faces)
             {
                 area += mag(f.area);
             }
 
-            return cellGeometry(faces).volume3 > 3*rounding*area;
+            return
+                cellGeometry(faces).volume3 > 3*roundingVolume(box, area);
         }
     );
 }

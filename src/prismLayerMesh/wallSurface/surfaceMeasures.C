@@ -12,6 +12,15 @@ namespace Foam
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
+scalar roundingVolume(const boundBox& box, const scalar area)
+{
+    const scalar largest =
+        max(cmptMax(cmptMag(box.min())), cmptMax(cmptMag(box.max())));
+
+    return SMALL*(largest*area + pow3(box.mag()));
+}
+
+
 surfaceMeasures measuresOf(const wallSurface& surface)
 {
     surfaceMeasures result;

@@ -67,6 +67,32 @@ static boolList outlying(const polyMesh& mesh, const label nFrontFaces)
 }
 
 
+TEST(isFlatStack, cellsAMillionTimesLongerThanThickHaveAVolume)
+{
+    const auto nFlat = [](const scalar width)
+    {
+        wallSurface wall(testSurfaces::cube(1));
+        for (point& p : wall.points)
+        {
+            p.x() *= width;
+        }
+
+        return certify
+        (
+            testSurfaces::straightLayers
+            (
+                wall, testSurfaces::geometricHeights(nLevels, width, 1)
+            )
+        ).flatStacks.size();
+    };
+
+    EXPECT_EQ(nFlat(1e-6), 0);
+    // A solver's volumes of such cells are of either sign, whatever the order
+    // of their points
+    EXPECT_GT(nFlat(1e-8), 0);
+}
+
+
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
 TEST(facePyramids, agreeWithPolyMesh)
