@@ -14,13 +14,7 @@
 namespace Foam
 {
 
-//- Centre of one of the eight parts of a cube, octant as of treeBoundBox
-static point partCentre
-(
-    const point& centre,
-    const scalar width,
-    const label octant
-)
+point partCentre(const point& centre, const scalar width, const label octant)
 {
     point c(centre);
 
@@ -222,45 +216,6 @@ cellSizes::cellSizes
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-scalar cellSizes::cubesIn
-(
-    const label cubei,
-    const point& centre,
-    const scalar width,
-    const std::function<bool(const point&)>& inside
-) const
-{
-    if (cmptMin(spanInBox(centre, width)) < 0)
-    {
-        return 0;
-    }
-
-    const cube& c = cubes_[cubei];
-    const scalar inSizes = width/sizeAt(c, centre);
-
-    if (inside && inSizes <= farFieldTuned.sideWidth)
-    {
-        return inside(centre) ? cubesIn(cubei, centre, width, nullptr) : 0;
-    }
-    if (c.children < 0 && inSizes <= farFieldTuned.maxWidth)
-    {
-        return pow3(inSizes);
-    }
-
-    scalar n = 0;
-    for (label octant = 0; octant < 8; ++octant)
-    {
-        n += cubesIn
-        (
-            c.children < 0 ? cubei : c.children + octant,
-            partCentre(centre, width, octant), width/2, inside
-        );
-    }
-
-    return n;
-}
-
-
 scalar cellSizes::operator()(const point& x) const
 {
     const point nearest(max(box_.min(), min(box_.max(), x)));
@@ -279,12 +234,6 @@ scalar cellSizes::operator()(const point& x) const
     }
 
     return sizeAt(cubes_[cubei], x);
-}
-
-
-scalar cellSizes::nCubes(const std::function<bool(const point&)>& inside) const
-{
-    return cubesIn(0, corner_ + point::uniform(0.5*width_), width_, inside);
 }
 
 

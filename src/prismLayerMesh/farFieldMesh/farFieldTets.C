@@ -6,10 +6,10 @@
 #include "farFieldTets.H"
 #include "farFieldMeshControls.H"
 #include "ListOps.H"
+#include "packPoints.H"
 #include "SubList.H"
 #include "tetrahedralize.H"
 #include "triangleIndex.H"
-#include "wallSearch.H"
 
 namespace Foam
 {
@@ -121,50 +121,23 @@ cellSizes makeSizes
 }
 
 
-scalar nTetsBetween(const wallSurface& both, const cellSizes& sizes)
-{
-    const wallSearch search(both);
-
-    return farFieldTuned.tetsPerCube*sizes.nCubes
-    (
-        [&](const point& x) { return search.inFront(x); }
-    );
-}
-
-
-scalar nTetsIn
-(
-    const polyMeshParts& core,
-    const labelUList& room,
-    const cellSizes& sizes
-)
-{
-    pointField centres;
-    scalarField volumes;
-    setCentresAndVolumes(core, room, centres, volumes);
-    scalar nCubes = 0;
-    forAll(room, i)
-    {
-        nCubes += volumes[i]/pow3(sizes(centres[i]));
-    }
-
-    return farFieldTuned.tetsPerCube*nCubes;
-}
-
-
 void fillWithTets
 (
     const wallSurface& both,
     const pointField& holes,
     const cellSizes& sizes,
-    const scalar nCells,
     const label maxCells,
     farFieldTets& mesh
 )
 {
-    if (nCells > maxCells)
+    const cubeCentres cubes
+    (
+        cubesBetween(both, sizes, farFieldTuned.cubesPerTet*maxCells)
+    );
+    const scalar nCells = farFieldTuned.tetsPerCube*cubes.nCubes;
+    if (!cubes.complete || nCells > maxCells)
     {
-        refuse(nCells, maxCells);
+        refuse(cubes.complete ? nCells : 0, maxCells);
     }
 
     // What TetGen may take, in cells and in time, is for a mesh of that size
@@ -174,7 +147,8 @@ void fillWithTets
         farFieldTuned.cellsPerEstimated*nCells
       + farFieldTuned.cellsPerTriangle*both.faces.size()
     );
-    const tetDomain domain{both.points, both.faces, holes, !mesh.hasLayers};
+    tetDomain domain{both.points, both.faces, holes, !mesh.hasLayers};
+    domain.points.append(packPoints(both, sizes, cubes));
     tetMesh filled(tetrahedralize(domain, std::cref(sizes), mostCells));
 
     if (filled.tets.size() > maxCells)

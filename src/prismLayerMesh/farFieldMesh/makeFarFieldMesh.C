@@ -593,10 +593,7 @@ static farFieldMesh fillWithCells
     const cellSizes& sizes = fromBoth ? *fromBoth : fromLayers;
     fillWithTets
     (
-        both, seedsOf(layers, outer, far), sizes,
-        domain.core.nCells
-      ? nTetsIn(domain.core, cut.room, sizes) : nTetsBetween(both, sizes),
-        controls.maxCells, mesh
+        both, seedsOf(layers, outer, far), sizes, controls.maxCells, mesh
     );
     improve(layers, domain.core, mesh);
 

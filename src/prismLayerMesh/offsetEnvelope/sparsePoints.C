@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "sparsePoints.H"
+#include "ranges.H"
 
 #include <cmath>
 #include <cstdint>
@@ -134,20 +135,22 @@ labelList sparsePoints(const pointField& points, const scalarField& distances)
               < sqr(min(distances[p], distances[q]));
         };
 
-        const int own = pointGrids::level(distances[p]);
-        bool free = true;
-
-        for (const int level : grids.levels())
+        const auto isFree = [&](const int level)
         {
             const scalar radius =
                 min(distances[p], std::ldexp(scalar(1), level + 1));
 
-            if (grids.any(points[p], radius, level, near))
+            return !grids.any(points[p], radius, level, near);
+        };
+
+        // Most points are near to one of the same level
+        const int own = pointGrids::level(distances[p]);
+        const bool free =
+            (!grids.levels().count(own) || isFree(own))
+         && allOf(grids.levels(), [&](const int level)
             {
-                free = false;
-                break;
-            }
-        }
+                return level == own || isFree(level);
+            });
 
         if (free)
         {

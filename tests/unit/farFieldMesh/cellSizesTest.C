@@ -72,55 +72,6 @@ TEST(cellSizes, areBounded)
 }
 
 
-TEST(cellSizes, nCubesIsTheIntegral)
-{
-    // Of size 0.25 all over, in the half x > 1 of a box of volume 16
-    const cellSizes sizes
-    (
-        pointField(1, Zero), scalarField(1, 0.25), 1 + 1e-9, box, unbounded,
-        1000000
-    );
-    const scalar n = sizes.nCubes
-    (
-        [](const point& x) { return x.x() > 1 && box.contains(x); }
-    );
-
-    EXPECT_NEAR(n, 8*pow3(4.0), 0.1*8*pow3(4.0));
-}
-
-
-TEST(cellSizes, nCubesAsksOnceForCubesOfTwoSizes)
-{
-    const cellSizes sizes(twoPoints(unbounded, 1000000));
-    label nAsked = 0;
-    const scalar n = sizes.nCubes
-    (
-        [&](const point& x) { ++nAsked; return box.contains(x); }
-    );
-
-    EXPECT_GT(nAsked, n/8);
-    EXPECT_LT(nAsked, n);
-}
-
-
-TEST(cellSizes, nCubesLooksInsideLargeCubesOfOneSize)
-{
-    // One cube, whose centre is not inside
-    sizeBounds bounds;
-    bounds.largest = 0.25;
-    const cellSizes sizes
-    (
-        pointField(1, Zero), scalarField(1, 10), 1.2, box, bounds, 1000000
-    );
-    const scalar n = sizes.nCubes
-    (
-        [](const point& x) { return x.x() > 1 && box.contains(x); }
-    );
-
-    EXPECT_NEAR(n, 8*pow3(4.0), 0.1*8*pow3(4.0));
-}
-
-
 TEST(cellSizes, areNotCompleteWithoutEnoughCubes)
 {
     EXPECT_TRUE(twoPoints(unbounded, 1000000).complete());

@@ -5,6 +5,7 @@
 
 #include "farFieldMesh/farFieldMesh.C"
 #include "farFieldMesh/farFieldTets.C"
+#include "farFieldMesh/packPoints.C"
 #include "farFieldMesh/coreZones.C"
 #include "farFieldMesh/cellSizes.C"
 #include "farFieldMesh/refineSurface.C"

@@ -16,6 +16,7 @@
 #include "farFieldMesh/improveTetsTest.C"
 #include "farFieldMesh/makeFarFieldMeshTest.C"
 #include "farFieldMesh/mergeCellsTest.C"
+#include "farFieldMesh/packPointsTest.C"
 #include "farFieldMesh/mergingMeshTest.C"
 #include "farFieldMesh/curvedSidesTest.C"
 #include "farFieldMesh/endedFarFieldTest.C"
