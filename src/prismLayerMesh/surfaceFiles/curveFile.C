@@ -63,8 +63,19 @@ static DynamicList<scalar> numbersOf(std::string line)
 }
 
 
+//- Whether a line of a file of aerofoils parts two elements: 999 999
+static bool isSeparator(const UList<scalar>& numbers)
+{
+    return numbers[0] == 999 && numbers[1] == 999;
+}
+
+
 //- The runs of points between other lines
-static List<DynamicList<vector2D>> readRuns(const fileName& file)
+static List<DynamicList<vector2D>> readRuns
+(
+    const fileName& file,
+    const bool isAerofoil
+)
 {
     IFstream is(file);
     if (!is.good())
@@ -81,7 +92,8 @@ static List<DynamicList<vector2D>> readRuns(const fileName& file)
     {
         const DynamicList<scalar> n(numbersOf(line));
         const bool isPoint =
-            (n.size() == 2 || n.size() == 3) && mag(n[0]) < 900;
+            (n.size() == 2 || n.size() == 3)
+         && !(isAerofoil && isSeparator(n));
         if (isPoint)
         {
             const vector2D x(n[0], n[1]);
@@ -157,8 +169,8 @@ static void joinHalves(List<DynamicList<vector2D>>& runs)
 
 List<planeCurve> readCurveFile(const fileName& file)
 {
-    List<DynamicList<vector2D>> runs(readRuns(file));
     const bool isAerofoil = file.ext() == "dat";
+    List<DynamicList<vector2D>> runs(readRuns(file, isAerofoil));
     if (isAerofoil)
     {
         joinHalves(runs);

@@ -125,6 +125,20 @@ TEST_F(curveFiles, otherCurvesAreOpenUnlessTheyReturn)
 }
 
 
+TEST_F(curveFiles, onlyALineOf999sPartsAerofoils)
+{
+    const std::string text("999,0\n0,999\n-2000,0\n999 999\n1,1\n2,2\n1,2\n");
+    const List<planeCurve> points(readCurveFile(file("a.csv", text)));
+    const List<planeCurve> aerofoils(readCurveFile(file("a.dat", text)));
+
+    ASSERT_EQ(points.size(), 1);
+    EXPECT_EQ(points[0].points.size(), 7);
+    ASSERT_EQ(aerofoils.size(), 2);
+    EXPECT_EQ(aerofoils[0].points.size(), 3);
+    EXPECT_EQ(aerofoils[1].points.size(), 3);
+}
+
+
 TEST_F(curveFiles, filesWithoutCurvesAreRefused)
 {
     EXPECT_THROW(readCurveFile("no/such.dat"), Foam::error);
