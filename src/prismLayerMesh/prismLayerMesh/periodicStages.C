@@ -114,16 +114,17 @@ static void keepStagesOf(const labelUList& columns, prismLayerMesh& mesh)
 prismLayerControls withImages
 (
     prismLayerControls controls,
-    const UList<sidePair>& pairs
+    const UList<sidePatch>& given,
+    const UList<sidePatch>& ofImages
 )
 {
     farBoundaryControls& boundary = controls.farField.boundary;
-    for (const sidePair& pair : pairs)
+    for (const sidePair& pair : pairsOf(given))
     {
         const boundBox box(boundary.box);
-        for (const scalar way : {-1, 1})
+        for (const label s : {pair.first, pair.second})
         {
-            const vector move(way*pair.toSecond.translation);
+            const vector move(ofImages[s].origin - given[s].origin);
             boundary.box.add(boundBox(box.min() + move, box.max() + move));
         }
         if (pair.toSecond.turns)

@@ -186,8 +186,8 @@ prismLayerMesh makePrismLayerMesh
     const processTeam& processes
 )
 {
-    const List<sidePair> pairs(pairsOf(wall.border.sides));
-    const bool isPeriodic = pairs.size() && processes.size() == 1;
+    const List<sidePatch>& sides = wall.border.sides;
+    const bool isPeriodic = pairsOf(sides).size() && processes.size() == 1;
     std::optional<periodicWall> images;
     if (isPeriodic)
     {
@@ -197,7 +197,10 @@ prismLayerMesh makePrismLayerMesh
         images.emplace(wall);
         observer.end(text(images->surface.faces.size(), " faces with images"));
     }
-    const prismLayerControls& onImages = withImages(controls, pairs);
+    const prismLayerControls& onImages = withImages
+    (
+        controls, sides, isPeriodic ? images->surface.border.sides : sides
+    );
     const localHeights ofImages
     (
         isPeriodic ? withImages(local, *images) : localHeights()

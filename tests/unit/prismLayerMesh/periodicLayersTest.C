@@ -3,8 +3,11 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
+#include "boxSides.H"
 #include "cyclicColumns.H"
 #include "openSurfaces.H"
+#include "periodicStages.H"
+#include "periodicWall.H"
 #include "testStages.H"
 
 #include <gtest/gtest.h>
@@ -71,6 +74,31 @@ TEST(periodicLayers, theWallIsTheGivenOne)
     (
         mesh.made.layers.border.edges.size(), wall.border.edges.size()
     );
+}
+
+
+// Few faces between the sides have images for nine periods
+TEST(periodicLayers, imagesAreInFrontOfTheFarBoundary)
+{
+    for (const label n : {2, 8})
+    {
+        const wallSurface wall(periodicWaves(n));
+        const List<sidePatch>& given = wall.border.sides;
+        const periodicWall images(wall);
+        const List<sidePatch>& sides = images.surface.border.sides;
+        prismLayerControls controls;
+        farBoundaryControls& boundary = controls.farField.boundary;
+        boundary.type = farBoundaryType::box;
+        boundary.box = boundBox(point(0, 0, -1), point(1, 1, 1));
+        boundary = withImages(controls, given, sides).farField.boundary;
+
+        const List<sidePatch> planes(freeSides(boundary, sides));
+        EXPECT_EQ(planes.size(), 2);
+        for (const sidePatch& plane : planes)
+        {
+            EXPECT_LT(max(distancesTo(plane, images.surface.points)), 0);
+        }
+    }
 }
 
 
