@@ -373,7 +373,8 @@ layerFront makeBareFront
     const wallSurface& wall,
     const wallAddressing& addressing,
     const wallVisibility& visibility,
-    const scalar smallestAngle
+    const scalar smallestAngle,
+    const labelUList& single
 )
 {
     layerFront front;
@@ -383,6 +384,12 @@ layerFront makeBareFront
 
     // In two dimensions both ends of an edge are alike, whatever rounding says
     boolList narrow(visibility.narrowCones(smallestAngle));
+    if (single.size())
+    {
+        const boolList isEmpty(visibility.narrowCones(0));
+        UIndirectList<bool>(narrow, single) =
+            UIndirectList<bool>(isEmpty, single);
+    }
     forAll(narrow, p)
     {
         const label q = pointAcross(wall, addressing, p);

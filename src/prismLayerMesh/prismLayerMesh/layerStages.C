@@ -50,13 +50,13 @@ static wallHeights heightsOf
 }
 
 
-//- The bare front with multiple normals at angles below one [deg]
+//- The bare front with multiple normals
 static layerFront frontOf
 (
     const wallSurface& wall,
     const wallAddressing& addressing,
     const wallVisibility& visibility,
-    const scalar multipleNormalsAngle,
+    const multipleNormals& normals,
     const stageObserver& observer
 )
 {
@@ -65,7 +65,8 @@ static layerFront frontOf
     (
         makeBareFront
         (
-            wall, addressing, visibility, degToRad(multipleNormalsAngle)
+            wall, addressing, visibility, degToRad(normals.angle),
+            normals.single
         )
     );
     observer.end(sizesOf(front));
@@ -80,7 +81,7 @@ static shareOfWall makeWhole
 (
     const wallSurface& wall,
     const layerControls& controls,
-    const scalar angle,
+    const multipleNormals& normals,
     const localHeights& local,
     const stageObserver& observer,
     const bool isShared
@@ -112,10 +113,10 @@ static shareOfWall makeWhole
     whole.heights = heightsOf(wall, addressing, controls, local, observer);
 
     layerFront& front = whole.share.front;
-    front = frontOf(wall, addressing, visibility, angle, observer);
-    if (front.pointsWithoutDirection.size() && angle > 0)
+    front = frontOf(wall, addressing, visibility, normals, observer);
+    if (front.pointsWithoutDirection.size() && normals.angle > 0)
     {
-        front = frontOf(wall, addressing, visibility, 0, observer);
+        front = frontOf(wall, addressing, visibility, {0}, observer);
     }
     if (front.pointsWithoutDirection.size())
     {
@@ -183,7 +184,7 @@ shareOfWall makeShare
 (
     const wallSurface& wall,
     const layerControls& controls,
-    const scalar multipleNormalsAngle,
+    const multipleNormals& normals,
     const localHeights& local,
     const stageObserver& observer,
     const processTeam& processes
@@ -195,7 +196,7 @@ shareOfWall makeShare
         {
             return makeWhole
             (
-                wall, controls, multipleNormalsAngle, local, observer,
+                wall, controls, normals, local, observer,
                 processes.size() > 1
             );
         })

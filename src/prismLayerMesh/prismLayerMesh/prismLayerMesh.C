@@ -36,12 +36,40 @@ struct pipeline
     const std::optional<periodicWall>& images;
 
 
-    shareOfWall makeShareAt(const scalar angle) const
+    shareOfWall makeShareWith(const multipleNormals& normals) const
     {
         return makeShare
         (
-            wall, controls.layers, angle, local, observer, processes
+            wall, controls.layers, normals, local, observer, processes
         );
+    }
+
+
+    //- Whether constrain refuses columns of a front: the columns of a sharp
+    //  point on a cyclic side cannot all stand in its plane
+    bool isRefused(layerFront whole) const
+    {
+        return constrainToCyclicSides(given, *images, whole).size()
+            || pointsWithOtherColumns(*images, whole).size();
+    }
+
+
+    //- The front on the images of a wall with cyclic sides. If its columns are
+    //  refused, there is one column at each point on a cyclic side, and then at
+    //  each point if need be
+    shareOfWall makeShareOfImages(const scalar angle) const
+    {
+        shareOfWall made(makeShareWith({angle}));
+        if (angle > 0 && isRefused(made.share.front))
+        {
+            made = makeShareWith({angle, images->pointsOnSides(given)});
+        }
+        if (angle > 0 && isRefused(made.share.front))
+        {
+            made = makeShareWith({0});
+        }
+
+        return made;
     }
 
 
@@ -73,15 +101,10 @@ struct pipeline
     //- From the wall to columns
     plannedColumns plan(const scalar angle, prismLayerMesh& mesh) const
     {
-        shareOfWall start(makeShareAt(angle));
-        if
+        shareOfWall start
         (
-            images && angle > 0
-         && pointsWithOtherColumns(*images, start.share.front).size()
-        )
-        {
-            start = makeShareAt(0);
-        }
+            images ? makeShareOfImages(angle) : makeShareWith({angle})
+        );
         mesh.share = std::move(start.share);
         mesh.pointKinds = std::move(start.kinds);
         if (images)

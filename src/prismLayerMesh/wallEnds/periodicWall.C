@@ -273,6 +273,31 @@ periodicWall::periodicWall(const wallSurface& given)
     }
 }
 
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+labelList periodicWall::pointsOnSides(const wallSurface& given) const
+{
+    bitSet isOnSide(nPoints);
+    for (const sidePair& pair : pairsOf(given.border.sides))
+    {
+        forAll(given.border.edges, i)
+        {
+            const label side = given.border.edgeSides[i];
+            if (side == pair.first || side == pair.second)
+            {
+                isOnSide.set(given.border.edges[i]);
+            }
+        }
+    }
+
+    return subsetList
+    (
+        identity(bases.size()),
+        [&](const label p) { return isOnSide.test(bases[p]); }
+    );
+}
+
 } // End namespace Foam
 
 // ************************************************************************* //
