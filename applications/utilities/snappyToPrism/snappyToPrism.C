@@ -32,6 +32,7 @@ Usage
 #include "IOdictionary.H"
 #include "OFstream.H"
 #include "OSspecific.H"
+#include "pluginVersion.H"
 #include "prismEntries.H"
 #include "readPrismLayerControls.H"
 #include "StringStream.H"
@@ -117,6 +118,11 @@ static word repairOf(const argList& args)
 
 int main(int argc, char *argv[])
 {
+    if (versionIsAsked(argc, argv))
+    {
+        return 0;
+    }
+
     addOptions();
 
     #include "setRootCase.H"
