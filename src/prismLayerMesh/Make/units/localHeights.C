@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "localHeights/regionSearch.C"
+#include "localHeights/earlierRun.C"
 #include "localHeights/readLocalHeights.C"
 
 // ************************************************************************* //

@@ -6,5 +6,6 @@
 #include "localHeights/regionSearchTest.C"
 #include "localHeights/surfaceValuesTest.C"
 #include "localHeights/readLocalHeightsTest.C"
+#include "localHeights/earlierRunTest.C"
 
 // ************************************************************************* //
