@@ -5,5 +5,6 @@
 
 #include "layerSpacing/limitGradient.C"
 #include "layerSpacing/layerSpacing.C"
+#include "layerSpacing/expectedYPlus.C"
 
 // ************************************************************************* //

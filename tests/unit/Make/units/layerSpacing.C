@@ -7,5 +7,6 @@
 #include "layerSpacing/givenHeightsTest.C"
 #include "layerSpacing/makeLayerSpacingTest.C"
 #include "layerSpacing/limitGradientTest.C"
+#include "layerSpacing/expectedYPlusTest.C"
 
 // ************************************************************************* //
