@@ -308,11 +308,6 @@ surfaceValues readListValues
 
 // * * * * * * * * * * * * *  Read Local Heights * * * * * * * * * * * * * * //
 
-//- Largest distance of a point of the wall from the surface with values, over
-//  the diagonal of the wall's bounding box
-static const scalar maxDistance = 0.01;
-
-
 static void checkHeights
 (
     const heightField& field,
@@ -375,7 +370,7 @@ static scalarField readHeights
     const scalar distance = interpolate(source, wall.points, heights);
     const scalar diagonal = boundBox(wall.points, false).mag();
 
-    if (distance > maxDistance*diagonal)
+    if (distance > maxSurfaceDistance*diagonal)
     {
         FatalErrorInFunction
             << "The surface with values " << field.file << " is " << distance

@@ -5,6 +5,7 @@
 
 #include "localHeights/regionSearch.C"
 #include "localHeights/earlierRun.C"
+#include "localHeights/yPlusHeights.C"
 #include "localHeights/readLocalHeights.C"
 
 // ************************************************************************* //

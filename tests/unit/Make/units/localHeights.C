@@ -6,6 +6,7 @@
 #include "localHeights/regionSearchTest.C"
 #include "localHeights/surfaceValuesTest.C"
 #include "localHeights/readLocalHeightsTest.C"
+#include "localHeights/yPlusHeightsTest.C"
 #include "localHeights/earlierRunTest.C"
 
 // ************************************************************************* //
