@@ -91,31 +91,41 @@ class pointHeights
         return units_.size() ? units_[p] : 1;
     }
 
-    //- Heights from the files in place of the general ones
-    heightEntries generalEntries(const label p) const
+    //- Heights by the general entries, with those of files or of a run in place
+    //  of theirs
+    heightSeries generalHeights(const label p) const
     {
-        const bool hasFirst = local_.firstThickness.size();
-        const bool hasTotal = local_.thickness.size();
-        heightEntries given;
+        heightEntries ofPoint;
+        ofPoint.firstLayerThickness =
+            local_.firstThickness.size() ? local_.firstThickness[p] : 0;
+        ofPoint.thickness = local_.thickness.size() ? local_.thickness[p] : 0;
 
-        given.firstLayerThickness = hasFirst ? local_.firstThickness[p] : 0;
-        given.thickness = hasTotal ? local_.thickness[p] : 0;
+        if (!controls_.fromRun.isGiven())
+        {
+            return changedHeights
+            (
+                changedHeights(heightSeries(), controls_.heights, unit(p)),
+                ofPoint,
+                1
+            );
+        }
 
-        return given;
+        // The general entries have no first height
+        heightEntries given(controls_.heights);
+        given.yPlus = controls_.fromRun.target;
+        given.firstLayerThickness = ofPoint.firstLayerThickness;
+        if (ofPoint.thickness > 0)
+        {
+            given.thickness = ofPoint.thickness;
+        }
+
+        return changedHeights(heightSeries(), given, 1);
     }
 
     //- Heights by the general entries, then by the patches of p
     heightSeries patchHeights(const label p) const
     {
-        const heightSeries general
-        (
-            changedHeights
-            (
-                changedHeights(heightSeries(), controls_.heights, unit(p)),
-                generalEntries(p),
-                1
-            )
-        );
+        const heightSeries general(generalHeights(p));
         heightSeries thinnest(general);
         thinnest.firstLayerThickness = VGREAT;
 

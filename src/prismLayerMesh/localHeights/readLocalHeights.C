@@ -5,6 +5,7 @@
 
 #include "readLocalHeights.H"
 #include "boundBox.H"
+#include "expectedYPlus.H"
 #include "IFstream.H"
 #include "labelIOField.H"
 #include "OStringStream.H"
@@ -15,6 +16,7 @@
 #include "surfaceFile.H"
 #include "triSurfaceSearch.H"
 #include "vtkUnstructuredReader.H"
+#include "yPlusHeights.H"
 
 #include <map>
 
@@ -310,7 +312,7 @@ surfaceValues readListValues
 
 static void checkHeights
 (
-    const heightField& field,
+    const string& source,
     const pointField& points,
     const scalarField& heights
 )
@@ -327,7 +329,7 @@ static void checkHeights
         )
         {
             FatalErrorInFunction
-                << "The value of " << field.file << " at the point "
+                << "The value of " << source << " at the point "
                 << points[p] << " of the wall is " << heights[p]
                 << "; it must be from " << heightSeries::minThickness << " to "
                 << heightSeries::maxThickness << exit(FatalError);
@@ -378,7 +380,7 @@ static scalarField readHeights
             << " body, or has it other units?" << exit(FatalError);
     }
 
-    checkHeights(field, wall.points, heights);
+    checkHeights(field.file, wall.points, heights);
 
     OStringStream os;
     os  << nl << field.file.c_str() << ' ' << field.field << ": "
@@ -387,6 +389,57 @@ static scalarField readHeights
     found += os.str();
 
     return heights;
+}
+
+
+//- Whether the layers of the earlier run say how thick the layers are
+static bool needsThickness(const layerControls& layers)
+{
+    const heightEntries& given = layers.heights;
+
+    return
+        given.nSurfaceLayers > 1
+     && !(given.thickness > 0) && !(given.finalLayerThickness > 0)
+     && !(given.expansionRatio > 0) && !layers.thicknessField.isGiven();
+}
+
+
+//- Sets the heights that the earlier run says
+static void setHeightsOfRun
+(
+    const wallSurface& wall,
+    const layerControls& layers,
+    const Time& time,
+    localHeights& local,
+    string& found
+)
+{
+    const yPlusRun& run = layers.fromRun;
+    fileName folder(run.folder);
+    folder.expand();
+    if (!folder.isAbsolute())
+    {
+        folder = time.globalPath()/folder;
+    }
+    folder.clean();
+
+    const wallsOfRun walls(readWallsOfRun(run, folder, wall.patchNames));
+    const heightsOfRun heights(makeHeightsOfRun(wall, walls, run));
+    checkHeights("layers.yPlus", wall.points, heights.first);
+    local.firstThickness = heights.first;
+    local.yPlusPerHeight = heights.yPlusPerHeight;
+    if (needsThickness(layers))
+    {
+        checkHeights("layers.yPlus", wall.points, heights.thickness);
+        local.thickness = heights.thickness;
+    }
+
+    OStringStream os;
+    os  << nl << "y+ of " << folder << " at time " << walls.time << ": "
+        << describeYPlus(walls.surface, walls.yPlus, run.target).c_str()
+        << "first heights for y+ " << run.target << ": " << min(heights.first)
+        << " to " << max(heights.first) << " m";
+    found += os.str();
 }
 
 
@@ -417,6 +470,10 @@ localHeights readLocalHeights
     (
         layers.thicknessField, wall, controls.surface, file, time, found
     );
+    if (layers.fromRun.isGiven())
+    {
+        setHeightsOfRun(wall, layers, time, local, found);
+    }
 
     for (const layerRegion& region : layers.regions)
     {

@@ -24,9 +24,47 @@ const wordList layerHeightKeys
 });
 
 
-static void readYPlus(const dictionary& dict, heightEntries& given)
+static yPlusRun readRun(const dictionary& yPlus)
 {
-    checkKeys(dict, {"target", "U", "nu", "L"});
+    checkKeys(yPlus, {"target", "from"});
+    const dictionary& dict = optionalDict(yPlus, "from");
+    checkKeys(dict, {"case", "time"});
+
+    yPlusRun run;
+    run.target = readMandatory(yPlus, "target", 1e-3, 1e4);
+    dict.readEntry("case", run.folder);
+
+    if (run.folder.empty())
+    {
+        entryError(dict, "case")
+            << "Value of case is empty; it must be the folder of a case"
+            << exit(FatalIOError);
+    }
+    if (!dict.found("time", keyType::LITERAL))
+    {
+        return run;
+    }
+
+    const ITstream& is = dict.lookup("time", keyType::LITERAL);
+    run.isLatest = is.size() && is[0].isWord();
+
+    if (run.isLatest)
+    {
+        word value;
+        readChoice(dict, "time", {"latest"}, value);
+    }
+    else
+    {
+        run.time = dict.get<scalar>("time", keyType::LITERAL);
+    }
+
+    return run;
+}
+
+
+static void readFlatPlate(const dictionary& dict, heightEntries& given)
+{
+    checkKeys(dict, {"target", "U", "nu", "L", "from"});
 
     const scalar yPlus = readMandatory(dict, "target", 1e-3, 1e4);
     const scalar U = readMandatory(dict, "U", 1e-9, 1e6);
@@ -39,7 +77,47 @@ static void readYPlus(const dictionary& dict, heightEntries& given)
 }
 
 
-heightEntries readLayerHeights(const dictionary& dict, const bool relativeSizes)
+//- Reads the entry yPlus of dict; the others are given
+static void readYPlus
+(
+    const dictionary& dict,
+    heightEntries& given,
+    yPlusRun* run
+)
+{
+    if (given.relativeSizes)
+    {
+        entryError(dict, "yPlus")
+            << "yPlus gives a height in metres, but the heights of "
+            << dict.dictName() << " are relativeSizes" << exit(FatalIOError);
+    }
+
+    const dictionary& yPlus = mandatoryDict(dict, "yPlus");
+
+    if (!yPlus.found("from", keyType::LITERAL))
+    {
+        readFlatPlate(yPlus, given);
+    }
+    else if (run)
+    {
+        *run = readRun(yPlus);
+    }
+    else
+    {
+        entryError(yPlus, "from")
+            << "The entry from of yPlus is for all of the wall: it stands in"
+            << " layers.yPlus, not in " << dict.dictName()
+            << exit(FatalIOError);
+    }
+}
+
+
+heightEntries readLayerHeights
+(
+    const dictionary& dict,
+    const bool relativeSizes,
+    yPlusRun* run
+)
 {
     heightEntries given;
 
@@ -74,15 +152,8 @@ heightEntries readLayerHeights(const dictionary& dict, const bool relativeSizes)
                 << "Both yPlus and firstLayerThickness determine the first"
                 << " layer of " << dict.dictName() << exit(FatalIOError);
         }
-        if (given.relativeSizes)
-        {
-            entryError(dict, "yPlus")
-                << "yPlus gives a height in metres, but the heights of "
-                << dict.dictName() << " are relativeSizes"
-                << exit(FatalIOError);
-        }
 
-        readYPlus(mandatoryDict(dict, "yPlus"), given);
+        readYPlus(dict, given, run);
     }
 
     return given;
@@ -166,8 +237,13 @@ static heightEntries readPart
         checkAutomatic(dict, given);
     }
 
-    // In other units they are checked at each point later
-    if (given.relativeSizes == general.heights.relativeSizes)
+    // In other units, or on heights of a run, they are checked at each point
+    // later
+    if
+    (
+        given.relativeSizes == general.heights.relativeSizes
+     && !general.fromRun.isGiven()
+    )
     {
         atEntriesOf(dict, [&]()
         {
@@ -356,15 +432,46 @@ static void readGeneralNumber(const dictionary& dict, layerControls& controls)
 }
 
 
+//- Refuses entries that contradict a run, or each other beside it
+static void checkRun(const dictionary& dict, const layerControls& controls)
+{
+    const heightEntries& given = controls.heights;
+    const bool hasTotal =
+        given.thickness > 0 || controls.thicknessField.isGiven();
+
+    if (controls.firstLayerField.isGiven())
+    {
+        entryError(dict, "fields")
+            << "Both yPlus.from and fields.firstLayerThickness determine the"
+            << " first layer of " << dict.dictName() << exit(FatalIOError);
+    }
+    if
+    (
+        (given.finalLayerThickness > 0) + (given.expansionRatio > 0) + hasTotal
+      > 1
+    )
+    {
+        entryError(dict, "yPlus")
+            << "The layers are determined twice, by yPlus.from and "
+            << givenKeys(given).c_str() << nl << "One entry beside yPlus.from"
+            << " is enough" << exit(FatalIOError);
+    }
+}
+
+
 static void readGeneralHeights(const dictionary& dict, layerControls& controls)
 {
-    controls.heights = readLayerHeights(dict);
+    controls.heights = readLayerHeights(dict, false, &controls.fromRun);
     heightEntries& given = controls.heights;
     readGeneralNumber(dict, controls);
 
     if (controls.automatic())
     {
         checkAutomatic(dict, given);
+    }
+    if (controls.fromRun.isGiven())
+    {
+        return;
     }
 
     if
@@ -421,6 +528,10 @@ layerControls readLayerControls(const dictionary& dict)
     layerControls controls;
     readGeneralHeights(dict, controls);
     readFields(dict, controls);
+    if (controls.fromRun.isGiven())
+    {
+        checkRun(dict, controls);
+    }
 
     word unit("edges");
     readChoice(dict, "relativeTo", {"edges", "cells"}, unit);

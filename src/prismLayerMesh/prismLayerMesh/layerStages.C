@@ -6,6 +6,7 @@
 #include "layerStages.H"
 #include "boxSides.H"
 #include "distributeFront.H"
+#include "expectedYPlus.H"
 #include "levelSets.H"
 #include "makePrismLayers.H"
 #include "OStringStream.H"
@@ -43,7 +44,12 @@ static wallHeights heightsOf
     observer.end
     (
         text(heights.request.nLayers, " layers\n",
-            describe(heights.request, wall, controls).c_str())
+            describe(heights.request, wall, controls).c_str(),
+            describeExpected
+            (
+                wall, heights.graded.firstThickness, local.yPlusPerHeight,
+                controls.fromRun.target
+            ).c_str())
     );
 
     return heights;

@@ -150,6 +150,7 @@ localHeights withImages(const localHeights& local, const periodicWall& images)
     }
     all.firstThickness = ofImages(local.firstThickness);
     all.thickness = ofImages(local.thickness);
+    all.yPlusPerHeight = ofImages(local.yPlusPerHeight);
     all.largestCells = ofImages(local.largestCells);
 
     return all;

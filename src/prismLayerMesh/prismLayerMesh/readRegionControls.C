@@ -102,6 +102,13 @@ static regionControls readRegion
     }
 
     result.controls = readPrismLayerControls(dict);
+    if (result.controls.layers.fromRun.isGiven())
+    {
+        const dictionary& yPlus = dict.subDict("layers").subDict("yPlus");
+        entryError(yPlus, "from")
+            << "There are regions. yPlus cannot have from then"
+            << exit(FatalIOError);
+    }
     const farFieldType type = result.controls.farField.type;
     if (type == farFieldType::none || type == farFieldType::mesh)
     {

@@ -368,4 +368,42 @@ TEST(describe, saysPatchesAndWhatYPlusGives)
 }
 
 
+TEST(makeLayerSpacing, heightsOfARunTakeThePlaceOfTheFirstHeight)
+{
+    const wallSurface wall(parts(4));
+    layerControls controls;
+    controls.heights.nSurfaceLayers = 5;
+    controls.fromRun.target = 1;
+    controls.fromRun.folder = "run";
+    localHeights local;
+    local.firstThickness = scalarField(wall.points.size(), 0.01);
+
+    const auto spacingOf = [&]()
+    {
+        return localSpacing(wall, controls, local);
+    };
+
+    // With the ratio that is given, or its default
+    EXPECT_NEAR(spacingOf().ratio[0], 1.2, 1e-14);
+    controls.heights.expansionRatio = 1.3;
+    EXPECT_NEAR(spacingOf().ratio[0], 1.3, 1e-14);
+    EXPECT_EQ(spacingOf().firstThickness[0], 0.01);
+
+    // With a thickness that is given, or was before
+    controls.heights.expansionRatio = 0;
+    controls.heights.thickness = 0.1;
+    EXPECT_NEAR(spacingOf().thickness[0], 0.1, 1e-14);
+    local.thickness = scalarField(wall.points.size(), 0.2);
+    EXPECT_NEAR(spacingOf().thickness[0], 0.2, 1e-14);
+    EXPECT_EQ(spacingOf().firstThickness[0], 0.01);
+
+    local.thickness = 0.005;
+    expectWords
+    (
+        thrownMessage<error>(spacingOf),
+        {"at the point", "with yPlus, thickness and 5 layers", "0.01"}
+    );
+}
+
+
 // ************************************************************************* //

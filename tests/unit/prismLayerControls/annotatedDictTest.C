@@ -69,6 +69,8 @@ static std::vector<std::string> withUnknownKeys()
         "surface { file a; patches { inlet { " + other + " } } }",
         surface + "layers { " + other + " }",
         surface + yPlus,
+        surface + "layers { nSurfaceLayers 1; yPlus { from { " + other
+      + " } } }",
         surface + inLayers("patches { wing { " + other + " } }"),
         surface
       + inLayers("regions { wake { geometry {} " + other + " } }"),

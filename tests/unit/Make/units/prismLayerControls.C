@@ -6,6 +6,7 @@
 #include "prismLayerControls/controlEntriesTest.C"
 #include "prismLayerControls/readLayerHeightsTest.C"
 #include "prismLayerControls/readLayerControlsTest.C"
+#include "prismLayerControls/yPlusRunTest.C"
 #include "prismLayerControls/sidePlanesTest.C"
 #include "prismLayerControls/surfaceRepairTest.C"
 #include "prismLayerControls/surfaceCadTest.C"
