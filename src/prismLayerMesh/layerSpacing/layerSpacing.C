@@ -91,6 +91,14 @@ class pointHeights
         return units_.size() ? units_[p] : 1;
     }
 
+    //- Whether the earlier mesh of a run gives the thickness
+    bool ofEarlierMesh() const
+    {
+        return
+            controls_.fromRun.isGiven() && !controls_.thicknessField.isGiven()
+         && local_.thickness.size();
+    }
+
     //- Heights by the general entries, with those of files or of a run in place
     //  of theirs
     heightSeries generalHeights(const label p) const
@@ -196,7 +204,10 @@ public:
         {
             FatalErrorInFunction
                 << "Heights of the layers at the point " << wall_.points[p]
-                << " of the wall: " << error.what() << exit(FatalError);
+                << " of the wall: " << error.what()
+                << (ofEarlierMesh() ? "\nThe thickness is that of the earlier"
+                    " mesh. layers.thickness asks for another one" : "")
+                << exit(FatalError);
         }
 
         return heights;

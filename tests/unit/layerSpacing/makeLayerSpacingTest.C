@@ -401,7 +401,10 @@ TEST(makeLayerSpacing, heightsOfARunTakeThePlaceOfTheFirstHeight)
     expectWords
     (
         thrownMessage<error>(spacingOf),
-        {"at the point", "with yPlus, thickness and 5 layers", "0.01"}
+        {
+            "at the point", "with yPlus, thickness and 5 layers", "0.01",
+            "that of the earlier mesh"
+        }
     );
 }
 
