@@ -441,26 +441,25 @@ class mergedFaces
 
     void addInternalFaces(polyMeshTopology& t)
     {
-        DynamicList<label> kept(old_.neighbour.size());
+        // The two cells, and the old face
+        DynamicList<FixedList<label, 3>> kept(old_.neighbour.size());
         forAll(old_.neighbour, f)
         {
             const labelPair cells(cellsOf(f));
             if (cells.first() != cells.second())
             {
-                kept.append(f);
+                kept.append
+                (
+                    FixedList<label, 3>{cells.first(), cells.second(), f}
+                );
             }
         }
-        std::stable_sort
-        (
-            kept.begin(), kept.end(), [&](const label a, const label b)
-            {
-                return cellsOf(a) < cellsOf(b);
-            }
-        );
+        std::sort(kept.begin(), kept.end());
         t.reserve(old_.faces.size(), kept.size());
-        for (const label f : kept)
+        for (const FixedList<label, 3>& k : kept)
         {
-            const labelPair cells(cellsOf(f));
+            const labelPair cells(k[0], k[1]);
+            const label f = k[2];
             flipped_[f] = cells.first() != cells_[old_.owner[f]];
             faces_[f] = t.faces.size();
             t.append
@@ -515,10 +514,10 @@ public:
 
     void update(cellZoneParts& zone) const
     {
-        labelHashSet cells;
+        bitSet cells(cells_.size());
         for (const label c : zone.cells)
         {
-            cells.insert(cells_[c]);
+            cells.set(cells_[c]);
         }
         zone.cells = cells.sortedToc();
     }

@@ -37,6 +37,13 @@ void mergingMesh::addFarFaces(const label nContext)
 {
     const polyMeshTopology& t = far_.topology;
     const label nInternal = t.neighbour.size();
+    List<faceGeometry> geometries(t.faces.size());
+
+    #pragma omp parallel for schedule(static)
+    forAll(geometries, f)
+    {
+        geometries[f] = faceGeometry(pointsOf(f));
+    }
 
     forAll(t.faces, f)
     {
@@ -45,7 +52,7 @@ void mergingMesh::addFarFaces(const label nContext)
             f < nInternal ? t.neighbour[f]
           : k < t.patchSizes[0] && nContext
           ? far_.nCells + nContext*far_.frontFaces[k] : -1;
-        addFace(mergingFace{t.owner[f], neighbour, faceGeometry(pointsOf(f))});
+        addFace(mergingFace{t.owner[f], neighbour, geometries[f]});
     }
 }
 
