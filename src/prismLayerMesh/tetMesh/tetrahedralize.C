@@ -201,16 +201,16 @@ const struct
     //  first attempts fail, each later one succeeds in about 1 of 3 cases
     label maxAttempts = 12;
 
-    //- CPU time of the first attempt [s], and the points for which it has one
-    //  second more: twice the time of any success. The second attempt has half
-    //  of it, later ones a quarter, but not less than the shortest time.
+    //- CPU time of the first two attempts [s], and the points for which they
+    //  have one second more: twice the time of any success. Later attempts have
+    //  a quarter of it, but not less than the shortest time.
     label seconds = 3;
     label pointsPerSecond = 16000;
     label shortest = 2;
 
-    //- CPU time of the first attempt for tetrahedra of given sizes [s], and the
-    //  number of tetrahedra, if there may be so many, for which it has one
-    //  second more
+    //- CPU time of the first two attempts for tetrahedra of given sizes [s],
+    //  and the number of tetrahedra, if there may be so many, for which they
+    //  have one second more
     label sizedSeconds = 3;
     label tetsPerSecond = 24000;
 
@@ -230,12 +230,22 @@ const struct
 } // End anonymous namespace
 
 
-//- Rotations that lay nothing along the axes or their diagonals: on exactly
-//  coplanar and cospherical points TetGen fails now and then, and with other
-//  coordinates rarely again
-static tensor generalRotation(const label attempt)
+//- The rotation of the coordinates of an attempt.
+//
+//  Rotations lay nothing along the axes or their diagonals: on exactly coplanar
+//  and cospherical points TetGen fails now and then, and with other coordinates
+//  rarely again. But points in one plane are beside it then by rounding, and
+//  between wide flat faces TetGen may need many points, or its flips may not
+//  end. So one attempt has the coordinates as they are: the first one if
+//  areInPlanes, the second one otherwise.
+static tensor rotationOf(const tetDomain& domain, const label attempt)
 {
-    return quaternion(normalised(vector(0.37, 0.61, 0.29)), 1.13 + attempt).R();
+    return attempt == (domain.areInPlanes ? 0 : 1)
+      ? tensor(tensor::I)
+      : quaternion
+        (
+            normalised(vector(0.37, 0.61, 0.29)), 1.13 + attempt
+        ).R();
 }
 
 
@@ -268,7 +278,7 @@ static bool keepsFacets(const tetDomain& domain, const tetMesh& mesh)
 }
 
 
-//- seconds: CPU time of the first attempt
+//- seconds: CPU time of each of the first two attempts
 static tetMesh attempts
 (
     const tetDomain& domain,
@@ -279,11 +289,7 @@ static tetMesh attempts
     for (label attempt = 0; attempt < tuned.maxAttempts; ++attempt)
     {
         tellProgress("TetGen, points", domain.points.size());
-        const tensor rotation
-        (
-            domain.areInPlanes && attempt == 0
-          ? tensor(tensor::I) : generalRotation(attempt)
-        );
+        const tensor rotation(rotationOf(domain, attempt));
         tetMesh mesh;
 
         const processEnd end = isolatedProcess
@@ -296,7 +302,7 @@ static tetMesh attempts
             {
                 mesh = readTetgen(domain, rotation, result);
             },
-            max(seconds >> min(attempt, 2), tuned.shortest)
+            attempt < 2 ? seconds : max(seconds/4, tuned.shortest)
         );
 
         if
