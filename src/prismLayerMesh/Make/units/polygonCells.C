@@ -1,0 +1,17 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "polygonCells/outlines.C"
+#include "polygonCells/farTets.C"
+#include "polygonCells/cornerPoints.C"
+#include "polygonCells/polygonFaces.C"
+#include "polygonCells/layerPolygons.C"
+#include "polygonCells/farGroups.C"
+#include "polygonCells/farPolygons.C"
+#include "polygonCells/polygonGeometry.C"
+#include "polygonCells/movePolygonPoints.C"
+#include "polygonCells/polygonCells.C"
+
+// ************************************************************************* //

@@ -1,0 +1,447 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "farPolygons.H"
+
+#include "disjointSets.H"
+#include "outlines.H"
+#include "unitConversion.H"
+
+#include <algorithm>
+#include <tuple>
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- A corner quadrilateral between two cells, and what it may be joined on
+struct quadBetween
+{
+    label carrier;
+    label first;
+    label second;
+    cornerQuad quad;
+
+    bool sameFace(const quadBetween& b) const
+    {
+        return
+            carrier == b.carrier && first == b.first && second == b.second;
+    }
+
+    bool operator<(const quadBetween& b) const
+    {
+        return
+            std::tie(carrier, first, second)
+          < std::tie(b.carrier, b.first, b.second);
+    }
+};
+
+
+//- Appends the faces that quadrilaterals are joined to, and clears their list
+void appendJoined(DynamicList<quadBetween>& quads, polygonFaces& faces)
+{
+    std::stable_sort(quads.begin(), quads.end());
+    for (label i = 0; i < quads.size();)
+    {
+        DynamicList<cornerQuad, 32> same;
+        const label first = i;
+        for (; i < quads.size() && quads[i].sameFace(quads[first]); ++i)
+        {
+            same.append(quads[i].quad);
+        }
+        for (const labelList& outline : outlinesOf(same))
+        {
+            faces.append(outline, quads[first].first, quads[first].second);
+        }
+    }
+    quads.clear();
+}
+
+
+//- The quadrilateral at a corner of a face of the far field
+cornerQuad quadAt
+(
+    const farFieldCorners& c,
+    const label facei,
+    const label k
+)
+{
+    const face& f = c.far.topology.faces[facei];
+
+    return cornerQuad
+    ({
+        c.points.ofFarPoint(f[k]),
+        c.points.ofFarEdge(f[k], f.nextLabel(k)),
+        c.points.ofFarFace(facei),
+        c.points.ofFarEdge(f.prevLabel(k), f[k])
+    });
+}
+
+
+class farFaces
+{
+    const farFieldCorners& c_;
+    const polyMeshTopology& t_;
+    polygonFaces& faces_;
+
+    //- Internal faces whose inner point is not needed
+    bitSet isInside_;
+
+    label nInternal() const { return t_.neighbour.size(); }
+
+    label cell(const label celli, const label p) const
+    {
+        return c_.firstCell() + c_.groups.at(c_.tets, celli, p);
+    }
+
+    //- Whether a cell has the same group at all its points
+    bool isWhole(const label celli) const
+    {
+        if (celli >= c_.tets.size())
+        {
+            return true;
+        }
+        const FixedList<label, 4>& g = c_.groups.ofTets[celli];
+
+        return g[0] == g[1] && g[1] == g[2] && g[2] == g[3];
+    }
+
+    //- A face as it is, with the points inside of its edges
+    void appendWhole(const label facei, const label first, const label second)
+    {
+        const face& f = t_.faces[facei];
+        DynamicList<label, 16> points;
+        forAll(f, k)
+        {
+            points.append(c_.points.ofFarPoint(f[k]));
+            const label m = c_.points.ofFarEdge(f[k], f.nextLabel(k));
+            if (m >= 0)
+            {
+                points.append(m);
+            }
+        }
+        faces_.append(points, first, second);
+    }
+
+    void findInside()
+    {
+        isInside_.resize(t_.faces.size());
+        for (label facei = 0; facei < nInternal(); ++facei)
+        {
+            bool same = true;
+            for (const label p : t_.faces[facei])
+            {
+                same = same
+                 && cell(t_.owner[facei], p) == cell(t_.neighbour[facei], p);
+            }
+            isInside_.set(facei, same);
+        }
+    }
+
+    //- The quadrilateral of an edge inside of a tetrahedron, if it is between
+    //  two groups; without the points of faces that are not needed
+    void addInside
+    (
+        const label t,
+        label i,
+        label j,
+        DynamicList<quadBetween>& to
+    )
+    {
+        if (c_.tets.points(t)[i] > c_.tets.points(t)[j])
+        {
+            std::swap(i, j);
+        }
+        const label a = c_.tets.points(t)[i], b = c_.tets.points(t)[j];
+        const label first = cell(t, a), second = cell(t, b);
+        if (first == second)
+        {
+            return;
+        }
+        const labelPair sides(c_.tets.facesAt(t, i, j));
+        to.append
+        (
+            quadBetween
+            {
+                0, first, second,
+                cornerQuad
+                ({
+                    c_.points.ofFarEdge(a, b),
+                    c_.points.ofFarFace(sides.first()),
+                    c_.points.ofTet(t),
+                    c_.points.ofFarFace(sides.second())
+                })
+            }
+        );
+    }
+
+    //- The faces in a corner of which the sides are two cells
+    void appendCorners(const label facei)
+    {
+        const label own = t_.owner[facei], nei = t_.neighbour[facei];
+        const face& f = t_.faces[facei];
+        if (isWhole(own) && isWhole(nei))
+        {
+            appendWhole(facei, cell(own, f[0]), cell(nei, f[0]));
+            return;
+        }
+        DynamicList<quadBetween> quads;
+        forAll(f, k)
+        {
+            const label first = cell(own, f[k]), second = cell(nei, f[k]);
+            if (first != second)
+            {
+                quads.append
+                (
+                    quadBetween{0, first, second, quadAt(c_, facei, k)}
+                );
+            }
+        }
+        appendJoined(quads, faces_);
+    }
+
+    //- Joins the corners of boundary faces of a patch that no sharp edge
+    //  divides. Returns the smallest corner of those that are joined, for
+    //  corner starts[facei - nInternal] + k.
+    labelList smoothCorners
+    (
+        const labelUList& starts,
+        const labelUList& patchOf,
+        const scalar sharpAngle
+    ) const;
+
+public:
+
+    farFaces(const farFieldCorners& corners, polygonFaces& faces)
+    :
+        c_(corners),
+        t_(corners.far.topology),
+        faces_(faces)
+    {
+        findInside();
+    }
+
+    //- The faces around edges of tetrahedra
+    void appendAroundEdges();
+
+    //- The faces that are parts of internal faces of the far field
+    void appendInFaces()
+    {
+        for (label facei = 0; facei < nInternal(); ++facei)
+        {
+            if (!isInside_.test(facei))
+            {
+                appendCorners(facei);
+            }
+        }
+    }
+
+    void appendToLayers();
+
+    void appendOnPatches(const labelUList& patches, scalar sharpAngle);
+};
+
+
+void farFaces::appendAroundEdges()
+{
+    // The tetrahedra around each edge, with the positions of its points
+    const numberedEdges& edges = c_.tets.edges();
+    labelList ends(edges.size() + 1, Zero);
+    const auto visit = [&](const auto& act)
+    {
+        for (label t = 0; t < c_.tets.size(); ++t)
+        {
+            const FixedList<label, 4>& p = c_.tets.points(t);
+            for (label i = 0; i < 4; ++i)
+            {
+                for (label j = i + 1; j < 4; ++j)
+                {
+                    act(edges.find(p[i], p[j]), t, i, j);
+                }
+            }
+        }
+    };
+    visit([&](const label e, label, label, label) { ++ends[e + 1]; });
+    for (label e = 0; e < edges.size(); ++e)
+    {
+        ends[e + 1] += ends[e];
+    }
+    labelList next(ends);
+    List<FixedList<label, 3>> around(ends.last());
+    visit([&](const label e, const label t, const label i, const label j)
+    {
+        around[next[e]++] = FixedList<label, 3>({t, i, j});
+    });
+
+    DynamicList<quadBetween> quads;
+    for (label e = 0; e < edges.size(); ++e)
+    {
+        for (label i = ends[e]; i < ends[e + 1]; ++i)
+        {
+            addInside(around[i][0], around[i][1], around[i][2], quads);
+        }
+        appendJoined(quads, faces_);
+    }
+}
+
+
+void farFaces::appendToLayers()
+{
+    DynamicList<quadBetween> quads;
+    forAll(c_.far.frontFaces, i)
+    {
+        const label facei = t_.patchStarts[0] + i;
+        const label fronti = c_.far.frontFaces[i];
+        const face& f = t_.faces[facei];
+        forAll(f, k)
+        {
+            const label g =
+                c_.front.of(fronti, c_.layers.faces[fronti].find(f[k]));
+            const label n = c_.layers.nLayers;
+            quads.append
+            (
+                quadBetween
+                {
+                    0, cell(t_.owner[facei], f[k]), g*n + n - 1,
+                    quadAt(c_, facei, k)
+                }
+            );
+        }
+    }
+    appendJoined(quads, faces_);
+}
+
+
+labelList farFaces::smoothCorners
+(
+    const labelUList& starts,
+    const labelUList& patchOf,
+    const scalar sharpAngle
+) const
+{
+    // Faces at edges: those of an edge follow each other
+    std::vector<std::pair<endsOfEdge, label>> sides;
+    forAll(patchOf, i)
+    {
+        const face& f = t_.faces[nInternal() + i];
+        forAll(f, k)
+        {
+            sides.push_back({std::minmax(f[k], f.nextLabel(k)), i});
+        }
+    }
+    std::sort(sides.begin(), sides.end());
+
+    disjointSets sets(starts.last());
+    const scalar least = Foam::cos(degToRad(sharpAngle));
+    for (std::size_t i = 1; i < sides.size(); ++i)
+    {
+        const label a = sides[i - 1].second, b = sides[i].second;
+        if (sides[i - 1].first != sides[i].first || patchOf[a] != patchOf[b])
+        {
+            continue;
+        }
+        const face& f = t_.faces[nInternal() + a];
+        const face& g = t_.faces[nInternal() + b];
+        const pointField& x = c_.far.points;
+        if ((f.unitNormal(x) & g.unitNormal(x)) >= least)
+        {
+            const endsOfEdge& e = sides[i].first;
+            for (const label p : {e.first, e.second})
+            {
+                sets.join(starts[a] + f.find(p), starts[b] + g.find(p));
+            }
+        }
+    }
+    labelList joined(starts.last());
+    forAll(joined, i)
+    {
+        joined[i] = sets.find(i);
+    }
+
+    return joined;
+}
+
+
+void farFaces::appendOnPatches
+(
+    const labelUList& patches,
+    const scalar sharpAngle
+)
+{
+    const label n = t_.faces.size() - nInternal();
+    labelList starts(n + 1, Zero);
+    labelList patchOf(n, -1);
+    forAll(patchOf, i)
+    {
+        starts[i + 1] = starts[i] + t_.faces[nInternal() + i].size();
+    }
+    for (label patchi = 1; patchi < t_.patchStarts.size(); ++patchi)
+    {
+        SubList<label>
+        (
+            patchOf, t_.patchSizes[patchi],
+            t_.patchStarts[patchi] - nInternal()
+        ) = patchi;
+    }
+    const labelList smooth(smoothCorners(starts, patchOf, sharpAngle));
+
+    DynamicList<quadBetween> quads;
+    forAll(patchOf, i)
+    {
+        const label facei = nInternal() + i;
+        const face& f = t_.faces[facei];
+        const label own = t_.owner[facei];
+        if (patchOf[i] < 0)
+        {
+            continue;
+        }
+        const label patch = polygonFaces::onPatch(patches[patchOf[i]]);
+        if (isWhole(own))
+        {
+            appendWhole(facei, cell(own, f[0]), patch);
+            continue;
+        }
+        forAll(f, k)
+        {
+            quads.append
+            (
+                quadBetween
+                {
+                    smooth[starts[i] + k], cell(own, f[k]), patch,
+                    quadAt(c_, facei, k)
+                }
+            );
+        }
+    }
+    appendJoined(quads, faces_);
+}
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void appendFarFaces
+(
+    const farFieldCorners& corners,
+    const labelUList& patches,
+    const scalar sharpAngle,
+    polygonFaces& faces
+)
+{
+    farFaces far(corners, faces);
+    far.appendAroundEdges();
+    far.appendInFaces();
+    far.appendToLayers();
+    far.appendOnPatches(patches, sharpAngle);
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

@@ -1,0 +1,531 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "layerPolygons.H"
+
+#include "disjointSets.H"
+#include "ListOps.H"
+#include "outlines.H"
+#include "unitConversion.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Joins corners of front faces, see frontGroups
+class frontJoiner
+{
+    const prismLayers& layers_;
+    const labelListList& neighbours_;
+    const polygonControls& controls_;
+    const groupExceptions& exceptions_;
+    frontGroups front_;
+    disjointSets sets_;
+
+    bool onWall(const label facei) const
+    {
+        return facei < layers_.nWallFaces();
+    }
+
+    label corner(const label facei, const label column) const
+    {
+        return front_.starts[facei] + layers_.faces[facei].find(column);
+    }
+
+    //- Unit normal of a front face on a level
+    vector normalAt(const label facei, const label level) const
+    {
+        const face& f = layers_.faces[facei];
+        pointField x(f.size());
+        forAll(f, k)
+        {
+            x[k] = layers_(f[k], level);
+        }
+
+        return normalised(face(identity(f.size())).areaNormal(x));
+    }
+
+    bool isSharp(const label a, const label b) const
+    {
+        const auto turn = [&](const label level)
+        {
+            return normalAt(a, level) & normalAt(b, level);
+        };
+
+        return
+            layers_.patchIDs[a] != layers_.patchIDs[b]
+         || turn(0) < Foam::cos(degToRad(controls_.sharpAngle))
+         || turn(layers_.nLayers)
+          < Foam::cos(degToRad(controls_.sharpOuterAngle));
+    }
+
+    void joinAll(const label facei)
+    {
+        forAll(layers_.faces[facei], k)
+        {
+            sets_.join(front_.starts[facei], front_.starts[facei] + k);
+        }
+    }
+
+    //- Joins the corners at both ends of an edge with those across
+    void joinAcross(const label facei, const label k, const label other)
+    {
+        const face& f = layers_.faces[facei];
+        for (const label column : {f[k], f.nextLabel(k)})
+        {
+            join(corner(facei, column), corner(other, column));
+        }
+    }
+
+    void join(const label a, const label b)
+    {
+        if (!exceptions_.apart.test(a) && !exceptions_.apart.test(b))
+        {
+            sets_.join(a, b);
+        }
+    }
+
+    //- Whether a front face without area is on three columns of one point, or
+    //  has a form that is not divided
+    bool isWhole(const label facei) const
+    {
+        const face& f = layers_.faces[facei];
+        label nShort = 0;
+        forAll(f, k)
+        {
+            nShort += isShort(facei, k);
+        }
+
+        return
+            exceptions_.whole.test(facei)
+         || nShort != (f.size() == 4 ? 2 : 1);
+    }
+
+    bool isShort(const label facei, const label k) const
+    {
+        const face& f = layers_.faces[facei];
+
+        return layers_.root(f[k]) == layers_.root(f.nextLabel(k));
+    }
+
+    void joinOnWall(const label facei)
+    {
+        forAll(neighbours_[facei], k)
+        {
+            const label other = neighbours_[facei][k];
+            if
+            (
+                other > facei && onWall(other)
+             && !exceptions_.whole.test(other) && !isSharp(facei, other)
+            )
+            {
+                joinAcross(facei, k, other);
+            }
+        }
+    }
+
+    void joinBetweenColumns(const label facei)
+    {
+        const face& f = layers_.faces[facei];
+        if (f.size() == 3)
+        {
+            joinAll(facei);
+        }
+        forAll(f, k)
+        {
+            if (!isShort(facei, k))
+            {
+                continue;
+            }
+            join
+            (
+                front_.starts[facei] + k, front_.starts[facei] + f.fcIndex(k)
+            );
+            const label other = neighbours_[facei][k];
+            if (other > facei && !isWhole(other))
+            {
+                joinAcross(facei, k, other);
+            }
+        }
+    }
+
+    label nCorners() const { return front_.starts.last(); }
+
+public:
+
+    frontJoiner
+    (
+        const prismLayers& layers,
+        const labelListList& faceNeighbours,
+        const polygonControls& controls,
+        const groupExceptions& exceptions,
+        frontGroups&& front
+    )
+    :
+        layers_(layers),
+        neighbours_(faceNeighbours),
+        controls_(controls),
+        exceptions_(exceptions),
+        front_(std::move(front)),
+        sets_(nCorners())
+    {}
+
+    frontGroups join()
+    {
+        forAll(layers_.faces, facei)
+        {
+            if
+            (
+                onWall(facei)
+              ? exceptions_.whole.test(facei) : isWhole(facei)
+            )
+            {
+                joinAll(facei);
+            }
+            else if (onWall(facei))
+            {
+                joinOnWall(facei);
+            }
+            else
+            {
+                joinBetweenColumns(facei);
+            }
+        }
+
+        // The first corner of a group has the smallest label
+        front_.groups.setSize(nCorners());
+        forAll(front_.groups, i)
+        {
+            const label first = sets_.find(i);
+            front_.groups[i] =
+                first == i ? front_.nGroups++ : front_.groups[first];
+        }
+
+        return front_;
+    }
+};
+
+
+//- Appends the faces of columns
+class columnFaces
+{
+    const prismLayers& layers_;
+    const labelListList& neighbours_;
+    const frontGroups& front_;
+    const cornerPoints& points_;
+    const labelUList& sidePatches_;
+    polygonFaces& faces_;
+
+    label n() const { return layers_.nLayers; }
+
+    //- Labels in the plane of the front: columns, edges, front faces
+    label planeEdge(const label a, const label b) const
+    {
+        return layers_.nColumns() + points_.frontEdges().find(a, b);
+    }
+
+    label planeFace(const label facei) const
+    {
+        return layers_.nColumns() + points_.frontEdges().size() + facei;
+    }
+
+    label onLevel(const label p, const label level) const
+    {
+        const label e = p - layers_.nColumns();
+        const label f = e - points_.frontEdges().size();
+
+        return
+            e < 0 ? points_.ofColumn(p, level)
+          : f < 0 ? points_.ofEdge(e, level) : points_.ofFace(f, level);
+    }
+
+    label cell(const label group, const label level) const
+    {
+        return group*n() + level - 1;
+    }
+
+    //- Appends the faces over a path, to the group on the right or to a patch
+    void appendOver
+    (
+        const labelUList& path,
+        const label left,
+        const label right
+    )
+    {
+        for (label i = 1; i <= n(); ++i)
+        {
+            DynamicList<label, 8> f;
+            for (const label p : path)
+            {
+                f.append(onLevel(p, i - 1));
+            }
+            forAllReverse(path, k)
+            {
+                f.append(onLevel(path[k], i));
+            }
+            faces_.append(f, cell(left, i), right < 0 ? right : cell(right, i));
+        }
+    }
+
+    //- Appends the faces over two parts of a path; together if both are between
+    //  the same groups
+    void appendBoth
+    (
+        const FixedList<label, 3>& path,
+        const labelPair& first,
+        const labelPair& second
+    )
+    {
+        const labelList start({path[0], path[1]});
+        const labelList end({path[1], path[2]});
+        if (first == second && first.first() != first.second())
+        {
+            appendOver(labelList(path), first.first(), first.second());
+            return;
+        }
+        if (first.first() != first.second())
+        {
+            appendOver(start, first.first(), first.second());
+        }
+        if (second.first() != second.second())
+        {
+            appendOver(end, second.first(), second.second());
+        }
+    }
+
+    label group(const label facei, const label column) const
+    {
+        return front_.of(facei, layers_.faces[facei].find(column));
+    }
+
+    //- The faces over an edge, and across it from front face to front face.
+    //  other: -1 if there is no front face beyond
+    void appendEdge(const label facei, const label k, const label other)
+    {
+        const face& f = layers_.faces[facei];
+        const label a = f[k], b = f.nextLabel(k), m = planeEdge(a, b);
+        const labelPair here(group(facei, a), group(facei, b));
+        if (other < 0)
+        {
+            const label patch = sidePatches_[front_.starts[facei] + k];
+            appendBoth
+            (
+                {a, m, b}, {here.first(), polygonFaces::onPatch(patch)},
+                {here.second(), polygonFaces::onPatch(patch)}
+            );
+            if (here.first() != here.second())
+            {
+                appendOver
+                (
+                    labelList({m, planeFace(facei)}), here.first(),
+                    here.second()
+                );
+            }
+            return;
+        }
+        const labelPair there(group(other, a), group(other, b));
+        appendBoth({planeFace(other), m, planeFace(facei)}, there, here);
+        appendBoth
+        (
+            {a, m, b}, {here.first(), there.first()},
+            {here.second(), there.second()}
+        );
+    }
+
+public:
+
+    columnFaces
+    (
+        const prismLayers& layers,
+        const labelListList& faceNeighbours,
+        const frontGroups& front,
+        const cornerPoints& points,
+        const labelUList& sidePatches,
+        polygonFaces& faces
+    )
+    :
+        layers_(layers),
+        neighbours_(faceNeighbours),
+        front_(front),
+        points_(points),
+        sidePatches_(sidePatches),
+        faces_(faces)
+    {}
+
+    void appendSides()
+    {
+        forAll(layers_.faces, facei)
+        {
+            forAll(layers_.faces[facei], k)
+            {
+                const label other = neighbours_[facei][k];
+                if (other < 0 || other > facei)
+                {
+                    appendEdge(facei, k, other);
+                }
+            }
+        }
+    }
+
+    //- Calls visit(group, outline, facei) for each outline of a group in the
+    //  plane of the front, seen from the fluid, with a front face of the group
+    template<class Visit>
+    void visitOutlines(const Visit& visit) const
+    {
+        List<DynamicList<cornerQuad>> quads(front_.nGroups);
+        labelList faceOf(front_.nGroups);
+        forAll(layers_.faces, facei)
+        {
+            const face& f = layers_.faces[facei];
+            forAll(f, k)
+            {
+                const label g = front_.of(facei, k);
+                faceOf[g] = facei;
+                quads[g].append
+                (
+                    cornerQuad
+                    ({
+                        f[k], planeEdge(f[k], f.nextLabel(k)),
+                        planeFace(facei), planeEdge(f.prevLabel(k), f[k])
+                    })
+                );
+            }
+        }
+        forAll(quads, g)
+        {
+            for (const labelList& outline : outlinesOf(quads[g]))
+            {
+                visit(g, outline, faceOf[g]);
+            }
+        }
+    }
+
+    //- Appends the face on a level
+    void appendFlat
+    (
+        const labelUList& outline,
+        const label level,
+        const label first,
+        const label second
+    )
+    {
+        DynamicList<label, 16> f;
+        for (const label p : outline)
+        {
+            f.append(onLevel(p, level));
+        }
+        if (level == 0)
+        {
+            Foam::reverse(f);
+        }
+        faces_.append(f, first, second);
+    }
+
+    void appendLevels()
+    {
+        visitOutlines
+        (
+            [&](const label g, const labelList& outline, const label facei)
+            {
+                if (facei < layers_.nWallFaces())
+                {
+                    const label patchi = layers_.patchIDs[facei];
+                    appendFlat
+                    (
+                        outline, 0, cell(g, 1), polygonFaces::onPatch(patchi)
+                    );
+                }
+                for (label i = 1; i < n(); ++i)
+                {
+                    appendFlat(outline, i, cell(g, i), cell(g, i + 1));
+                }
+            }
+        );
+    }
+
+    void appendOuter(const label patchi)
+    {
+        visitOutlines
+        (
+            [&](const label g, const labelList& outline, const label)
+            {
+                appendFlat
+                (
+                    outline, n(), cell(g, n()), polygonFaces::onPatch(patchi)
+                );
+            }
+        );
+    }
+};
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+frontGroups groupFront
+(
+    const prismLayers& layers,
+    const labelListList& faceNeighbours,
+    const polygonControls& controls,
+    const groupExceptions& exceptions
+)
+{
+    frontGroups front;
+    front.starts = labelList(layers.faces.size() + 1, Zero);
+    forAll(layers.faces, facei)
+    {
+        front.starts[facei + 1] =
+            front.starts[facei] + layers.faces[facei].size();
+    }
+
+    return frontJoiner
+    (
+        layers, faceNeighbours, controls, exceptions, std::move(front)
+    ).join();
+}
+
+
+void appendLayerFaces
+(
+    const prismLayers& layers,
+    const labelListList& faceNeighbours,
+    const frontGroups& front,
+    const cornerPoints& points,
+    const labelUList& sidePatches,
+    polygonFaces& faces
+)
+{
+    columnFaces columns
+    (
+        layers, faceNeighbours, front, points, sidePatches, faces
+    );
+    columns.appendSides();
+    columns.appendLevels();
+}
+
+
+void appendOuterFaces
+(
+    const prismLayers& layers,
+    const frontGroups& front,
+    const cornerPoints& points,
+    const label patchi,
+    polygonFaces& faces
+)
+{
+    columnFaces
+    (
+        layers, labelListList::null(), front, points, labelUList::null(), faces
+    ).appendOuter(patchi);
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

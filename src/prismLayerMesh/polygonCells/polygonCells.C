@@ -1,0 +1,447 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "polygonCells.H"
+
+#include "polygonGeometry.H"
+#include "farPolygons.H"
+#include "makeFarFieldMesh.H"
+#include "movePolygonPoints.H"
+#include "OStringStream.H"
+#include "prismFaces.H"
+#include "prismPolyMesh.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+label nTetsOf(const farFieldMesh& far)
+{
+    for (const cellZoneParts& zone : far.cellZones)
+    {
+        if (zone.name == farFieldName)
+        {
+            return zone.cells.size();
+        }
+    }
+
+    return 0;
+}
+
+
+//- Compares the wall of polygons with the wall
+void compareWalls
+(
+    const prismLayers& layers,
+    const frontGroups& front,
+    const polyMeshParts& mesh,
+    const polygonGeometry& geometry,
+    polygonCounts& counts
+)
+{
+    labelList columnOf(front.nGroups);
+    scalar area = 0;
+    for (label facei = 0; facei < layers.nWallFaces(); ++facei)
+    {
+        const face& f = layers.faces[facei];
+        pointField x(f.size());
+        forAll(f, k)
+        {
+            columnOf[front.of(facei, k)] = f[k];
+            x[k] = layers(f[k], 0);
+        }
+        area += face(identity(f.size())).mag(x);
+    }
+    scalar polygons = 0;
+    for (label patchi = 0; patchi < layers.patchNames.size(); ++patchi)
+    {
+        const label start = mesh.topology.patchStarts[patchi];
+        for (label i = 0; i < mesh.topology.patchSizes[patchi]; ++i)
+        {
+            const label group =
+                mesh.topology.owner[start + i]/layers.nLayers;
+            const vector& normal = geometry.faceAreas[start + i];
+            const vector off
+            (
+                layers(columnOf[group], 0)
+              - geometry.faceCentres[start + i]
+            );
+            polygons += mag(normal);
+            counts.wallDistance = max
+            (
+                counts.wallDistance,
+                mag(off & normal)/max(mag(normal), VSMALL)
+            );
+        }
+    }
+    counts.wallAreaRatio = polygons/area;
+}
+
+
+class polygonMaker
+{
+    const prismLayers& layers_;
+    farFieldMesh& far_;
+    const polygonControls& controls_;
+    const labelListList neighbours_;
+    const farTets tets_;
+    cornerPoints points_;
+    meshPatches patches_;
+
+    //- The patch of each edge without a neighbour, by corner; the patch of each
+    //  patch of the far field's topology
+    labelList sidePatches_;
+    labelList farPatches_;
+
+    // Corners that are cells of their own, and the groups with them
+        groupExceptions onFront_;
+        groupExceptions inFar_;
+        frontGroups front_;
+        farGroups groups_;
+
+    void setPatches()
+    {
+        const List<DynamicList<labelPair>> open
+        (
+            openEdges(layers_, neighbours_)
+        );
+        patches_ = patchesOfMesh(layers_, open.size(), far_);
+        const List<labelPair> parts
+        (
+            partsOfPatches(layers_, open.size(), far_)
+        );
+        labelList ofLayers
+        (
+            layers_.patchNames.size() + 1 + open.size(), label(-1)
+        );
+        farPatches_.setSize(far_.topology.patchStarts.size(), -1);
+        forAll(parts, patchi)
+        {
+            if (parts[patchi].first() >= 0)
+            {
+                ofLayers[parts[patchi].first()] = patchi;
+            }
+            if (parts[patchi].second() >= 0)
+            {
+                farPatches_[parts[patchi].second()] = patchi;
+            }
+        }
+        const frontGroups corners
+        (
+            groupFront(layers_, neighbours_, controls_, onFront_)
+        );
+        sidePatches_.setSize(corners.groups.size(), -1);
+        forAll(open, i)
+        {
+            for (const labelPair& e : open[i])
+            {
+                sidePatches_[corners.starts[e.first()] + e.second()] =
+                    ofLayers[layers_.patchNames.size() + 1 + i];
+            }
+        }
+    }
+
+    label nLayerCells() const { return front_.nGroups*layers_.nLayers; }
+
+    //- Zones of cells; those of the far field with the layers below
+    List<cellZoneParts> zones() const
+    {
+        List<cellZoneParts> zones;
+        zones.append
+        (
+            cellZoneParts(boundaryLayerName, identity(nLayerCells()))
+        );
+        for (const cellZoneParts& zone : far_.cellZones)
+        {
+            bitSet cells(nLayerCells() + groups_.nGroups);
+            for (const label celli : zone.cells)
+            {
+                if (celli >= tets_.size())
+                {
+                    cells.set
+                    (
+                        nLayerCells()
+                      + groups_.ofOthers[celli - tets_.size()]
+                    );
+                    continue;
+                }
+                for (const label g : groups_.ofTets[celli])
+                {
+                    cells.set(nLayerCells() + g);
+                }
+            }
+            zones.append(cellZoneParts(zone.name, cells.toc()));
+        }
+
+        return zones;
+    }
+
+    //- Moves free points of a mesh to where gains fall
+    void movePoints(const labelUList& labels, polyMeshParts& mesh)
+    {
+        bitSet isFixed(labels.size());
+        forAll(labels, p)
+        {
+            isFixed.set(p, !points_.isFree(labels[p]));
+        }
+        for
+        (
+            const label p
+          : movePolygonPoints(isFixed, pointMoveControls(), mesh)
+        )
+        {
+            points_.move(labels[p], mesh.points[p]);
+        }
+    }
+
+    polyMeshParts make()
+    {
+        front_ = groupFront(layers_, neighbours_, controls_, onFront_);
+        polygonFaces faces;
+        appendLayerFaces
+        (
+            layers_, neighbours_, front_, points_, sidePatches_, faces
+        );
+        if (far_.empty())
+        {
+            appendOuterFaces
+            (
+                layers_, front_, points_, layers_.patchNames.size(), faces
+            );
+        }
+        else
+        {
+            groups_ = groupFarField
+            (
+                layers_, neighbours_, front_, far_, tets_, inFar_
+            );
+            appendFarFaces
+            (
+                {layers_, front_, far_, tets_, groups_, points_}, farPatches_,
+                controls_.sharpAngle, faces
+            );
+        }
+        labelList labels;
+        polyMeshParts mesh
+        (
+            faces.makeParts
+            (
+                points_, nLayerCells() + groups_.nGroups,
+                patches_.names.size(), labels
+            )
+        );
+        mesh.patches = patches_;
+        if (!far_.empty())
+        {
+            movePoints(labels, mesh);
+        }
+
+        return mesh;
+    }
+
+    //- Calls visit(celli, corner) for the corners of front faces, and of
+    //  tetrahedra, with the first cell that they are in; corner is the number
+    //  of the front face, or of the tetrahedron, and the position there
+    template<class OnFront, class OnTet>
+    void visitCorners(const OnFront& onFront, const OnTet& onTet) const
+    {
+        forAll(layers_.faces, facei)
+        {
+            forAll(layers_.faces[facei], k)
+            {
+                onFront(front_.of(facei, k), facei, k);
+            }
+        }
+        forAll(groups_.ofTets, t)
+        {
+            for (label k = 0; k < 4; ++k)
+            {
+                onTet(groups_.ofTets[t][k], t, k);
+            }
+        }
+    }
+
+    //- Sets a corner apart, or, if it is apart, its face or tetrahedron whole.
+    //  Returns whether that is new.
+    static bool except
+    (
+        const label corner,
+        const label i,
+        groupExceptions& exceptions
+    )
+    {
+        return exceptions.apart.set(corner) || exceptions.whole.set(i);
+    }
+
+    //- Changes cells that are not valid. The inner points of their prisms and
+    //  tetrahedra move to the centroids; with 'divide' each of the cells is
+    //  also divided into corners. If a corner is not valid, its front face or
+    //  tetrahedron stays whole. Returns whether there was a change.
+    bool improve(const labelUList& cells, const bool divide)
+    {
+        bitSet isChanged(nLayerCells() + groups_.nGroups);
+        isChanged.set(cells);
+        bitSet onFront(front_.nGroups);
+        for (label celli = 0; celli < nLayerCells(); ++celli)
+        {
+            if (isChanged.test(celli))
+            {
+                onFront.set(celli/layers_.nLayers);
+            }
+        }
+        label n = 0;
+        visitCorners
+        (
+            [&](const label g, const label facei, const label k)
+            {
+                if (onFront.test(g))
+                {
+                    n += points_.centreFace(facei);
+                    n += divide && except
+                    (
+                        front_.starts[facei] + k, facei, onFront_
+                    );
+                }
+            },
+            [&](const label g, const label t, const label k)
+            {
+                if (isChanged.test(nLayerCells() + g))
+                {
+                    n += points_.centreTet(t);
+                    n += divide && except(4*t + k, t, inFar_);
+                }
+            }
+        );
+
+        return n;
+    }
+
+public:
+
+    polygonMaker
+    (
+        const prismLayers& layers,
+        farFieldMesh& far,
+        const polygonControls& controls
+    )
+    :
+        layers_(layers),
+        far_(far),
+        controls_(controls),
+        neighbours_(findFaceNeighbours(layers)),
+        tets_(far, nTetsOf(far)),
+        points_(layers, far, tets_, controls)
+    {
+        setPatches();
+    }
+
+    polygonMesh makeValid()
+    {
+        polygonMesh made;
+        for (label round = 0;; ++round)
+        {
+            made.mesh = make();
+            const polygonGeometry geometry(made.mesh);
+            const labelList invalid(geometry.invalidCells(made.mesh));
+            if (invalid.empty())
+            {
+                const finiteVolumes volumes(geometry.volumes(made.mesh));
+                made.counts.grade = gradeOf(volumes, explicitGains(volumes));
+                compareWalls
+                (
+                    layers_, front_, made.mesh, geometry, made.counts
+                );
+                break;
+            }
+            if (!improve(invalid, round > 0))
+            {
+                FatalErrorInFunction
+                    << "No valid polygons were found: a cell does not see its"
+                    << " faces, at " << geometry.cellCentres[invalid[0]] << nl
+                    << "Use cells triangles" << exit(FatalError);
+            }
+        }
+        if (!far_.empty())
+        {
+            made.mesh.cellZones = zones();
+        }
+        polygonCounts& counts = made.counts;
+        counts.nColumns = front_.nGroups;
+        counts.nLayerCells = nLayerCells();
+        counts.nOthers = groups_.ofOthers.size();
+        counts.nPolyhedra = groups_.nGroups - counts.nOthers;
+        counts.nCornersOfColumns = onFront_.apart.count();
+        counts.nCornersOfTets = inFar_.apart.count();
+        counts.nKeptFaces = onFront_.whole.count();
+        counts.nKeptTets = inFar_.whole.count();
+
+        return made;
+    }
+};
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+dictionary toDictionary(const polygonCounts& counts)
+{
+    dictionary entries;
+    entries.add("columns", counts.nColumns);
+    entries.add("layerCells", counts.nLayerCells);
+    entries.add("polyhedra", counts.nPolyhedra);
+    entries.add("otherCells", counts.nOthers);
+    entries.add("cornersOfColumns", counts.nCornersOfColumns);
+    entries.add("cornersOfTets", counts.nCornersOfTets);
+    entries.add("keptFaces", counts.nKeptFaces);
+    entries.add("keptTets", counts.nKeptTets);
+    entries.add("wallDistance", counts.wallDistance);
+    entries.add("wallAreaRatio", counts.wallAreaRatio);
+    entries.add("largeGains", counts.grade.nLargeGains);
+    entries.add("factor", counts.grade.factor);
+
+    return entries;
+}
+
+
+string textOf(const polygonCounts& counts)
+{
+    OStringStream text;
+    text<< counts.nColumns << " columns, " << counts.nLayerCells
+        << " cells in layers, " << counts.nPolyhedra << " polyhedra";
+    if (counts.nCornersOfColumns || counts.nCornersOfTets)
+    {
+        text<< "\ncolumns divided into " << counts.nCornersOfColumns
+            << " corners of prisms, polyhedra into " << counts.nCornersOfTets
+            << " corners of tetrahedra; " << counts.nKeptFaces
+            << " columns of prisms and " << counts.nKeptTets
+            << " tetrahedra stay";
+    }
+    text<< "\npoints of the wall are off the polygons by "
+        << counts.wallDistance << " m at most, their area is "
+        << counts.wallAreaRatio << " of the wall's"
+        << "\nfactor of a plain scheme " << counts.grade.factor;
+
+    return text.str();
+}
+
+
+polygonMesh makePolygonCells
+(
+    const prismLayers& layers,
+    farFieldMesh& far,
+    const polygonControls& controls
+)
+{
+    return polygonMaker(layers, far, controls).makeValid();
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

@@ -1,0 +1,200 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "polygonFaces.H"
+
+#include "error.H"
+
+#include <algorithm>
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Starts patches until there are n
+static void startPatches(const label n, polyMeshTopology& topology)
+{
+    while (topology.patchStarts.size() < n)
+    {
+        topology.startPatch();
+    }
+}
+
+
+//- Appends a face between two cells, or on a patch
+static void appendTo
+(
+    polyMeshTopology& topology,
+    face&& f,
+    const labelPair& cells
+)
+{
+    const label first = cells.first(), second = cells.second();
+    if (second < 0)
+    {
+        startPatches(-second, topology);
+        topology.append(std::move(f), first);
+        return;
+    }
+    topology.append
+    (
+        first < second ? std::move(f) : f.reverseFace(),
+        min(first, second), max(first, second)
+    );
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+const SubList<label> polygonFaces::pointsOf(const label facei) const
+{
+    const label start = facei ? ends_[facei - 1] : 0;
+
+    return SubList<label>(points_, ends_[facei] - start, start);
+}
+
+
+boolList polygonFaces::stayingPoints(const cornerPoints& points) const
+{
+    // Two neighbours of each point; a third one makes it stay
+    boolList stays(points.size(), false);
+    List<labelPair> neighbours(points.size(), labelPair(-1, -1));
+    const auto add = [&](const label p, const label q)
+    {
+        labelPair& known = neighbours[p];
+        if (known.first() < 0 || known.first() == q)
+        {
+            known.first() = q;
+        }
+        else if (known.second() < 0 || known.second() == q)
+        {
+            known.second() = q;
+        }
+        else
+        {
+            stays[p] = true;
+        }
+    };
+    forAll(ends_, facei)
+    {
+        const SubList<label> f(pointsOf(facei));
+        forAll(f, k)
+        {
+            const label next = f[f.fcIndex(k)];
+            add(f[k], next);
+            add(next, f[k]);
+            stays[f[k]] = stays[f[k]] || points.isGiven(f[k]);
+        }
+    }
+
+    return stays;
+}
+
+
+labelList polygonFaces::order() const
+{
+    const auto key = [&](const label facei)
+    {
+        const labelPair& c = cells_[facei];
+
+        return
+            c.second() >= 0
+          ? labelPair(min(c.first(), c.second()), max(c.first(), c.second()))
+          : labelPair(labelMax, -c.second());
+    };
+    labelList order(identity(ends_.size()));
+    std::stable_sort
+    (
+        order.begin(), order.end(), [&](const label a, const label b)
+        {
+            return key(a) < key(b);
+        }
+    );
+
+    return order;
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void polygonFaces::append
+(
+    const UList<label>& f,
+    const label first,
+    const label second
+)
+{
+    const label start = points_.size();
+    for (const label p : f)
+    {
+        if (points_.size() == start || points_.last() != p)
+        {
+            points_.append(p);
+        }
+    }
+    if (points_.size() > start && points_.last() == points_[start])
+    {
+        points_.remove();
+    }
+    if (points_.size() < start + 3)
+    {
+        points_.setSize(start);
+        return;
+    }
+    ends_.append(points_.size());
+    cells_.append(labelPair(first, second));
+}
+
+
+polyMeshParts polygonFaces::makeParts
+(
+    const cornerPoints& points,
+    const label nCells,
+    const label nPatches,
+    labelList& labels
+) const
+{
+    polyMeshParts mesh;
+    mesh.nCells = nCells;
+    const boolList stays(stayingPoints(points));
+    labelList newLabels(points.size(), -1);
+    DynamicList<point> places;
+    DynamicList<label> labelsOf;
+    for (const label facei : order())
+    {
+        DynamicList<label, 16> kept;
+        for (const label p : pointsOf(facei))
+        {
+            if (!stays[p])
+            {
+                continue;
+            }
+            if (newLabels[p] < 0)
+            {
+                newLabels[p] = places.size();
+                places.append(points.position(p));
+                labelsOf.append(p);
+            }
+            kept.append(newLabels[p]);
+        }
+        if (kept.size() < 3)
+        {
+            FatalErrorInFunction
+                << "A face between polygons is a line, at "
+                << points.position(pointsOf(facei)[0]) << exit(FatalError);
+        }
+        appendTo(mesh.topology, face(kept), cells_[facei]);
+    }
+    startPatches(nPatches, mesh.topology);
+    mesh.points.transfer(places);
+    labels.transfer(labelsOf);
+
+    return mesh;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

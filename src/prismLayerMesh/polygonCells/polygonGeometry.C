@@ -1,0 +1,155 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "polygonGeometry.H"
+
+#include "cellPredicates.H"
+#include "surfaceMeasures.H"
+#include "UIndirectList.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+static void setFacesOfCells(const polyMeshParts& mesh, cellList& cells)
+{
+    const polyMeshTopology& t = mesh.topology;
+    labelList nFaces(mesh.nCells, Zero);
+    const auto visit = [&](const auto& act)
+    {
+        forAll(t.faces, facei)
+        {
+            act(t.owner[facei], facei);
+            if (facei < t.neighbour.size())
+            {
+                act(t.neighbour[facei], facei);
+            }
+        }
+    };
+    visit([&](const label celli, label) { ++nFaces[celli]; });
+    cells.setSize(mesh.nCells);
+    forAll(cells, celli)
+    {
+        cells[celli].setSize(nFaces[celli]);
+    }
+    visit([&](const label celli, const label facei)
+    {
+        cells[celli][--nFaces[celli]] = facei;
+    });
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+polygonGeometry::polygonGeometry(const polyMeshParts& mesh)
+:
+    faceAreas(mesh.topology.faces.size()),
+    faceCentres(faceAreas.size()),
+    cellCentres(mesh.nCells, Zero),
+    cellVolumes(mesh.nCells, Zero)
+{
+    setFacesOfCells(mesh, cells);
+
+    #pragma omp parallel for schedule(static)
+    forAll(faceAreas, facei)
+    {
+        setFace(mesh, facei);
+    }
+
+    #pragma omp parallel for schedule(static)
+    forAll(cells, celli)
+    {
+        setCell(mesh, celli);
+    }
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void polygonGeometry::setFace(const polyMeshParts& mesh, const label facei)
+{
+    const faceGeometry geometry
+    (
+        UIndirectList<point>(mesh.points, mesh.topology.faces[facei])
+    );
+    faceAreas[facei] = geometry.area;
+    faceCentres[facei] = geometry.centre;
+}
+
+
+void polygonGeometry::setCell(const polyMeshParts& mesh, const label celli)
+{
+    point middle(Zero);
+    for (const label facei : cells[celli])
+    {
+        middle += faceCentres[facei]/cells[celli].size();
+    }
+    vector sum(Zero);
+    scalar volume3 = 0;
+    for (const label facei : cells[celli])
+    {
+        const scalar way = mesh.topology.owner[facei] == celli ? 1 : -1;
+        const vector to(faceCentres[facei] - middle);
+        const scalar pyramid3 = way*(faceAreas[facei] & to);
+        sum += pyramid3*0.75*to;
+        volume3 += pyramid3;
+    }
+    cellVolumes[celli] = volume3/3;
+    cellCentres[celli] =
+        mag(volume3) > VSMALL ? middle + sum/volume3 : middle;
+}
+
+
+finiteVolumes polygonGeometry::volumes(const polyMeshParts& mesh) const
+{
+    return finiteVolumes
+    {
+        mesh.topology.owner, mesh.topology.neighbour, cells, faceAreas,
+        faceCentres, cellCentres, cellVolumes
+    };
+}
+
+
+labelList polygonGeometry::invalidCells(const polyMeshParts& mesh) const
+{
+    const polyMeshTopology& t = mesh.topology;
+    DynamicList<label> invalid;
+    forAll(cells, celli)
+    {
+        bool isValid = true;
+        scalar area = 0;
+        scalar largest = 0;
+        const point& centre = cellCentres[celli];
+        for (const label facei : cells[celli])
+        {
+            const face& f = t.faces[facei];
+            const point* x[3] =
+            {
+                &mesh.points[f[0]], &mesh.points[f[1]], &mesh.points[f[2]]
+            };
+            const scalar way = t.owner[facei] == celli ? 1 : -1;
+            isValid = isValid
+             && way
+               *(
+                    f.size() == 3
+                  ? -orientation(*x[0], *x[1], *x[2], centre)
+                  : faceAreas[facei] & (faceCentres[facei] - centre)
+                ) > 0;
+            area += mag(faceAreas[facei]);
+            largest = max(largest, cmptMax(cmptMag(*x[0])));
+        }
+        if (!isValid || cellVolumes[celli] <= SMALL*largest*area)
+        {
+            invalid.append(celli);
+        }
+    }
+
+    return labelList(std::move(invalid));
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //

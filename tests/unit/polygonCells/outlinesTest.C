@@ -1,0 +1,155 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "cornerPoints.H"
+#include "outlines.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- Whether two lists are the same but for where they start
+static bool isTurned(const labelList& a, const labelList& b)
+{
+    const label start = b.find(a[0]);
+    bool same = a.size() == b.size() && start >= 0;
+    forAll(a, k)
+    {
+        same = same && a[k] == b[(start + k) % b.size()];
+    }
+
+    return same;
+}
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(outlines, aRingAroundAPointLosesThePoint)
+{
+    // Three quadrilaterals around point 0: edges to 1, 2, 3; faces 4, 5, 6
+    const List<labelList> outlines
+    (
+        outlinesOf
+        (
+            List<cornerQuad>
+            ({
+                cornerQuad({0, 1, 4, 2}), cornerQuad({0, 2, 5, 3}),
+                cornerQuad({0, 3, 6, 1})
+            })
+        )
+    );
+
+    ASSERT_EQ(outlines.size(), 1);
+    EXPECT_TRUE(isTurned(outlines[0], labelList({1, 4, 2, 5, 3, 6})));
+}
+
+
+TEST(outlines, anOpenFanKeepsThePoint)
+{
+    const List<labelList> outlines
+    (
+        outlinesOf
+        (
+            List<cornerQuad>
+            ({
+                cornerQuad({0, 2, 5, 3}), cornerQuad({0, 1, 4, 2})
+            })
+        )
+    );
+
+    ASSERT_EQ(outlines.size(), 1);
+    EXPECT_TRUE(isTurned(outlines[0], labelList({0, 1, 4, 2, 5, 3})));
+}
+
+
+TEST(outlines, partsThatDoNotTouchAreTwo)
+{
+    const List<labelList> outlines
+    (
+        outlinesOf
+        (
+            List<cornerQuad>
+            ({
+                cornerQuad({0, 1, 4, 2}), cornerQuad({7, 8, 9, 10})
+            })
+        )
+    );
+
+    EXPECT_EQ(outlines.size(), 2);
+}
+
+
+TEST(outlines, haveEachPointOnce)
+{
+    // Two quadrilaterals that touch in a point
+    const List<labelList> outlines
+    (
+        outlinesOf
+        (
+            List<cornerQuad>
+            ({
+                cornerQuad({0, 1, 2, 3}), cornerQuad({2, 4, 5, 6})
+            })
+        )
+    );
+
+    ASSERT_EQ(outlines.size(), 2);
+    EXPECT_EQ(outlines[0].size(), 4);
+    EXPECT_EQ(outlines[1].size(), 4);
+}
+
+
+TEST(innerWeights, anAcuteTriangleHasItsCircumcentre)
+{
+    const pointField corners
+    ({
+        point(0, 0, 0), point(1, 0, 0), point(0.5, 0.8, 0)
+    });
+    const scalarList w(innerWeights(corners, 0.1));
+    const point centre(w[0]*corners[0] + w[1]*corners[1] + w[2]*corners[2]);
+
+    EXPECT_NEAR(mag(centre - corners[0]), mag(centre - corners[1]), 1e-15);
+    EXPECT_NEAR(mag(centre - corners[0]), mag(centre - corners[2]), 1e-15);
+}
+
+
+TEST(innerWeights, aTetrahedronHasItsCircumcentre)
+{
+    const pointField corners
+    ({
+        point(0, 0, 0), point(1, 0, 0), point(0.5, 0.9, 0),
+        point(0.5, 0.3, 0.8)
+    });
+    const scalarList w(innerWeights(corners, 0.1));
+    point centre(Zero);
+    forAll(corners, k)
+    {
+        centre += w[k]*corners[k];
+    }
+
+    for (label k = 1; k < 4; ++k)
+    {
+        EXPECT_NEAR(mag(centre - corners[0]), mag(centre - corners[k]), 1e-15);
+    }
+}
+
+
+TEST(innerWeights, haveAShareOfThoseOfTheCentroid)
+{
+    // The circumcentre of an obtuse triangle is outside
+    const pointField corners
+    ({
+        point(0, 0, 0), point(4, 0, 0), point(2, 0.5, 0)
+    });
+    const scalarList w(innerWeights(corners, 0.3));
+
+    EXPECT_NEAR(min(w), 0.3/3, 1e-15);
+    EXPECT_NEAR(sum(w), 1, 1e-15);
+    EXPECT_EQ(innerWeights(corners, 1), scalarList(3, 1.0/3));
+}
+
+
+// ************************************************************************* //

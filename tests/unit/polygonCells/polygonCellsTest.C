@@ -1,0 +1,219 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "polygonCells.H"
+
+#include "polygonGeometry.H"
+#include "memoryMesh.H"
+#include "openSurfaces.H"
+#include "soundMesh.H"
+#include "testFarField.H"
+#include "testLayers.H"
+#include "testStages.H"
+
+#include <gtest/gtest.h>
+
+using namespace Foam;
+using namespace testSurfaces;
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+//- A far field in a box
+static farFieldControls inBox(const farFieldType type, const scalar size)
+{
+    farFieldControls controls;
+    controls.type = type;
+    controls.polyhedra = false;
+    controls.boundary.type = farBoundaryType::box;
+    controls.boundary.box =
+        boundBox(point::uniform(-size), point::uniform(size));
+
+    return controls;
+}
+
+
+//- Polygons around a body
+static polygonMesh polygonsAround
+(
+    const wallSurface& wall,
+    const farFieldType type,
+    const scalar thickness = 0.1
+)
+{
+    const prismLayerMesh run(layeredMesh(wall, 4, thickness));
+    farFieldMesh far(farFieldOf(run, inBox(type, 4)));
+
+    return makePolygonCells(run.made.layers, far);
+}
+
+
+static scalar areaOf(const polyMesh& mesh, const word& patch)
+{
+    return gSum(mesh.boundaryMesh()[patch].magFaceAreas());
+}
+
+
+//- What every mesh of polygons is: sound, and full of the same volume
+static void expectSoundPolygons(polygonMesh&& polygons, const scalar volume)
+{
+    const label nColumns = polygons.counts.nColumns;
+    const label nLayerCells = polygons.counts.nLayerCells;
+    const polygonGeometry geometry(polygons.mesh);
+    EXPECT_TRUE(geometry.invalidCells(polygons.mesh).empty());
+    EXPECT_NEAR(sum(geometry.cellVolumes), volume, 1e-3*volume);
+    EXPECT_EQ(nLayerCells, 4*nColumns);
+
+    const memoryMesh mesh(std::move(polygons.mesh));
+    expectSound(mesh());
+    EXPECT_EQ(mesh().cellZones()["boundaryLayer"].size(), nLayerCells);
+}
+
+// * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
+
+TEST(polygonCells, aSmoothWallHasAColumnForEachPoint)
+{
+    const wallSurface wall(sphere(8));
+    const polygonMesh polygons(polygonsAround(wall, farFieldType::tet));
+
+    EXPECT_EQ(polygons.counts.nColumns, wall.points.size());
+    EXPECT_EQ(polygons.counts.nCornersOfColumns, 0);
+}
+
+
+TEST(polygonCells, aSphereIsSound)
+{
+    expectSoundPolygons
+    (
+        polygonsAround(sphere(8), farFieldType::tet),
+        512 - Foam::enclosedVolume(sphere(8))
+    );
+}
+
+
+TEST(polygonCells, hexahedraStay)
+{
+    const polygonMesh polygons
+    (
+        polygonsAround(sphere(8), farFieldType::hexCore)
+    );
+    const labelList& kept = polygons.mesh.cellZones.last().cells;
+
+    EXPECT_EQ(polygons.mesh.cellZones.last().name, "hexCore");
+    EXPECT_EQ(kept.size(), polygons.counts.nOthers);
+    EXPECT_GT(kept.size(), 100);
+}
+
+
+TEST(polygonCells, aCoreIsSound)
+{
+    expectSoundPolygons
+    (
+        polygonsAround(sphere(8), farFieldType::hexCore),
+        512 - Foam::enclosedVolume(sphere(8))
+    );
+}
+
+
+TEST(polygonCells, sharpEdgesStayExactly)
+{
+    // Each side of an edge has a column, and each side of a corner
+    const wallSurface wall(cube(4));
+    polygonMesh polygons(polygonsAround(wall, farFieldType::tet));
+    EXPECT_EQ(polygons.counts.nColumns - wall.points.size(), 12*3 + 8*2);
+
+    const memoryMesh mesh(std::move(polygons.mesh));
+    EXPECT_NEAR(areaOf(mesh(), wall.patchNames[0]), 6, 1e-12);
+}
+
+
+TEST(polygonCells, aCubeIsSound)
+{
+    expectSoundPolygons(polygonsAround(cube(4), farFieldType::tet), 511);
+}
+
+
+TEST(polygonCells, quadrilateralsOfTheWallAreSound)
+{
+    expectSoundPolygons
+    (
+        polygonsAround(quadCube(4), farFieldType::tet), 511
+    );
+}
+
+
+TEST(polygonCells, fansOfColumnsAreSound)
+{
+    prismLayerControls controls;
+    controls.layers = layersOf(4, 0.1);
+    controls.layers.multipleNormalsAngle = 75;
+    const prismLayerMesh run(layeredMesh(cube(4), controls));
+    ASSERT_GT(run.made.layers.extraColumnPoints.size(), 0);
+    farFieldMesh far(farFieldOf(run, inBox(farFieldType::tet, 4)));
+
+    expectSoundPolygons(makePolygonCells(run.made.layers, far), 511);
+}
+
+
+TEST(polygonCells, layersOnTheSidesOfADuctAreSound)
+{
+    const wallSurface wall
+    (
+        endedOn(duct(6), wordList({"inlet", "outlet"}))
+    );
+    const prismLayerMesh run(layeredMesh(wall, 4, 0.1));
+    farFieldControls controls;
+    controls.type = farFieldType::tet;
+    controls.polyhedra = false;
+    farFieldMesh far(farFieldOf(run, controls));
+    polygonMesh polygons(makePolygonCells(run.made.layers, far));
+    const polygonGeometry geometry(polygons.mesh);
+    EXPECT_TRUE(geometry.invalidCells(polygons.mesh).empty());
+
+    // Sides are plane, as they were
+    const memoryMesh mesh(std::move(polygons.mesh));
+    expectSound(mesh());
+    const memoryMesh triangles(run.made.layers, farFieldOf(run, controls));
+    for (const polyPatch& patch : triangles().boundaryMesh())
+    {
+        const scalar area = areaOf(triangles(), patch.name());
+        EXPECT_NEAR(areaOf(mesh(), patch.name()), area, 1e-12*area);
+    }
+}
+
+
+TEST(polygonCells, layersAloneHaveAnOuterPatch)
+{
+    const prismLayerMesh run(layeredMesh(sphere(6), 4, 0.1));
+    farFieldMesh none;
+    polygonMesh polygons(makePolygonCells(run.made.layers, none));
+    const label nColumns = polygons.counts.nColumns;
+    const memoryMesh mesh(std::move(polygons.mesh));
+
+    EXPECT_FALSE(mesh().checkFacePyramids(false));
+    EXPECT_EQ(mesh().boundaryMesh()["layerOuter"].size(), nColumns);
+}
+
+
+TEST(polygonCells, levelsStay)
+{
+    // On a plane wall with straight columns all faces of a level are on it
+    const prismLayers layers
+    (
+        straightLayers(sheet(6, 0), geometricHeights(4, 0.1, 1.2))
+    );
+    farFieldMesh none;
+    const polygonMesh polygons(makePolygonCells(layers, none));
+    const scalar h = layers(0, 1).z() - layers(0, 0).z();
+    label nOnFirst = 0;
+    for (const point& p : polygons.mesh.points)
+    {
+        nOnFirst += mag(p.z() - layers(0, 1).z()) < 1e-15;
+        EXPECT_FALSE(p.z() > layers(0, 0).z() + 1e-15 && p.z() < h - 1e-15);
+    }
+    EXPECT_GE(nOnFirst, layers.faces.size());
+}
+
+
+// ************************************************************************* //
