@@ -7,6 +7,7 @@
 #include "boxSides.H"
 #include "cellSizes.H"
 #include "planarColumns.H"
+#include "polygonCells.H"
 #include "layerStages.H"
 #include "OSspecific.H"
 #include "OStringStream.H"
@@ -174,11 +175,21 @@ static string writeMesh
     const caseWriter& writer,
     autoPtr<caseLayers>& made,
     farFieldMesh& farField,
+    const prismCase& files,
+    polygonMesh& polygons,
     const planarControls& planar,
     dictionary& processes,
     replacedFiles& replaced
 )
 {
+    if (polygons.mesh.nCells)
+    {
+        made.clear();
+        const label nFaces = polygons.mesh.topology.faces.size();
+        writer.writeMesh(files, std::move(polygons.mesh), replaced);
+
+        return name(nFaces) + " faces";
+    }
     if (parallel.isParallel())
     {
         if (!farField.empty())
@@ -239,12 +250,14 @@ static void writeCase
     const caseWall& given,
     autoPtr<caseLayers>& made,
     farFieldMesh&& farField,
+    polygonMesh& polygons,
     const prismLayerControls& controls,
     stageLog& log,
     replacedFiles& replaced
 )
 {
     layerReport report(made->report());
+    const label nPolygonCells = polygons.mesh.nCells;
     const bool hasFarField = !farField.empty();
     writer.writeSurfaces(made->surfaces(), replaced);
     const farFieldReport far
@@ -259,15 +272,21 @@ static void writeCase
     (
         writeMesh
         (
-            parallel, writer, made, farField, controls.surface.planar,
-            processes, replaced
+            parallel, writer, made, farField, files, polygons,
+            controls.surface.planar, processes, replaced
         )
     );
-    log.end(name(report.nCells + far.nCells) + " cells, " + size);
+    const label nCells =
+        nPolygonCells ? nPolygonCells : report.nCells + far.nCells;
+    log.end(name(nCells) + " cells, " + size);
     report.stages = log.costs();
 
     dictionary entries(reportEntries(&report, hasFarField ? &far : nullptr));
     entries.add("surface", given.changes);
+    if (nPolygonCells)
+    {
+        entries.add("polygons", toDictionary(polygons.counts));
+    }
     if (processes.size())
     {
         entries.add("processes", processes);
@@ -421,6 +440,27 @@ static void logFiles(const prismCase& files, const fileName& surface)
 }
 
 
+//- Makes the mesh of polygons; without cells if it is not wanted
+static polygonMesh makePolygons
+(
+    const caseLayers& made,
+    farFieldMesh& farField,
+    const prismLayerControls& controls,
+    stageLog& log
+)
+{
+    polygonMesh polygons;
+    if (controls.polygons)
+    {
+        log.begin("polygonCells");
+        polygons = makePolygonCells(made.wholeLayers(), farField);
+        log.end(textOf(polygons.counts));
+    }
+
+    return polygons;
+}
+
+
 void meshWall
 (
     const prismCase& files,
@@ -463,6 +503,7 @@ void meshWall
         );
     }
 
+    polygonMesh polygons(makePolygons(*made, farField, controls, log));
     log.begin("prismPolyMesh");
     replaceFiles([&](replacedFiles& replaced)
     {
@@ -473,7 +514,7 @@ void meshWall
         writeCase
         (
             files, parallel, writer, given, made, std::move(farField),
-            controls, log, replaced
+            polygons, controls, log, replaced
         );
     });
     rm(files.failedPointsFile());

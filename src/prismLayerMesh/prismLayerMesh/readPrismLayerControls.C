@@ -314,6 +314,50 @@ static void refuseEmptySides
 }
 
 
+//- Reads the form of the cells. Refuses polygons beside what they cannot be
+//  made with.
+static void readCells(const dictionary& dict, prismLayerControls& controls)
+{
+    word cells("triangles");
+    readChoice(dict, "cells", {"triangles", "polygons"}, cells);
+    controls.polygons = (cells == "polygons");
+    if (!controls.polygons)
+    {
+        return;
+    }
+    const auto refuse = [&](const bool isThere, const char* what)
+    {
+        if (isThere)
+        {
+            entryError(dict, "cells")
+                << "cells polygons is not possible with " << what
+                << ": use cells triangles" << exit(FatalIOError);
+        }
+    };
+    const auto isCyclic = [](const auto& entry)
+    {
+        return entry.type == "cyclic";
+    };
+    const farFieldControls& far = controls.farField;
+    refuse(controls.surface.planar.isWanted(), "twoDimensional");
+    refuse
+    (
+        far.type == farFieldType::mesh,
+        "farField.type mesh, whose cells stay as they are"
+    );
+    refuse
+    (
+        anyOf(controls.surface.sidePlanes, isCyclic)
+     || anyOf(controls.layers.patches, isCyclic)
+     || anyOf(far.boundary.patches, isCyclic),
+        "side patches of type cyclic"
+    );
+
+    // The tetrahedra become polyhedra anyhow
+    controls.farField.polyhedra = false;
+}
+
+
 //- The defaults of two dimensions that differ, and the sides
 static void setPlanar(const dictionary& layers, prismLayerControls& controls)
 {
@@ -343,7 +387,8 @@ prismLayerControls readPrismLayerControls(const dictionary& dict)
             "field",
             "quality",
             "farField",
-            "twoDimensional"
+            "twoDimensional",
+            "cells"
         }
     );
 
@@ -374,6 +419,7 @@ prismLayerControls readPrismLayerControls(const dictionary& dict)
     {
         refuseEmptySides(dict, controls);
     }
+    readCells(dict, controls);
 
     const List<sidePatch>& planes = controls.surface.sidePlanes;
     controls.surface.planar.sides = planes;

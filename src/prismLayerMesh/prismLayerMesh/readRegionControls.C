@@ -29,7 +29,7 @@ static void refuseEntries(const dictionary& dict)
         }
     };
 
-    refuse(dict, {"twoDimensional"});
+    refuse(dict, {"twoDimensional", "cells"});
     refuse
     (
         optionalDict(dict, "surface"),
