@@ -11,6 +11,7 @@
 #include "farFieldFaults.H"
 #include "farFieldReport.H"
 #include "makeFarFieldMesh.H"
+#include "polygonCells.H"
 #include "prismPolyMesh.H"
 
 #include <omp.h>
@@ -72,7 +73,9 @@ class farFieldStage
         return Time::New();
     }
 
-    farFieldMesh make() const;
+    farFieldMesh makeWith(const farFieldControls& controls) const;
+
+    farFieldMesh make() const { return makeWith(asked_.controls); }
 
     //- Whether points of the layers are beyond the boundary, or nearly so
     bool isNearLayers() const;
@@ -82,6 +85,9 @@ class farFieldStage
     void tellCut(const farFieldMesh& far) const;
 
     void check(farFieldMesh far) const;
+
+    //- Makes polygons of layers and far field, and tells the first fault
+    void checkPolygons() const;
 
     //- The far field, made by other numbers of threads too
     void makeAndCheck() const;
@@ -109,9 +115,8 @@ public:
 } // End anonymous namespace
 
 
-farFieldMesh farFieldStage::make() const
+farFieldMesh farFieldStage::makeWith(const farFieldControls& controls) const
 {
-    const farFieldControls& controls = asked_.controls;
     farFieldDomain domain;
     domain.core = asked_.core;
     domain.bounds = makeSizeBounds(controls, time_());
@@ -227,6 +232,41 @@ void farFieldStage::check(farFieldMesh far) const
 }
 
 
+void farFieldStage::checkPolygons() const
+{
+    tell_("stage", "polygons");
+    farFieldControls controls(asked_.controls);
+    controls.polyhedra = false;
+    farFieldMesh far(makeWith(controls));
+    const prismLayers& layers = layered_.made.layers;
+    polygonMesh polygons(makePolygonCells(layers, far));
+    if
+    (
+        polygons.counts.nLayerCells
+     != polygons.counts.nColumns*layers.nLayers
+    )
+    {
+        tell_("failed", "columns of polygons without all layers");
+    }
+    const autoPtr<polyMesh> mesh
+    (
+        makePolyMesh
+        (
+            std::move(polygons.mesh),
+            IOobject("polygons", time_->constant(), *time_)
+        )
+    );
+    const bool isFaulty =
+        mesh->checkTopology(false) || mesh->checkClosedCells(false)
+     || mesh->checkFacePyramids(false) || mesh->checkClosedBoundary(false)
+     || mesh->checkFaceVertices(false) || mesh->checkCellVolumes(false);
+    if (isFaulty)
+    {
+        tell_("failed", "checkMesh finds faults of the polygons");
+    }
+}
+
+
 void farFieldStage::makeAndCheck() const
 {
     const farFieldMesh far(make());
@@ -251,6 +291,11 @@ void farFieldStage::makeAndCheck() const
     }
 
     check(far);
+
+    if (asked_.hasPolygons && asked_.controls.type != farFieldType::mesh)
+    {
+        checkPolygons();
+    }
 }
 
 

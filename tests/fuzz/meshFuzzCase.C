@@ -138,7 +138,8 @@ static void mesh
     }
     else if (one.hasFarField)
     {
-        const fuzzFarField far(one.farField(wall, controls.layers));
+        fuzzFarField far(one.farField(wall, controls.layers));
+        far.hasPolygons = one.hasPolygons;
         meshFarField(wall, m, far, tell);
     }
     else if (one.isAtSides)

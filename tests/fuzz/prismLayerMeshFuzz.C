@@ -44,6 +44,9 @@ Usage
         lines with the far fields of each kind, as refused/made, with the
         reasons, and what faces at the cuts are like.
 
+      - \par -polygons
+        As -farField, and meshes of polygons are made of layers and far fields
+
       - \par -sides
         One to three bodies that the sides of a far field's box cut, touch, or
         are near to. Each gets a mesh, or is refused before the layers, with
@@ -108,6 +111,10 @@ static void addOptions()
     argList::addBoolOption
     (
         "farField", "Far fields around layers on smaller surfaces"
+    );
+    argList::addBoolOption
+    (
+        "polygons", "As farField, and meshes of polygons of all"
     );
     argList::addBoolOption
     (
@@ -184,7 +191,8 @@ static fuzzCase caseOf(const argList& args, const label index)
     one.index = index;
     one.hasNeedles = args.found("needles");
     one.isRemeshed = args.found("remesh");
-    one.hasFarField = args.found("farField");
+    one.hasPolygons = args.found("polygons");
+    one.hasFarField = one.hasPolygons || args.found("farField");
     one.isPeriodic = args.found("cyclic");
     one.isAtSides = one.isPeriodic || args.found("sides");
     one.hasSheets = args.found("sheets");
