@@ -122,10 +122,15 @@ def layer_cells(case, region=None):
         for line in lines:
             if line.split() == ["certificate"]:
                 break
+        cells = 0
         for line in lines:
             words = line.replace(";", " ").split()
-            if words[:1] == ["cells"]:
-                return int(words[1])
+            if words[:1] == ["layerCells"]:
+                return int(words[1])        # of polygons
+            if words[:1] == ["cells"] and not cells:
+                cells = int(words[1])
+        if cells:
+            return cells
     if region:
         return 0
     fail("no cells in " + file)

@@ -59,7 +59,9 @@ class movingPoints
             sum += way*(area & (centre - from)) > 0 ? 0 : mag(area);
         }
 
-        return sum > 0 ? 0.3 + sum/mag(geometry_.faceAreas[facei]) : 0;
+        const scalar whole = max(mag(geometry_.faceAreas[facei]), sum);
+
+        return sum > 0 ? 0.3 + sum/whole : 0;
     }
 
     //- Skewness of a face between two cells, as OpenFOAM defines it
@@ -70,16 +72,18 @@ class movingPoints
         const vector d(geometry_.cellCentres[t.neighbour[facei]] - own);
         const vector& area = geometry_.faceAreas[facei];
         const vector to(geometry_.faceCentres[facei] - own);
-        const vector off
-        (
-            to - (area & to)/((area & d) + ROOTVSMALL*mag(area))*d
-        );
-        const vector along(normalised(off));
+        const scalar along = area & d;
+        if (along <= SMALL*mag(area)*mag(d))
+        {
+            return controls_.maxSkewness + 5;
+        }
+        const vector off(to - (area & to)/along*d);
+        const vector way(normalised(off));
         scalar size = 0.2*mag(d) + VSMALL;
         for (const label p : t.faces[facei])
         {
             const vector arm(mesh_.points[p] - geometry_.faceCentres[facei]);
-            size = max(size, mag(along & arm));
+            size = max(size, mag(way & arm));
         }
 
         return mag(off)/size;
@@ -147,34 +151,20 @@ class movingPoints
         }
     }
 
-    //- Sets the cells of faces, and then those with the cells beside them
-    void findCells
-    (
-        const labelUList& faces,
-        labelHashSet& cells,
-        labelHashSet& around
-    ) const
+    labelList cellsOf(const labelUList& faces) const
     {
         const polyMeshTopology& t = topology();
-        const auto add = [&](const label facei, labelHashSet& to)
-        {
-            to.insert(t.owner[facei]);
-            if (facei < t.neighbour.size())
-            {
-                to.insert(t.neighbour[facei]);
-            }
-        };
+        labelHashSet cells;
         for (const label facei : faces)
         {
-            add(facei, cells);
-        }
-        for (const label celli : cells)
-        {
-            for (const label facei : geometry_.cells[celli])
+            cells.insert(t.owner[facei]);
+            if (facei < t.neighbour.size())
             {
-                add(facei, around);
+                cells.insert(t.neighbour[facei]);
             }
         }
+
+        return cells.sortedToc();
     }
 
 public:
@@ -204,11 +194,9 @@ public:
     //  if none does. Returns whether the point has moved.
     bool move(const label p, const labelUList& faces, scalar& step)
     {
-        labelHashSet cells, around;
-        findCells(faces, cells, around);
-        const labelList changed(cells.sortedToc());
-        const labelList judged(around.sortedToc());
-        scalar least = sumPoorness(judged);
+        // Cells beside these change little, and have their turns
+        const labelList cells(cellsOf(faces));
+        scalar least = sumPoorness(cells);
         point best(mesh_.points[p]);
         bool hasMoved = false;
         for (label i = 0; i < 6 && least > 0; ++i)
@@ -216,8 +204,8 @@ public:
             vector way(Zero);
             way[i/2] = (i % 2 ? -step : step);
             mesh_.points[p] = best + way;
-            update(faces, changed);
-            const scalar now = sumPoorness(judged);
+            update(faces, cells);
+            const scalar now = sumPoorness(cells);
             if (now < 0.999*least)
             {
                 least = now;
@@ -226,8 +214,8 @@ public:
             }
         }
         mesh_.points[p] = best;
-        update(faces, changed);
-        sumPoorness(judged);
+        update(faces, cells);
+        sumPoorness(cells);
         step *= hasMoved ? 1 : 0.5;
 
         return hasMoved;
