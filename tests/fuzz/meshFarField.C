@@ -257,9 +257,8 @@ void farFieldStage::checkPolygons() const
         )
     );
     const bool isFaulty =
-        mesh->checkTopology(false) || mesh->checkClosedCells(false)
-     || mesh->checkFacePyramids(false) || mesh->checkClosedBoundary(false)
-     || mesh->checkFaceVertices(false) || mesh->checkCellVolumes(false);
+        mesh->checkTopology(false) || mesh->checkFaceVertices(false)
+     || mesh->checkClosedBoundary(false) || mesh->checkCellVolumes(false);
     if (isFaulty)
     {
         tell_("failed", "checkMesh finds faults of the polygons");

@@ -102,6 +102,8 @@ class polygonMaker
     // Corners that are cells of their own, and the groups with them
         groupExceptions onFront_;
         groupExceptions inFar_;
+
+    bool hasMoved_ = false;
         frontGroups front_;
         farGroups groups_;
 
@@ -185,6 +187,10 @@ class polygonMaker
     //- Moves free points of a mesh to where gains fall
     void movePoints(const labelUList& labels, polyMeshParts& mesh)
     {
+        // Later most points are where they are best
+        pointMoveControls moves;
+        moves.nRounds = hasMoved_ ? 1 : moves.nRounds;
+        hasMoved_ = true;
         bitSet isFixed(labels.size());
         forAll(labels, p)
         {
@@ -193,7 +199,7 @@ class polygonMaker
         for
         (
             const label p
-          : movePolygonPoints(isFixed, pointMoveControls(), mesh)
+          : movePolygonPoints(isFixed, moves, mesh)
         )
         {
             points_.move(labels[p], mesh.points[p]);
@@ -322,6 +328,40 @@ class polygonMaker
         return n;
     }
 
+    //- Returns the cells of some that are no prism, hexahedron or tetrahedron
+    //  that stays: these have the certificate of the layers, or are positive
+    labelList withoutKept(const labelUList& cells) const
+    {
+        bitSet isKept(nLayerCells() + groups_.nGroups);
+        visitCorners
+        (
+            [&](const label g, const label facei, label)
+            {
+                for (label i = 0; i < layers_.nLayers; ++i)
+                {
+                    isKept.set
+                    (
+                        g*layers_.nLayers + i, onFront_.whole.test(facei)
+                    );
+                }
+            },
+            [&](const label g, const label t, label)
+            {
+                isKept.set(nLayerCells() + g, inFar_.whole.test(t));
+            }
+        );
+        DynamicList<label> others;
+        for (const label celli : cells)
+        {
+            if (!isKept.test(celli))
+            {
+                others.append(celli);
+            }
+        }
+
+        return labelList(std::move(others));
+    }
+
 public:
 
     polygonMaker
@@ -348,7 +388,10 @@ public:
         {
             made.mesh = make();
             const polygonGeometry geometry(made.mesh);
-            const labelList invalid(geometry.invalidCells(made.mesh));
+            const labelList invalid
+            (
+                withoutKept(geometry.invalidCells(made.mesh))
+            );
             if (invalid.empty())
             {
                 const finiteVolumes volumes(geometry.volumes(made.mesh));
