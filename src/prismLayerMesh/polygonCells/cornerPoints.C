@@ -390,8 +390,31 @@ bool cornerPoints::isGiven(const label i) const
 }
 
 
+void cornerPoints::fixTet(const label t)
+{
+    const FixedList<label, 4>& p = tets_.points(t);
+    const auto fix = [&](const label i)
+    {
+        moved_.erase(i);
+        fixed_.insert(i);
+    };
+    for (label k = 0; k < 4; ++k)
+    {
+        fix(ofFarFace(tets_.faces(t)[k]));
+        for (label l = k + 1; l < 4; ++l)
+        {
+            fix(ofFarEdge(p[k], p[l]));
+        }
+    }
+}
+
+
 bool cornerPoints::isFree(const label i) const
 {
+    if (fixed_.found(i))
+    {
+        return false;
+    }
     if (i >= firstFarCell())
     {
         return true;

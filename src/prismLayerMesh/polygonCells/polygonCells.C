@@ -324,36 +324,35 @@ class polygonMaker
                 }
             }
         );
+        for (const label t : inFar_.whole)
+        {
+            points_.fixTet(t);
+        }
 
         return n;
     }
 
-    //- Returns the cells of some that are no prism, hexahedron or tetrahedron
-    //  that stays: these have the certificate of the layers, or are positive
-    labelList withoutKept(const labelUList& cells) const
+    //- Returns the cells of some that are no prism or hexahedron that stays:
+    //  these have the certificate of the layers.
+    //  volumes: of the cells; they must be positive all the same
+    labelList withoutKept
+    (
+        const labelUList& cells,
+        const scalarField& volumes
+    ) const
     {
-        bitSet isKept(nLayerCells() + groups_.nGroups);
-        visitCorners
-        (
-            [&](const label g, const label facei, label)
-            {
-                for (label i = 0; i < layers_.nLayers; ++i)
-                {
-                    isKept.set
-                    (
-                        g*layers_.nLayers + i, onFront_.whole.test(facei)
-                    );
-                }
-            },
-            [&](const label g, const label t, label)
-            {
-                isKept.set(nLayerCells() + g, inFar_.whole.test(t));
-            }
-        );
+        bitSet isKept(front_.nGroups);
+        forAll(layers_.faces, facei)
+        {
+            isKept.set(front_.of(facei, 0), onFront_.whole.test(facei));
+        }
         DynamicList<label> others;
         for (const label celli : cells)
         {
-            if (!isKept.test(celli))
+            const bool stays =
+                celli < nLayerCells() && volumes[celli] > 0
+             && isKept.test(celli/layers_.nLayers);
+            if (!stays)
             {
                 others.append(celli);
             }
@@ -390,7 +389,10 @@ public:
             const polygonGeometry geometry(made.mesh);
             const labelList invalid
             (
-                withoutKept(geometry.invalidCells(made.mesh))
+                withoutKept
+                (
+                    geometry.invalidCells(made.mesh), geometry.cellVolumes
+                )
             );
             if (invalid.empty())
             {
