@@ -221,6 +221,11 @@ fuzzWall makeFuzzWall(const fuzzCase& one, const listener& tell)
             one.vary(made.wall, made.controls.layers, made.local);
         }
     }
+    if (one.hasFarField)
+    {
+        // Layers below a far field are positive below triangles
+        made.controls.farField.type = farFieldType::tet;
+    }
 
     return made;
 }
