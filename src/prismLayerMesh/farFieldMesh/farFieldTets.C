@@ -148,7 +148,11 @@ void fillWithTets
       + farFieldTuned.cellsPerTriangle*both.faces.size()
     );
     tetDomain domain{both.points, both.faces, holes, !mesh.hasLayers};
-    domain.points.append(packPoints(both, sizes, cubes));
+    if (mesh.cutTriangles.empty())
+    {
+        // Beside a core the space is only a few cells wide
+        domain.points.append(packPoints(both, sizes, cubes));
+    }
     tetMesh filled(tetrahedralize(domain, std::cref(sizes), mostCells));
 
     if (filled.tets.size() > maxCells)
