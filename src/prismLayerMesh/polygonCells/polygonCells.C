@@ -8,6 +8,7 @@
 #include "polygonGeometry.H"
 #include "farPolygons.H"
 #include "makeFarFieldMesh.H"
+#include "meshCertificate.H"
 #include "movePolygonPoints.H"
 #include "OStringStream.H"
 #include "prismFaces.H"
@@ -32,6 +33,36 @@ label nTetsOf(const farFieldMesh& far)
     }
 
     return 0;
+}
+
+
+//- Returns the cells that have no certificate, see meshCertificate.H.
+//  nPatches: the first patches are the wall
+//  nLayerCells: the first cells are in layers
+labelList uncertifiedCells
+(
+    const polyMeshParts& mesh,
+    const label nPatches,
+    const label nLayerCells
+)
+{
+    const polyMeshTopology& t = mesh.topology;
+    const faceList faces(t.faces);
+    const labelList owner(t.owner);
+    const labelList neighbour(t.neighbour);
+    label nWall = 0;
+    for (label patchi = 0; patchi < nPatches; ++patchi)
+    {
+        nWall += t.patchSizes[patchi];
+    }
+    bitSet beyondLayers(mesh.nCells, true);
+    beyondLayers.unset(identity(nLayerCells));
+
+    return certifyMesh
+    (
+        polyhedralMesh(mesh.points, faces, owner, neighbour),
+        identity(nWall, t.patchStarts[0]), labelList(), beyondLayers
+    ).invalidCells;
 }
 
 
@@ -387,13 +418,20 @@ public:
         {
             made.mesh = make();
             const polygonGeometry geometry(made.mesh);
-            const labelList invalid
+            labelList invalid
             (
                 withoutKept
                 (
                     geometry.invalidCells(made.mesh), geometry.cellVolumes
                 )
             );
+            if (invalid.empty())
+            {
+                invalid = uncertifiedCells
+                (
+                    made.mesh, layers_.patchNames.size(), nLayerCells()
+                );
+            }
             if (invalid.empty())
             {
                 const finiteVolumes volumes(geometry.volumes(made.mesh));
