@@ -17,7 +17,7 @@ scalar roundingVolume(const boundBox& box, const scalar area)
     const scalar largest =
         max(cmptMax(cmptMag(box.min())), cmptMax(cmptMag(box.max())));
 
-    return SMALL*(largest*area + pow3(box.mag()));
+    return SMALL*(largest*area + 0.01*pow3(box.mag()));
 }
 
 
