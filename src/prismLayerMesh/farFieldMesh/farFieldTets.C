@@ -10,6 +10,7 @@
 #include "SubList.H"
 #include "tetrahedralize.H"
 #include "triangleIndex.H"
+#include "wallSearch.H"
 
 namespace Foam
 {
@@ -130,9 +131,13 @@ void fillWithTets
     farFieldTets& mesh
 )
 {
+    const wallSearch search(both);
     const cubeCentres cubes
     (
-        cubesBetween(both, sizes, farFieldTuned.cubesPerTet*maxCells)
+        cubesBetween
+        (
+            both.points, search, sizes, farFieldTuned.cubesPerTet*maxCells
+        )
     );
     const scalar nCells = farFieldTuned.tetsPerCube*cubes.nCubes;
     if (!cubes.complete || nCells > maxCells)
@@ -151,7 +156,7 @@ void fillWithTets
     if (mesh.cutTriangles.empty())
     {
         // Beside a core the space is only a few cells wide
-        domain.points.append(packPoints(both, sizes, cubes));
+        domain.points.append(packPoints(both.points, search, sizes, cubes));
     }
     tetMesh filled(tetrahedralize(domain, std::cref(sizes), mostCells));
 

@@ -32,18 +32,18 @@ struct cube
 
 class cubeDivider
 {
-    const wallSearch search_;
+    const wallSearch& search_;
     const cellSizes& sizes_;
 
 public:
 
-    cubeDivider(const wallSurface& surfaces, const cellSizes& sizes)
+    cubeDivider(const wallSearch& search, const cellSizes& sizes)
     :
-        search_(surfaces),
+        search_(search),
         sizes_(sizes)
     {}
 
-    //- Finds the place of a cube, which its parts have, too.
+    //- Finds the place of a cube. The parts of the cube have the same place.
     //  Returns the integral of 1/size^3 over the cube if the cube counts as a
     //  whole as in the space, as its centre is, otherwise 0.
     //  size: at the centre
@@ -95,13 +95,14 @@ static labelList fromFineToCoarse(const UList<scalar>& sizes)
 
 cubeCentres cubesBetween
 (
-    const wallSurface& surfaces,
+    const pointField& points,
+    const wallSearch& search,
     const cellSizes& sizes,
     const label maxPoints
 )
 {
-    const boundBox box(surfaces.points, false);
-    const cubeDivider divider(surfaces, sizes);
+    const boundBox box(points, false);
+    const cubeDivider divider(search, sizes);
     cubeCentres made;
 
     // One generation of cubes after the other
@@ -153,13 +154,14 @@ cubeCentres cubesBetween
 
 pointField packPoints
 (
-    const wallSurface& surfaces,
+    const pointField& points,
+    const wallSearch& search,
     const cellSizes& sizes,
     const cubeCentres& centres
 )
 {
-    const label n = surfaces.points.size();
-    pointField all(surfaces.points);
+    const label n = points.size();
+    pointField all(points);
     scalarField distances(n);
     forAll(distances, p)
     {
@@ -174,7 +176,6 @@ pointField packPoints
     );
 
     // At the surfaces points may be behind, or too near
-    const wallSearch search(surfaces);
     boolList stays(kept.size(), true);
 
     #pragma omp parallel for schedule(dynamic, 64)

@@ -6,6 +6,7 @@
 #include "packPoints.H"
 #include "farFieldMeshControls.H"
 #include "testSurfaces.H"
+#include "wallSearch.H"
 
 #include <gtest/gtest.h>
 
@@ -50,10 +51,11 @@ static scalar wallDistance(const boundBox& box, const point& x)
 TEST(cubesBetween, nCubesIsTheIntegralOverTheSpace)
 {
     const wallSurface surface(room(4));
+    const wallSearch search(surface);
     const scalar size = 0.07;
     const cubeCentres cubes
     (
-        cubesBetween(surface, equalSizes(surface, size), many)
+        cubesBetween(surface.points, search, equalSizes(surface, size), many)
     );
     const scalar n =
         boundBox(surface.points, false).volume()/pow3(size);
@@ -69,10 +71,13 @@ TEST(cubesBetween, nCubesIsTheIntegralOverTheSpace)
 TEST(cubesBetween, areNotCompleteBeyondTheBound)
 {
     const wallSurface surface(room(4));
+    const wallSearch search(surface);
+
+    const cellSizes sizes(equalSizes(surface, 0.05));
 
     EXPECT_FALSE
     (
-        cubesBetween(surface, equalSizes(surface, 0.05), 1000).complete
+        cubesBetween(surface.points, search, sizes, 1000).complete
     );
 }
 
@@ -80,11 +85,12 @@ TEST(cubesBetween, areNotCompleteBeyondTheBound)
 TEST(packPoints, keepApartFromEachOtherAndFromTheSurface)
 {
     const wallSurface surface(room(10));
+    const wallSearch search(surface);
     const boundBox box(surface.points, false);
     const scalar size = cmptMax(box.span())/10;
     const cellSizes sizes(equalSizes(surface, size));
-    const cubeCentres cubes(cubesBetween(surface, sizes, many));
-    const pointField points(packPoints(surface, sizes, cubes));
+    const cubeCentres cubes(cubesBetween(surface.points, search, sizes, many));
+    const pointField points(packPoints(surface.points, search, sizes, cubes));
 
     scalar nearest = GREAT;
     forAll(points, p)
@@ -115,6 +121,7 @@ TEST(packPoints, keepApartFromEachOtherAndFromTheSurface)
 TEST(packPoints, areFineNextToFineParts)
 {
     const wallSurface surface(room(20));
+    const wallSearch search(surface);
     const boundBox box(surface.points, false);
     const cellSizes sizes
     (
@@ -123,7 +130,11 @@ TEST(packPoints, areFineNextToFineParts)
     );
     const pointField points
     (
-        packPoints(surface, sizes, cubesBetween(surface, sizes, many))
+        packPoints
+        (
+            surface.points, search, sizes,
+            cubesBetween(surface.points, search, sizes, many)
+        )
     );
     label nLow = 0, nHigh = 0;
     for (const point& x : points)
