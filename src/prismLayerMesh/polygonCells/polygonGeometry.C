@@ -6,41 +6,12 @@
 #include "polygonGeometry.H"
 
 #include "cellPredicates.H"
+#include "primitiveMesh.H"
 #include "surfaceMeasures.H"
 #include "UIndirectList.H"
 
 namespace Foam
 {
-
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-static void setFacesOfCells(const polyMeshParts& mesh, cellList& cells)
-{
-    const polyMeshTopology& t = mesh.topology;
-    labelList nFaces(mesh.nCells, Zero);
-    const auto visit = [&](const auto& act)
-    {
-        forAll(t.faces, facei)
-        {
-            act(t.owner[facei], facei);
-            if (facei < t.neighbour.size())
-            {
-                act(t.neighbour[facei], facei);
-            }
-        }
-    };
-    visit([&](const label celli, label) { ++nFaces[celli]; });
-    cells.setSize(mesh.nCells);
-    forAll(cells, celli)
-    {
-        cells[celli].setSize(nFaces[celli]);
-    }
-    visit([&](const label celli, const label facei)
-    {
-        cells[celli][--nFaces[celli]] = facei;
-    });
-}
-
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
@@ -51,7 +22,8 @@ polygonGeometry::polygonGeometry(const polyMeshParts& mesh)
     cellCentres(mesh.nCells, Zero),
     cellVolumes(mesh.nCells, Zero)
 {
-    setFacesOfCells(mesh, cells);
+    const polyMeshTopology& t = mesh.topology;
+    primitiveMesh::calcCells(cells, t.owner, t.neighbour, mesh.nCells);
 
     #pragma omp parallel for schedule(static)
     forAll(faceAreas, facei)
@@ -121,7 +93,7 @@ labelList polygonGeometry::invalidCells(const polyMeshParts& mesh) const
     {
         bool isValid = true;
         scalar area = 0;
-        scalar largest = 0;
+        boundBox box(boundBox::invertedBox);
         const point& centre = cellCentres[celli];
         for (const label facei : cells[celli])
         {
@@ -139,9 +111,12 @@ labelList polygonGeometry::invalidCells(const polyMeshParts& mesh) const
                   : faceAreas[facei] & (faceCentres[facei] - centre)
                 ) > 0;
             area += mag(faceAreas[facei]);
-            largest = max(largest, cmptMax(cmptMag(*x[0])));
+            for (const label p : f)
+            {
+                box.add(mesh.points[p]);
+            }
         }
-        if (!isValid || cellVolumes[celli] <= SMALL*largest*area)
+        if (!isValid || cellVolumes[celli] <= roundingVolume(box, area))
         {
             invalid.append(celli);
         }
