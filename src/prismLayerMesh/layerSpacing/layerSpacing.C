@@ -99,8 +99,8 @@ class pointHeights
          && local_.thickness.size();
     }
 
-    //- Heights by the general entries, with those of files or of a run in place
-    //  of theirs
+    //- Heights by the general entries. Heights of files, or of a run, replace
+    //  the general heights.
     heightSeries generalHeights(const label p) const
     {
         heightEntries ofPoint;

@@ -151,7 +151,9 @@ static word instanceOfMesh(const fileName& folder, const Time& time)
 
 // * * * * * * * * * * * * * * * * *  Layers * * * * * * * * * * * * * * * * //
 
-//- Height of the cell on a face of it, and the opposite face, or -1
+//- Returns the height of a cell on one of its faces.
+//  opposite: set to the face of the cell opposite to that face, -1 if there is
+//  none
 static scalar heightOn
 (
     const polyMesh& mesh,

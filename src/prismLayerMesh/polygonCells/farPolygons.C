@@ -325,7 +325,7 @@ labelList farFaces::smoothCorners
     const scalar sharpAngle
 ) const
 {
-    // Faces at edges: those of an edge follow each other
+    // Pairs of an edge and a face at the edge, sorted by edges
     std::vector<std::pair<endsOfEdge, label>> sides;
     forAll(patchOf, i)
     {
