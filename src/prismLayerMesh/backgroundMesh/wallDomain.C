@@ -7,6 +7,7 @@
 #include "backgroundMesh.H"
 #include "convexPolyhedron.H"
 #include "equalPoints.H"
+#include "ListOps.H"
 #include "planeTriangulation.H"
 #include "triangleIndex.H"
 
@@ -227,6 +228,30 @@ struct sideFacets
     }
 
 
+    //- The label of the point at x. A point of the envelope on two sides can
+    //  be where three sides meet: then it is the point at x but for rounding.
+    label labelAt(const point& x)
+    {
+        if (labels.find(x) >= 0)
+        {
+            return labels.find(x);
+        }
+
+        for (const DynamicList<label>& onTwoSides : corners)
+        {
+            for (const label p : onTwoSides)
+            {
+                if (mag(domain.points[p] - x) < tolerance)
+                {
+                    return p;
+                }
+            }
+        }
+
+        return labels.labelIn(domain.points, x);
+    }
+
+
     void addBorder()
     {
         const Map<labelPair> sides(wall.border.pointSides());
@@ -275,18 +300,15 @@ struct sideFacets
 
             for (label p = 0; side.isCurved() && p < side.points.size(); ++p)
             {
-                regions[s].points.append
-                (
-                    labels.labelIn(domain.points, side.points[p])
-                );
+                regions[s].points.append(labelAt(side.points[p]));
             }
 
             for (const edge& e : outline(side.faces))
             {
                 const point& a = side.points[e.start()];
                 const point& b = side.points[e.end()];
-                const label end = labels.labelIn(domain.points, b);
-                const label start = labels.labelIn(domain.points, a);
+                const label end = labelAt(b);
+                const label start = labelAt(a);
                 regions[s].boundary.append(edge(start, end));
             }
         }
@@ -326,12 +348,15 @@ struct sideFacets
     void addPlanes()
     {
         const convexPolyhedron cut(cutBox(box, wall.border.sides));
-        const label first = domain.points.size();
-        domain.points.append(cut.points);
+        labelList cutLabels(cut.points.size());
+        forAll(cutLabels, p)
+        {
+            cutLabels[p] = labelAt(cut.points[p]);
+        }
 
         forAll(cut.faces, facei)
         {
-            const face f(labelList(cut.faces[facei] + first));
+            const face f(renumber(cutLabels, cut.faces[facei]));
             const label s = cut.planes[facei];
 
             if (s >= 0)
