@@ -24,10 +24,10 @@ static const label nContextLayers = 4;
 
 void mergingMesh::addFace(const mergingFace& f)
 {
-    cells_[f.owner].faces.append(faces_.size());
+    cells_[f.owner].faces.push_back(faces_.size());
     if (f.neighbour >= 0)
     {
-        cells_[f.neighbour].faces.append(faces_.size());
+        cells_[f.neighbour].faces.push_back(faces_.size());
     }
     faces_.append(f);
 }
@@ -109,13 +109,16 @@ void mergingMesh::addSides
 void mergingMesh::setCentre(const label celli)
 {
     mergingCell& c = cells_[celli];
-    DynamicList<faceGeometry> faces(c.faces.size());
+    boost::container::small_vector<faceGeometry, 8> faces;
     for (const label f : c.faces)
     {
-        faces.append(faces_[f].geometry);
-        faces.last().area *= faces_[f].owner == celli ? 1 : -1;
+        faces.push_back(faces_[f].geometry);
+        faces.back().area *= faces_[f].owner == celli ? 1 : -1;
     }
-    const cellGeometry cell(faces);
+    const cellGeometry cell
+    (
+        UList<faceGeometry>(faces.data(), faces.size())
+    );
     c.centre = cell.centre;
     c.volume = cell.volume3/3;
 }
@@ -351,7 +354,7 @@ void mergingMesh::merge(const label a, const label b)
     {
         if (across(f, a) != b)
         {
-            faces.append(f);
+            faces.push_back(f);
         }
     }
     for (const label f : from.faces)
@@ -360,10 +363,10 @@ void mergingMesh::merge(const label a, const label b)
         if (across(f, b) != a)
         {
             (g.owner == b ? g.owner : g.neighbour) = a;
-            faces.append(f);
+            faces.push_back(f);
         }
     }
-    into.faces.transfer(faces);
+    into.faces = std::move(faces);
     from.faces.clear();
     partOf_[b] = a;
 
@@ -386,7 +389,7 @@ void mergingMesh::unite(const labelUList& triangles, const face& polygon)
         {
             if (g == first || !triangles.found(g))
             {
-                kept.append(g);
+                kept.push_back(g);
             }
         }
         cells_[c].faces = kept;
