@@ -214,6 +214,22 @@ int orientation(const point& a, const point& b, const point& c, const point& d)
 }
 
 
+int sideOfSphere
+(
+    const point& a,
+    const point& b,
+    const point& c,
+    const point& d,
+    const point& x
+)
+{
+    return CGAL::side_of_oriented_sphere
+    (
+        toPoint3(a), toPoint3(b), toPoint3(c), toPoint3(d), toPoint3(x)
+    );
+}
+
+
 bool isCollinear(const point& a, const point& b, const point& c)
 {
     return CGAL::collinear(toPoint3(a), toPoint3(b), toPoint3(c));

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "tetrahedralize.H"
+#include "tetDomains.H"
 #include "testSurfaces.H"
 #include "HashSet.H"
 #include "mathematicalConstants.H"
@@ -14,16 +15,6 @@
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 using namespace Foam;
-
-static tetDomain inside(const wallSurface& wall)
-{
-    tetDomain domain;
-    domain.points = wall.points;
-    domain.facets = wall.faces;
-
-    return domain;
-}
-
 
 //- Between the cube [-1, 2]^3 and the unit cube in it
 static tetDomain boxWithHole()
@@ -97,19 +88,6 @@ static tetDomain twoDiscs(const scalar gap)
     addDisc(0.1 + gap, domain);
 
     return domain;
-}
-
-
-static scalar volumeOf(const tetMesh& mesh)
-{
-    scalar volume = 0;
-
-    for (const tetCell& tet : mesh.tets)
-    {
-        volume += tet.tet(mesh.points).mag();
-    }
-
-    return volume;
 }
 
 

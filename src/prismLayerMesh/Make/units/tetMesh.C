@@ -5,6 +5,8 @@
 
 #include "tetMesh/tetrahedralize.C"
 #include "tetMesh/tetEditor.C"
+#include "tetMesh/tetInserter.C"
+#include "tetMesh/refineTets.C"
 #include "tetMesh/planeTriangulation.C"
 
 // ************************************************************************* //

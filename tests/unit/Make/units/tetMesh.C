@@ -6,5 +6,6 @@
 #include "tetMesh/tetrahedralizeTest.C"
 #include "tetMesh/planeTriangulationTest.C"
 #include "tetMesh/tetEditorTest.C"
+#include "tetMesh/refineTetsTest.C"
 
 // ************************************************************************* //

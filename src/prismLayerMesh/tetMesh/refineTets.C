@@ -1,0 +1,543 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "refineTets.H"
+#include "stageProgress.H"
+#include "tetInserter.H"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Constants that were tuned, see benchmarks/farField.md
+const struct
+{
+    //- Points that are tried in a round
+    label batch = 1024;
+
+    //- Longest edge of a tetrahedron over the size at its centre
+    scalar maxLength = 1.6;
+
+    //- Radius of a tetrahedron over its shortest edge
+    scalar maxRadius = 1.3;
+
+    //- Least distance of a centre from other points, over the size
+    scalar leastDistance = 0.7;
+
+    //- Six times the volume of a tetrahedron over the cube of its longest edge.
+    //  If it is smaller than flatVolume, the tetrahedron has no centre.
+    scalar leastVolume = 0.05;
+    scalar flatVolume = 1e-6;
+
+    //- Further places in the list of wanted points, on both sides, from where a
+    //  way to a wanted point is tried; points between such places
+    label maxStarts = 8;
+    label betweenStarts = 16;
+} refinerTuned;
+
+
+//- A point that is to be added, and what it replaces
+struct insertion
+{
+    //- The tetrahedron that asks for the point
+    label asking;
+
+    //- Label of a wanted point, or -1
+    label wanted;
+
+    point x;
+
+    //- Whether the point can be added, if no other is added nearby
+    bool isValid;
+
+    pointCavity cavity;
+
+    //- New tetrahedra that ask for a point
+    std::vector<label> asksNext;
+};
+
+
+class refinedTets
+{
+    const wantedPoints& wanted_;
+    const std::function<scalar(const point&)>& size_;
+    const label maxTets_;
+
+    tetInserter tets_;
+
+    //- The first of the wanted points in each tetrahedron, and the next one in
+    //  the same tetrahedron, or -1
+    std::vector<label> first_;
+    std::vector<label> next_;
+
+    //- Whether wanted points are added, not centres
+    bool addsWanted_ = false;
+
+    //- The round in which an insertion last took a tetrahedron
+    std::vector<label> takenIn_;
+    label round_ = 0;
+
+
+    //- Whether other points are away, and spheres around triangles of the
+    //  boundary
+    bool hasRoom(const insertion& ins) const;
+
+    //- Whether a tetrahedron asks for a point; sets the point
+    bool asks(label t, point& x) const;
+
+    void propose(insertion& ins) const;
+
+    //- Takes the tetrahedra of a cavity and those around it. Returns false if
+    //  some are taken.
+    bool take(const insertion& ins);
+
+    //- Takes the wanted points out of the cavity, and returns the first one
+    label takeWanted(const insertion& ins);
+
+    //- Gives wanted points to new tetrahedra
+    void giveWanted(const insertion& ins, label first);
+
+    //- Adds a point that has labels
+    void add(insertion& ins, tetInserter::workspace& work);
+
+    //- Tries points of a batch, and adds those that can be added. Appends the
+    //  tetrahedra that ask for points after that, with the place of what asked
+    //  before.
+    void insert
+    (
+        std::vector<insertion>& batch,
+        const std::vector<label>& places,
+        std::vector<std::pair<label, label>>& asksNext
+    );
+
+    //- Inserts until no tetrahedron asks
+    void insertAll(std::vector<label> asking);
+
+    label tetWith(label i, const std::vector<label>& tetOf) const;
+
+public:
+
+    refinedTets
+    (
+        const wantedPoints& wanted,
+        const std::function<scalar(const point&)>& size,
+        const label maxTets,
+        const tetMesh& mesh
+    );
+
+    void addWanted();
+
+    void addCentres();
+
+    tetMesh mesh() const { return tets_.mesh(); }
+};
+
+
+refinedTets::refinedTets
+(
+    const wantedPoints& wanted,
+    const std::function<scalar(const point&)>& size,
+    const label maxTets,
+    const tetMesh& mesh
+)
+:
+    wanted_(wanted),
+    size_(size),
+    maxTets_(maxTets),
+    tets_(mesh),
+    first_(mesh.tets.size(), -1),
+    next_(wanted.points.size(), -1),
+    takenIn_(mesh.tets.size(), 0)
+{}
+
+
+bool refinedTets::hasRoom(const insertion& ins) const
+{
+    const scalar leastSqr = sqr(refinerTuned.leastDistance*size_(ins.x));
+    for (const tetSide& side : ins.cavity.sides)
+    {
+        point centre(Zero);
+        for (label k = 1; k < 4; ++k)
+        {
+            const point& p = tets_.corner(side.tet, (side.corner + k) % 4);
+            centre += p/3;
+            if (magSqr(p - ins.x) < leastSqr)
+            {
+                return false;
+            }
+        }
+        const point& p = tets_.corner(side.tet, (side.corner + 1) % 4);
+        if
+        (
+            tets_.isOnBoundary(side)
+         && magSqr(ins.x - centre) < magSqr(p - centre)
+        )
+        {
+            return false;
+        }
+    }
+
+    return true;
+}
+
+
+bool refinedTets::asks(const label t, point& x) const
+{
+    scalar longest = 0;
+    scalar shortest = GREAT;
+    point sum(Zero);
+    for (label i = 0; i < 4; ++i)
+    {
+        sum += tets_.corner(t, i);
+        for (label j = i + 1; j < 4; ++j)
+        {
+            const scalar lengthSqr =
+                magSqr(tets_.corner(t, i) - tets_.corner(t, j));
+            longest = max(longest, lengthSqr);
+            shortest = min(shortest, lengthSqr);
+        }
+    }
+
+    const vector u(tets_.corner(t, 1) - tets_.corner(t, 0));
+    const vector v(tets_.corner(t, 2) - tets_.corner(t, 0));
+    const vector w(tets_.corner(t, 3) - tets_.corner(t, 0));
+    const scalar volume6 = u & (v ^ w);
+    const scalar lengthCubed = longest*std::sqrt(longest);
+    if (volume6 < refinerTuned.flatVolume*lengthCubed)
+    {
+        return false;
+    }
+
+    const vector toCentre
+    (
+        (magSqr(u)*(v ^ w) + magSqr(v)*(w ^ u) + magSqr(w)*(u ^ v))
+       /(2*volume6)
+    );
+    x = tets_.corner(t, 0) + toCentre;
+    const scalar size = size_(0.25*sum);
+
+    return
+        magSqr(toCentre) > sqr(refinerTuned.leastDistance*size)
+     && (
+            magSqr(toCentre) > sqr(refinerTuned.maxRadius)*shortest
+         || volume6 < refinerTuned.leastVolume*lengthCubed
+         || longest > sqr(refinerTuned.maxLength*size)
+        );
+}
+
+
+void refinedTets::propose(insertion& ins) const
+{
+    const label t = ins.asking;
+    ins.isValid = false;
+    ins.wanted = first_[t];
+    label container = -1;
+    if (ins.wanted >= 0)
+    {
+        ins.x = wanted_.points[ins.wanted];
+        container = t;
+    }
+    else if (!addsWanted_ && !tets_.hasGone(t) && asks(t, ins.x))
+    {
+        container = tets_.locate(ins.x, t);
+    }
+    ins.isValid =
+        container >= 0
+     && tets_.findCavity(ins.x, container, ins.cavity)
+     && (ins.wanted >= 0 || hasRoom(ins));
+}
+
+
+// * * * * * * * * * * * * * * *  Replacements * * * * * * * * * * * * * * * //
+
+bool refinedTets::take(const insertion& ins)
+{
+    const auto lists = {&ins.cavity.tets, &ins.cavity.around};
+    for (const std::vector<label>* tets : lists)
+    {
+        for (const label t : *tets)
+        {
+            if (takenIn_[t] == round_)
+            {
+                return false;
+            }
+        }
+    }
+    for (const std::vector<label>* tets : lists)
+    {
+        for (const label t : *tets)
+        {
+            takenIn_[t] = round_;
+        }
+    }
+
+    return true;
+}
+
+
+label refinedTets::takeWanted(const insertion& ins)
+{
+    label taken = -1;
+    for (const label t : ins.cavity.tets)
+    {
+        for (label p = first_[t]; p >= 0;)
+        {
+            const label after = next_[p];
+            if (p != ins.wanted)
+            {
+                next_[p] = taken;
+                taken = p;
+            }
+            p = after;
+        }
+        first_[t] = -1;
+    }
+
+    return taken;
+}
+
+
+void refinedTets::giveWanted(const insertion& ins, label first)
+{
+    while (first >= 0)
+    {
+        const label after = next_[first];
+        const label t = tets_.madeWith(wanted_.points[first], ins.cavity);
+        next_[first] = first_[t];
+        first_[t] = first;
+        first = after;
+    }
+}
+
+
+void refinedTets::add(insertion& ins, tetInserter::workspace& work)
+{
+    const label taken = takeWanted(ins);
+    tets_.replace(ins.cavity, work);
+    giveWanted(ins, taken);
+
+    ins.asksNext.clear();
+    for (const label t : ins.cavity.made)
+    {
+        point x;
+        if (addsWanted_ ? first_[t] >= 0 : asks(t, x))
+        {
+            ins.asksNext.push_back(t);
+        }
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * * Rounds  * * * * * * * * * * * * * * * * //
+
+void refinedTets::insert
+(
+    std::vector<insertion>& batch,
+    const std::vector<label>& places,
+    std::vector<std::pair<label, label>>& asksNext
+)
+{
+    const label n = places.size();
+
+    #pragma omp parallel for schedule(dynamic, 8)
+    for (label k = 0; k < n; ++k)
+    {
+        propose(batch[k]);
+    }
+
+    ++round_;
+    for (label k = 0; k < n; ++k)
+    {
+        insertion& ins = batch[k];
+        ins.asksNext.clear();
+        if (ins.isValid && !take(ins))
+        {
+            ins.isValid = false;
+            ins.asksNext.push_back(ins.asking);
+        }
+        else if (ins.isValid)
+        {
+            tets_.setLabels(ins.x, ins.cavity);
+            first_.resize(tets_.nTets(), -1);
+            takenIn_.resize(tets_.nTets(), round_);
+        }
+    }
+
+    #pragma omp parallel
+    {
+        tetInserter::workspace work;
+
+        #pragma omp for schedule(dynamic, 8)
+        for (label k = 0; k < n; ++k)
+        {
+            if (batch[k].isValid)
+            {
+                add(batch[k], work);
+            }
+        }
+    }
+
+    for (label k = 0; k < n; ++k)
+    {
+        for (const label t : batch[k].asksNext)
+        {
+            asksNext.push_back({places[k], t});
+        }
+    }
+}
+
+
+void refinedTets::insertAll(std::vector<label> asking)
+{
+    std::vector<insertion> batch(refinerTuned.batch);
+    std::vector<label> places;
+    std::vector<std::pair<label, label>> asksNext;
+    const auto fits = [&]() { return tets_.nTets() <= maxTets_; };
+    while (asking.size() && fits())
+    {
+        tellProgress("refining tetrahedra", tets_.nTets());
+
+        // Points of a batch are far from each other in the list
+        const label n = asking.size();
+        const label nBatches = (n + refinerTuned.batch - 1)/refinerTuned.batch;
+        for (label b = 0; b < nBatches && fits(); ++b)
+        {
+            places.clear();
+            for (label place = b; place < n; place += nBatches)
+            {
+                batch[places.size()].asking = asking[place];
+                places.push_back(place);
+            }
+            insert(batch, places, asksNext);
+        }
+
+        std::sort(asksNext.begin(), asksNext.end());
+        asking.clear();
+        for (const auto& next : asksNext)
+        {
+            asking.push_back(next.second);
+        }
+        asksNext.clear();
+    }
+}
+
+
+label refinedTets::tetWith
+(
+    const label i,
+    const std::vector<label>& tetOf
+) const
+{
+    label found = -1;
+    for (label n = 0; found < 0 && n <= 2*refinerTuned.maxStarts; ++n)
+    {
+        const label away = refinerTuned.betweenStarts*((n + 1)/2);
+        const label start = i + (n % 2 ? away : -away);
+        if (start >= 0 && start < wanted_.near.size())
+        {
+            const label t = tetOf[wanted_.near[start]];
+            found = t < 0 ? -1 : tets_.locate(wanted_.points[i], t);
+        }
+    }
+
+    return found;
+}
+
+
+void refinedTets::addWanted()
+{
+    std::vector<label> tetOf(tets_.nPoints(), -1);
+    for (label t = 0; t < tets_.nTets(); ++t)
+    {
+        for (label i = 0; i < 4; ++i)
+        {
+            tetOf[tets_(t, i)] = t;
+        }
+    }
+
+    const label n = wanted_.points.size();
+    std::vector<label> in(n);
+
+    #pragma omp parallel for schedule(dynamic, 64)
+    for (label i = 0; i < n; ++i)
+    {
+        in[i] = tetWith(i, tetOf);
+    }
+
+    std::vector<label> asking;
+    for (label i = 0; i < n; ++i)
+    {
+        const label t = in[i];
+        if (t >= 0)
+        {
+            if (first_[t] < 0)
+            {
+                asking.push_back(t);
+            }
+            next_[i] = first_[t];
+            first_[t] = i;
+        }
+    }
+    addsWanted_ = true;
+    insertAll(asking);
+    addsWanted_ = false;
+    std::fill(first_.begin(), first_.end(), -1);
+}
+
+
+void refinedTets::addCentres()
+{
+    std::vector<char> isAsking(tets_.nTets());
+
+    #pragma omp parallel for schedule(static)
+    for (label t = 0; t < tets_.nTets(); ++t)
+    {
+        point x;
+        isAsking[t] = !tets_.hasGone(t) && asks(t, x);
+    }
+
+    std::vector<label> asking;
+    for (label t = 0; t < tets_.nTets(); ++t)
+    {
+        if (isAsking[t])
+        {
+            asking.push_back(t);
+        }
+    }
+    insertAll(asking);
+}
+
+
+} // End anonymous namespace
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void refineTets
+(
+    const wantedPoints& wanted,
+    const std::function<scalar(const point&)>& size,
+    const label maxTets,
+    tetMesh& mesh
+)
+{
+    refinedTets tets(wanted, size, maxTets, mesh);
+    tets.addWanted();
+    tets.addCentres();
+    mesh = tets.mesh();
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
