@@ -10,6 +10,7 @@
 #include "meshCertificate.H"
 #include "randomSurface.H"
 #include "refineSurface.H"
+#include "refineTets.H"
 #include "tetEditor.H"
 #include "tetrahedralize.H"
 #include "wallSearch.H"
@@ -248,9 +249,10 @@ static polyMeshParts makeTetrahedra
     (
         tetrahedralize
         (
-            tetDomain{surface.points, surface.faces, pointField()}, size, 60000
+            tetDomain{surface.points, surface.faces, pointField()}
         )
     );
+    refineTets(wantedPoints(), size, 60000, filled);
     farFieldTets tets;
     tets.nBoundaryPoints = surface.points.size();
     tets.boundaryTriangles = surface.faces;

@@ -7,6 +7,7 @@
 #include "farFieldMeshControls.H"
 #include "ListOps.H"
 #include "packPoints.H"
+#include "refineTets.H"
 #include "SubList.H"
 #include "tetrahedralize.H"
 #include "triangleIndex.H"
@@ -61,7 +62,7 @@ boundaryTets findBoundaryTets(const farFieldTets& tets)
 
 // * * * * * * * * * * * * * *  Fill With Tets * * * * * * * * * * * * * * * //
 
-//- Leaves out the points that TetGen added and that are in no tetrahedron
+//- Leaves out the points inside that are in no tetrahedron
 static void compact(farFieldTets& mesh)
 {
     boolList used(mesh.nBoundaryPoints, true);
@@ -122,6 +123,31 @@ cellSizes makeSizes
 }
 
 
+//- Moves every few of the wanted points to the points of TetGen's domain, and
+//  sets the nearest of these for each point that stays
+static void moveSome(wantedPoints& wanted, pointField& domainPoints)
+{
+    const label stride = farFieldTuned.firstPacked;
+    DynamicList<point> moved, staying;
+    DynamicList<label> near;
+    forAll(wanted.points, i)
+    {
+        if (i % stride == 0)
+        {
+            moved.append(wanted.points[i]);
+        }
+        else
+        {
+            staying.append(wanted.points[i]);
+            near.append(domainPoints.size() + i/stride);
+        }
+    }
+    domainPoints.append(moved);
+    wanted.points = staying;
+    wanted.near = near;
+}
+
+
 void fillWithTets
 (
     const wallSurface& both,
@@ -145,7 +171,7 @@ void fillWithTets
         refuse(cubes.complete ? nCells : 0, maxCells);
     }
 
-    // What TetGen may take, in cells and in time, is for a mesh of that size
+    // No more points than for a mesh of that size
     const label mostCells = min
     (
         scalar(maxCells),
@@ -153,12 +179,15 @@ void fillWithTets
       + farFieldTuned.cellsPerTriangle*both.faces.size()
     );
     tetDomain domain{both.points, both.faces, holes, !mesh.hasLayers};
+    wantedPoints wanted;
     if (mesh.cutTriangles.empty())
     {
         // Beside a core the space is only a few cells wide
-        domain.points.append(packPoints(both.points, search, sizes, cubes));
+        wanted.points = packPoints(both.points, search, sizes, cubes);
+        moveSome(wanted, domain.points);
     }
-    tetMesh filled(tetrahedralize(domain, std::cref(sizes), mostCells));
+    tetMesh filled(tetrahedralize(domain));
+    refineTets(wanted, std::cref(sizes), mostCells, filled);
 
     if (filled.tets.size() > maxCells)
     {

@@ -18,9 +18,6 @@
 namespace Foam
 {
 
-//- Longest edge of a tetrahedron over the size at its centre: tuned
-static constexpr scalar maxLength = 1.6;
-
 //- The points of a tetrahedron, as TetGen has them
 typedef FixedList<int, 4> tetgenCell;
 
@@ -28,25 +25,25 @@ typedef FixedList<int, 4> tetgenCell;
 namespace
 {
 
-//- The wanted sizes, and the rotation of the coordinates, in TetGen's process
-struct tetSizing
+//- Constants that were tuned
+const struct
 {
-    std::function<scalar(const point&)> size;
-    tensor rotation;
-};
+    //- How often TetGen is started, each time with other coordinates: where the
+    //  first attempts fail, each later one succeeds in about 1 of 3 cases
+    label maxAttempts = 12;
 
-//- Global because TetGen asks with coordinates alone
-tetSizing sizing;
+    //- CPU time of the first two attempts [s], and the points for which they
+    //  have one second more: twice the time of any success. Later attempts have
+    //  a quarter of it, but not less than the shortest time.
+    label seconds = 3;
+    label pointsPerSecond = 16000;
+    label shortest = 2;
 
-
-struct tetgenOptions
-{
-    //- Switches of TetGen's command line
-    std::string switches;
-
-    //- Sizes [m] of tetrahedra; null if there are none
-    std::function<scalar(const point&)> size;
-};
+    //- Facets stay as they are: not split (Y), coplanar ones not merged (M), no
+    //  tolerance (T) in place of the exact predicates. Points that are not used
+    //  are not left out (J): that would change the labels of the others.
+    const char* switches = "pYMJQT1e-16";
+} tuned;
 
 } // End anonymous namespace
 
@@ -92,35 +89,11 @@ static void setFacets(tetgenio& io, const faceList& facets)
 }
 
 
-static bool isLarge(REAL* a, REAL* b, REAL* c, REAL* d, REAL*, REAL)
-{
-    const point x[4] =
-    {
-        point(a[0], a[1], a[2]), point(b[0], b[1], b[2]),
-        point(c[0], c[1], c[2]), point(d[0], d[1], d[2])
-    };
-
-    scalar longest = 0;
-    for (label i = 0; i < 4; ++i)
-    {
-        for (label j = i + 1; j < 4; ++j)
-        {
-            longest = max(longest, magSqr(x[i] - x[j]));
-        }
-    }
-
-    const point centre(0.25*(x[0] + x[1] + x[2] + x[3]));
-
-    return longest > sqr(maxLength*sizing.size(centre & sizing.rotation));
-}
-
-
 //- Runs TetGen on a domain whose coordinates are rotated, and sends the mesh.
 //  TetGen may end the process.
 static void runTetgen
 (
     const tetDomain& domain,
-    const tetgenOptions& options,
     const tensor& rotation,
     pipeWriter& result
 )
@@ -133,13 +106,7 @@ static void runTetgen
     in.holelist = newCoordinates(domain.holes, rotation);
     setFacets(in, domain.facets);
 
-    if (options.size)
-    {
-        sizing = tetSizing{options.size, rotation};
-        in.tetunsuitable = isLarge;
-    }
-
-    std::string switches(options.switches);
+    std::string switches(tuned.switches);
     ::tetrahedralize(&switches[0], &in, &out);
 
     static_assert(sizeof(point) == 3*sizeof(REAL), "points of three doubles");
@@ -187,47 +154,6 @@ static tetMesh readTetgen
 
     return mesh;
 }
-
-
-// * * * * * * * * * * * * * *  Tetrahedralize * * * * * * * * * * * * * * * //
-
-namespace
-{
-
-//- Constants that were tuned
-const struct
-{
-    //- How often TetGen is started, each time with other coordinates: where the
-    //  first attempts fail, each later one succeeds in about 1 of 3 cases
-    label maxAttempts = 12;
-
-    //- CPU time of the first two attempts [s], and the points for which they
-    //  have one second more: twice the time of any success. Later attempts have
-    //  a quarter of it, but not less than the shortest time.
-    label seconds = 3;
-    label pointsPerSecond = 16000;
-    label shortest = 2;
-
-    //- CPU time of the first two attempts for tetrahedra of given sizes [s],
-    //  and the number of tetrahedra, if there may be so many, for which they
-    //  have one second more
-    label sizedSeconds = 3;
-    label tetsPerSecond = 24000;
-
-    //- Tetrahedra that there may be for each point that is added
-    label tetsPerPoint = 4;
-
-    //- Facets stay as they are: not split (Y), coplanar ones not merged (M), no
-    //  tolerance (T) in place of the exact predicates. Points that are not used
-    //  are not left out (J): that would change the labels of the others.
-    const char* keepFacets = "pYMJQT1e-16";
-
-    //- Radius over shortest edge at most 1.3, dihedral angles from 12 to 130
-    //  degrees, if it can be had, by refinement and then by flips and smoothing
-    const char* shapes = "q1.3/12o/130O2/7";
-} tuned;
-
-} // End anonymous namespace
 
 
 //- The rotation of the coordinates of an attempt.
@@ -278,14 +204,12 @@ static bool keepsFacets(const tetDomain& domain, const tetMesh& mesh)
 }
 
 
-//- seconds: CPU time of each of the first two attempts
-static tetMesh attempts
-(
-    const tetDomain& domain,
-    const tetgenOptions& options,
-    const label seconds
-)
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+tetMesh tetrahedralize(const tetDomain& domain)
 {
+    const label seconds =
+        tuned.seconds + domain.points.size()/tuned.pointsPerSecond;
     for (label attempt = 0; attempt < tuned.maxAttempts; ++attempt)
     {
         tellProgress("TetGen, points", domain.points.size());
@@ -296,7 +220,7 @@ static tetMesh attempts
         (
             [&](pipeWriter& result)
             {
-                runTetgen(domain, options, rotation, result);
+                runTetgen(domain, rotation, result);
             },
             [&](pipeReader& result)
             {
@@ -331,38 +255,6 @@ bool allPositive(const UList<point>& x, const UList<tetCell>& tets)
     {
         return orientation(x[tet[0]], x[tet[1]], x[tet[2]], x[tet[3]]) > 0;
     });
-}
-
-
-tetMesh tetrahedralize(const tetDomain& domain)
-{
-    return attempts
-    (
-        domain,
-        tetgenOptions{tuned.keepFacets, nullptr},
-        tuned.seconds + domain.points.size()/tuned.pointsPerSecond
-    );
-}
-
-
-tetMesh tetrahedralize
-(
-    const tetDomain& domain,
-    const std::function<scalar(const point&)>& size,
-    const label maxTets
-)
-{
-    return attempts
-    (
-        domain,
-        tetgenOptions
-        {
-            std::string(tuned.keepFacets) + tuned.shapes + 'S'
-          + std::to_string(maxTets/tuned.tetsPerPoint),
-            size
-        },
-        tuned.sizedSeconds + maxTets/tuned.tetsPerSecond
-    );
 }
 
 } // End namespace Foam
