@@ -5,13 +5,16 @@
 
 #include "sidePatch.H"
 #include "boundBox.H"
+#include "CompactListList.H"
 #include "DynamicList.H"
-#include "EdgeMap.H"
 #include "error.H"
 #include "linePointRef.H"
+#include "ListOps.H"
 #include "ranges.H"
 #include "sideShape.H"
 #include "stageProgress.H"
+
+#include <algorithm>
 
 namespace Foam
 {
@@ -435,23 +438,70 @@ bool hasPlanes(const UList<sidePatch>& sides)
 }
 
 
-edgeList outline(const faceList& faces)
+//- The upper ends of the edges of all faces, by their lower ends
+static CompactListList<label> upperEnds(const faceList& faces)
 {
-    EdgeMap<label> nFaces;
+    label last = -1;
     for (const face& f : faces)
     {
-        for (const edge& e : f.edges())
+        last = max(last, max(f));
+    }
+
+    labelList nEdges(last + 1, Zero);
+    const auto visit = [&](const auto& visitEdge)
+    {
+        for (const face& f : faces)
         {
-            ++nFaces(e, 0);
+            forAll(f, k)
+            {
+                const edge e(f.faceEdge(k));
+                visitEdge(e.minVertex(), e.maxVertex());
+            }
         }
+    };
+    visit([&](const label low, const label) { ++nEdges[low]; });
+
+    CompactListList<label> ends(nEdges);
+    labelList next(SubList<label>(ends.offsets(), nEdges.size()));
+    visit([&](const label low, const label high)
+    {
+        ends.m()[next[low]++] = high;
+    });
+
+    return ends;
+}
+
+
+edgeList outline(const faceList& faces)
+{
+    const CompactListList<label> ends(upperEnds(faces));
+    const auto isOpen = [&](const edge& e)
+    {
+        const UList<label> all(ends[e.minVertex()]);
+
+        return std::count(all.begin(), all.end(), e.maxVertex()) == 1;
+    };
+
+    boolList onBorder(faces.size());
+    #pragma omp parallel for schedule(static, 256)
+    forAll(faces, i)
+    {
+        const face& f = faces[i];
+        bool any = false;
+        for (label k = 0; k < f.size() && !any; ++k)
+        {
+            any = isOpen(f.faceEdge(k));
+        }
+        onBorder[i] = any;
     }
 
     DynamicList<edge> edges;
-    for (const face& f : faces)
+    for (const label i : findIndices(onBorder, true))
     {
+        const face& f = faces[i];
         forAll(f, k)
         {
-            if (nFaces[f.faceEdge(k)] == 1)
+            if (isOpen(f.faceEdge(k)))
             {
                 edges.append(f.faceEdge(k));
             }
