@@ -6,6 +6,7 @@
 #include "wallDefects.H"
 #include "cellPredicates.H"
 #include "disjointSets.H"
+#include "invertCompact.H"
 #include "StringStream.H"
 #include "wallPredicates.H"
 
@@ -226,59 +227,80 @@ static void findFlippedFaces
 }
 
 
-labelList countFans(const wallSurface& wall, const wallSides& sides)
+//- The number of groups of corners at a point that edges connect.
+//  faces: the faces of the corners, ascending
+static label nFansAt
+(
+    const wallSurface& wall,
+    const label p,
+    const UList<label>& faces
+)
 {
-    labelList starts(wall.faces.size() + 1, Zero);
-    forAll(wall.faces, facei)
+    // The other end of each edge, and the first corner of the edge's face
+    DynamicList<labelPair> ends(2*faces.size());
+    label first = 0;
+    forAll(faces, i)
     {
-        starts[facei + 1] = starts[facei] + wall.faces[facei].size();
-    }
-
-    disjointSets corners(starts.last());
-
-    for (label e = 0; e < sides.nEdges(); ++e)
-    {
-        const wallSide& s = sides.on(e)[0];
-        const face& f = wall.faces[s.facei];
-
-        for (const wallSide& t : sides.on(e))
+        if (faces[i] == faces[first] && i > 0)
         {
-            const face& g = wall.faces[t.facei];
+            continue;
+        }
+        first = i;
 
-            for (const label p : {s.low, s.high})
+        const face& f = wall.faces[faces[i]];
+        forAll(f, k)
+        {
+            for (const label q : {f.nextLabel(k), f.prevLabel(k)})
             {
-                corners.join
-                (
-                    starts[s.facei] + f.find(p), starts[t.facei] + g.find(p)
-                );
+                if (f[k] == p && q != p)
+                {
+                    ends.append(labelPair(q, first));
+                }
             }
         }
     }
+    std::sort(ends.begin(), ends.end());
 
-    labelList nFans(wall.points.size(), Zero);
-    forAll(wall.faces, facei)
+    disjointSets fans(faces.size());
+    for (label i = 1; i < ends.size(); ++i)
     {
-        const face& f = wall.faces[facei];
-
-        forAll(f, i)
+        if (ends[i].first() == ends[i - 1].first())
         {
-            const label corner = starts[facei] + i;
-            nFans[f[i]] += (corners.find(corner) == corner);
+            fans.join(ends[i].second(), ends[i - 1].second());
         }
+    }
+
+    label n = 0;
+    forAll(faces, i)
+    {
+        n += fans.find(i) == i;
+    }
+
+    return n;
+}
+
+
+labelList countFans(const wallSurface& wall)
+{
+    const CompactListList<label> pointFaces
+    (
+        invertCompact(wall.points.size(), wall.faces)
+    );
+
+    labelList nFans(wall.points.size());
+    #pragma omp parallel for schedule(static, 256)
+    forAll(nFans, p)
+    {
+        nFans[p] = nFansAt(wall, p, pointFaces[p]);
     }
 
     return nFans;
 }
 
 
-void findNonManifoldPoints
-(
-    const wallSurface& wall,
-    const wallSides& sides,
-    defectList& defects
-)
+void findNonManifoldPoints(const wallSurface& wall, defectList& defects)
 {
-    const labelList nFans(countFans(wall, sides));
+    const labelList nFans(countFans(wall));
 
     forAll(nFans, p)
     {
@@ -351,14 +373,17 @@ static bool isDegenerate(const wallSurface& wall, const face& f)
 
 static bitSet findDegenerateFaces(const wallSurface& wall, defectList& defects)
 {
-    bitSet degenerate(wall.faces.size());
-    forAll(wall.faces, facei)
+    boolList flat(wall.faces.size());
+    #pragma omp parallel for schedule(static, 256)
+    forAll(flat, facei)
     {
-        if (isDegenerate(wall, wall.faces[facei]))
-        {
-            degenerate.set(facei);
-            defects.addFace(defectKind::degenerateFace, facei);
-        }
+        flat[facei] = isDegenerate(wall, wall.faces[facei]);
+    }
+
+    const bitSet degenerate(flat);
+    for (const label facei : degenerate)
+    {
+        defects.addFace(defectKind::degenerateFace, facei);
     }
 
     return degenerate;
@@ -423,7 +448,7 @@ List<wallDefect> findWallDefects(const wallSurface& wall, const bool mayBeOpen)
         findFlippedFaces(wall, sides, defects);
     }
 
-    findNonManifoldPoints(wall, sides, defects);
+    findNonManifoldPoints(wall, defects);
 
     for (const labelPair& pair : findIntersectingFaces(wall, degenerate))
     {

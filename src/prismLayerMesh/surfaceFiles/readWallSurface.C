@@ -166,7 +166,7 @@ static bool isOrientable(const wallSurface& wall, const wallSides& sides)
 
     defectList defects(wall);
     const bool oriented = findBadEdges(sides, defects);
-    findNonManifoldPoints(wall, sides, defects);
+    findNonManifoldPoints(wall, defects);
 
     return oriented && defects.empty();
 }

@@ -137,7 +137,7 @@ surfaceContacts findContacts(const wallSurface& surface)
         }
     }
 
-    const labelList nFans(countFans(surface, sides));
+    const labelList nFans(countFans(surface));
     forAll(nFans, p)
     {
         if (nFans[p] > 1 && !isOnContact.test(p))

@@ -63,7 +63,7 @@ wallSides makeWallSides(const faceList& faces, const label nPoints)
     labelList next(SubList<label>(byLow.offsets(), nPoints));
     visitSides(faces, [&](const wallSide& s) { sides[next[s.low]++] = s; });
 
-    DynamicList<label> edgeStarts(sides.size()/2 + 1);
+    #pragma omp parallel for schedule(static, 256)
     for (label p = 0; p < nPoints; ++p)
     {
         UList<wallSide> run(byLow[p]);
@@ -77,16 +77,21 @@ wallSides makeWallSides(const faceList& faces, const label nPoints)
                 return s.high < t.high;
             }
         );
-
-        forAll(run, i)
-        {
-            if (i == 0 || run[i].high != run[i - 1].high)
-            {
-                edgeStarts.append(byLow.index(p, i));
-            }
-        }
     }
 
+    DynamicList<label> edgeStarts(sides.size()/2 + 1);
+    forAll(sides, i)
+    {
+        if
+        (
+            i == 0
+         || sides[i].low != sides[i - 1].low
+         || sides[i].high != sides[i - 1].high
+        )
+        {
+            edgeStarts.append(i);
+        }
+    }
     edgeStarts.append(sides.size());
 
     wallSides result;
@@ -140,6 +145,8 @@ label findComponents
 vectorField wallSurface::faceNormals() const
 {
     vectorField normals(faces.size());
+
+    #pragma omp parallel for schedule(static, 256)
     forAll(faces, i)
     {
         const vector area(faces[i].areaNormal(points));
@@ -154,6 +161,8 @@ vectorField wallSurface::faceNormals() const
 scalarField meanEdges(const wallSurface& wall, const wallAddressing& addressing)
 {
     scalarField means(wall.points.size(), 0);
+
+    #pragma omp parallel for schedule(static, 256)
     forAll(means, p)
     {
         const labelList& neighbours = addressing.pointPoints[p];

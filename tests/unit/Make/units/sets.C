@@ -6,5 +6,6 @@
 #include "sets/markedGridTest.C"
 #include "sets/boxGridTest.C"
 #include "sets/disjointSetsTest.C"
+#include "sets/invertCompactTest.C"
 
 // ************************************************************************* //
