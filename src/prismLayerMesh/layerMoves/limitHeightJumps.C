@@ -6,6 +6,7 @@
 #include "limitHeightJumps.H"
 #include "EdgeMap.H"
 #include "heightSeries.H"
+#include "invertCompact.H"
 #include "layerGeometry.H"
 #include "ListOps.H"
 #include "stageProgress.H"
@@ -27,14 +28,14 @@ class heightSweeps
 
     //- Faces of each column, and indices of the pairs of neighbours with each
     //  face
-    const labelListList columnFaces_;
-    const labelListList facePairs_;
+    const CompactListList<label> columnFaces_;
+    const CompactListList<label> facePairs_;
 
     scalarField factors_;
     scalarField faceHeights_;
 
     //- The factors that each face asks of its columns
-    List<scalarList> asked_;
+    CompactListList<scalar> asked_;
 
     scalar height(const label facei, const label k) const
     {
@@ -120,7 +121,8 @@ class heightSweeps
     //- Ask what a face needs by the heights as they are
     void ask(const label facei)
     {
-        asked_[facei] = 1.0;
+        UList<scalar> asked(asked_[facei]);
+        asked = 1.0;
         const scalar height = faceHeights_[facei]/(1 + controls_.slack);
 
         if (height > given_.largest[facei])
@@ -165,14 +167,8 @@ public:
         given_(given),
         controls_(controls),
         team_(team),
-        columnFaces_(invertManyToMany<face, labelList>(nColumns, given.faces)),
-        facePairs_
-        (
-            invertManyToMany<labelPair, labelList>
-            (
-                given.faces.size(), given.neighbours
-            )
-        ),
+        columnFaces_(invertCompact(nColumns, given.faces)),
+        facePairs_(invertCompact(given.faces.size(), given.neighbours)),
         factors_(nColumns, 1.0),
         faceHeights_(given.faces.size()),
         asked_(given.heights)
@@ -224,6 +220,18 @@ public:
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
+CompactListList<scalar> heightLimits::valuesOfCorners(const UList<face>& faces)
+{
+    labelList sizes(faces.size());
+    forAll(faces, facei)
+    {
+        sizes[facei] = faces[facei].size();
+    }
+
+    return CompactListList<scalar>(sizes);
+}
+
+
 scalarField heightLimits::factors
 (
     const label nColumns,
@@ -258,8 +266,8 @@ static heightLimits firstHeights
     const vectorField normals(front.surface.faceNormals());
 
     heightLimits first;
-    first.faces = SubList<face>(layers.faces, front.nWallFaces);
-    first.heights.setSize(front.nWallFaces);
+    first.faces.shallowCopy(SubList<face>(layers.faces, front.nWallFaces));
+    first.heights = heightLimits::valuesOfCorners(first.faces);
     first.largest.setSize(front.nWallFaces, 0);
     first.neighbours = neighbours;
 
@@ -269,8 +277,7 @@ static heightLimits firstHeights
         stackHeights stack(layers);
         const face& f = first.faces[facei];
         const vector& n = normals[facei];
-        scalarList& heights = first.heights[facei];
-        heights.setSize(f.size());
+        UList<scalar> heights(first.heights[facei]);
         stack.compute(facei, 1);
         scalar mean = 0;
 

@@ -19,15 +19,15 @@ using namespace Foam;
 static heightLimits given(const wallSurface& wall, const scalarField& columns)
 {
     heightLimits heights;
-    heights.faces = wall.faces;
+    heights.faces.shallowCopy(wall.faces);
     heights.neighbours = makeWallAddressing(wall).edgeFaces;
     heights.largest.setSize(wall.faces.size(), 10);
-    heights.heights.setSize(wall.faces.size());
+    heights.heights = heightLimits::valuesOfCorners(wall.faces);
 
     forAll(wall.faces, facei)
     {
-        heights.heights[facei] =
-            scalarList(UIndirectList<scalar>(columns, wall.faces[facei])());
+        UList<scalar> ofFace(heights.heights[facei]);
+        ofFace.deepCopy(scalarList(columns, wall.faces[facei]));
     }
 
     return heights;
@@ -154,18 +154,11 @@ TEST(heightLimits, orderOfFacesAndNeighboursChangesNothing)
     heightLimits heights(given(wall, columns));
     heights.largest = 2;
 
-    heightLimits reversed(heights);
-    const label last = wall.faces.size() - 1;
-    forAll(wall.faces, facei)
-    {
-        reversed.faces[facei] = heights.faces[last - facei];
-        reversed.heights[facei] = heights.heights[last - facei];
-    }
+    wallSurface other(wall);
+    std::reverse(other.faces.begin(), other.faces.end());
+    heightLimits reversed(given(other, columns));
+    reversed.largest = 2;
     std::reverse(reversed.neighbours.begin(), reversed.neighbours.end());
-    for (labelPair& pair : reversed.neighbours)
-    {
-        pair = labelPair(last - pair.first(), last - pair.second());
-    }
 
     EXPECT_LT(nEqualToOne(heights.factors(n)), 0.9*n);
     EXPECT_EQ(heights.factors(n), reversed.factors(n));
@@ -198,9 +191,11 @@ TEST(heightLimits, muchLowerColumnsAreLeftAlone)
 
 TEST(heightLimits, tallestColumnsOfFacesTooHighComeDown)
 {
+    const faceList faces({face({0, 1, 2})});
     heightLimits heights;
-    heights.faces = faceList({face({0, 1, 2})});
-    heights.heights = List<scalarList>({scalarList({1, 2, 3})});
+    heights.faces.shallowCopy(faces);
+    heights.heights = heightLimits::valuesOfCorners(faces);
+    heights.heights.m() = scalarList({1, 2, 3});
     heights.largest = scalarField(1, 1.5);
 
     // 1 + 1.75 + 1.75 = 3*1.5
@@ -210,7 +205,7 @@ TEST(heightLimits, tallestColumnsOfFacesTooHighComeDown)
     EXPECT_NEAR(factors[2], 1.75/3, 1e-12);
 
     heights.largest = 0.9;
-    heights.heights[0] = scalarList({1.5, 1.5, 1.2});
+    heights.heights.m() = scalarList({1.5, 1.5, 1.2});
     const scalarField all(heights.factors(3));
     EXPECT_NEAR(all[0], 0.6, 1e-12);
     EXPECT_NEAR(all[2], 0.75, 1e-12);
