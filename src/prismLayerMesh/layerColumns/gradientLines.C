@@ -311,6 +311,7 @@ gradientLines makeStraightLines
     lines.points.setSize(arcLengths.size());
     lines.energies.setSize(arcLengths.size(), 0);
 
+    #pragma omp parallel for schedule(static, 256)
     forAll(arcLengths, i)
     {
         const label line = i/lines.nSamples;

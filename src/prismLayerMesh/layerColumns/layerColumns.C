@@ -241,6 +241,7 @@ static void setMaxThickness
     columns.maxThickness = min(asked, columnControls::gapShare*clearance);
     columns.causes.setSize(asked.size(), squeezeCause::none);
 
+    #pragma omp parallel for schedule(static, 256)
     forAll(asked, c)
     {
         const scalar stretch = columns.stretch(c, asked[c]);
@@ -288,12 +289,12 @@ static void setOffsets
     {
         vectorField directions(lineDirections(front.surface, lines, i));
         team.columns.update(directions);
-        smoothed += directions - previous;
-        previous = directions;
 
         #pragma omp parallel for schedule(static, 256)
         for (label c = 0; c < nColumns; ++c)
         {
+            smoothed[c] += directions[c] - previous[c];
+            previous[c] = directions[c];
             const scalar height =
                 min(columns.heights[c*n + i], columns.maxThickness[c]);
             variances[c] = sqr(columnControls::smoothingLength)

@@ -190,13 +190,16 @@ static labelList fittedFaces(const layerEditor& editor)
 {
     const layerFront& front = editor.front();
     const boolList isLong(stretchedAtFirst(editor));
+    boolList isFitted(front.nWallFaces);
 
-    return subsetList(identity(front.nWallFaces), [&](const label facei)
+    #pragma omp parallel for schedule(static, 256)
+    forAll(isFitted, facei)
     {
         const face& f = front.surface.faces[facei];
+        isFitted[facei] = !anyOf(f, [&](const label c) { return isLong[c]; });
+    }
 
-        return !anyOf(f, [&](const label c) { return isLong[c]; });
-    });
+    return findIndices(isFitted, true);
 }
 
 
@@ -243,16 +246,22 @@ static scalarField firstMobilities
 )
 {
     const layerFront& front = editor.front();
-    boolList mobile(front.wallPoints.size(), false);
+    boolList isWrong(faces.size());
 
+    #pragma omp parallel for schedule(static, 256)
     forAll(faces, k)
     {
         const face& f = front.surface.faces[faces[k]];
+        isWrong[k] = target.isWrong
+        (
+            f, missing[k]/editor.heights(f[0])[target.level]
+        );
+    }
 
-        if (target.isWrong(f, missing[k]/editor.heights(f[0])[target.level]))
-        {
-            UIndirectList<bool>(mobile, f) = true;
-        }
+    boolList mobile(front.wallPoints.size(), false);
+    for (const label k : findIndices(isWrong, true))
+    {
+        UIndirectList<bool>(mobile, front.surface.faces[faces[k]]) = true;
     }
 
     editor.team().columns.update(mobile);

@@ -364,10 +364,11 @@ scalarField requestedHeights(const layerSpacing& spacing)
 {
     const label n = spacing.nLayers;
     scalarField heights(spacing.thickness.size()*n);
-    scalarList column(n + 1);
 
+    #pragma omp parallel for schedule(static, 256)
     forAll(spacing.thickness, p)
     {
+        scalarList column(n + 1);
         spacing.setHeights(p, spacing.thickness[p], column);
         std::copy(column.begin() + 1, column.end(), heights.begin() + p*n);
     }

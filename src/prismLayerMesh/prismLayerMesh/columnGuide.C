@@ -51,6 +51,8 @@ static gradientLines straightened
 {
     const gradientLines straight(straightLines(columns, spacing));
     const label n = straight.nSamples;
+
+    #pragma omp parallel for schedule(static, 256)
     forAll(along.slopes, c)
     {
         if (!along.isSet[c] || !columns.team.isOwn(c))
