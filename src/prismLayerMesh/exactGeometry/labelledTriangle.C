@@ -305,8 +305,11 @@ typedef CGAL::Box_intersection_d::Box_with_info_d
 static const std::ptrdiff_t cutoff = 1000;
 
 //- Triangles are looked at in slabs of space with about so many of the first
-//  each, and some more that are in several (benchmarks/numbers/README.md)
+//  each, and some more that are in several (benchmarks/numbers/README.md); with
+//  fewer if there were less slabs than threads
 static const std::size_t perSlab = 20000;
+static const std::size_t leastPerSlab = 1000;
+static const std::size_t fewSlabs = 16;
 
 //- Slabs are chosen by so many triangles for each
 static const std::size_t samplesPerSlab = 50;
@@ -371,7 +374,11 @@ static std::vector<scalar> slabStarts
     const direction axis
 )
 {
-    const std::size_t n = triangles.size()/perSlab;
+    const std::size_t n = std::max
+    (
+        triangles.size()/perSlab,
+        std::min(triangles.size()/leastPerSlab, fewSlabs)
+    );
     std::vector<scalar> samples;
     for (std::size_t i = 0; i < n*samplesPerSlab; ++i)
     {

@@ -50,14 +50,17 @@ stackBoxes::stackBoxes(const prismLayers& layers)
 
 void stackBoxes::update(const labelUList& faces)
 {
-    labelHashSet groups;
+    labelHashSet all;
     for (const label facei : faces)
     {
-        groups.insert(facei/groupSize);
+        all.insert(facei/groupSize);
     }
-    for (const label group : groups)
+    const labelList groups(all.toc());
+
+    #pragma omp parallel for schedule(dynamic, 1) if (groups.size() > 4)
+    forAll(groups, i)
     {
-        boxes_[group] = boxOf(group);
+        boxes_[groups[i]] = boxOf(groups[i]);
     }
 }
 
@@ -309,6 +312,8 @@ wallSurface outerPolygons(const prismLayers& layers)
     wallSurface outer;
     outer.points = layers.outerPoints();
     outer.faces.setSize(layers.faces.size());
+
+    #pragma omp parallel for schedule(static, 256)
     forAll(outer.faces, facei)
     {
         outer.faces[facei] = outerFan(layers, facei);
@@ -318,32 +323,62 @@ wallSurface outerPolygons(const prismLayers& layers)
 }
 
 
-//- Adds the triangles of one level of a front face, but for those that are
-//  degenerate. Returns whether there are such.
-static bool addTriangles
+//- Faces whose triangles one thread makes at once
+static const label facesPerBlock = 256;
+
+
+//- Adds the triangles of front faces at levels, in the order of the faces, but
+//  for those that are degenerate. Returns the faces that have such.
+//  sides: front faces and their levels
+static labelList addTriangles
 (
     const prismLayers& layers,
-    const label facei,
-    const label level,
+    const UList<labelPair>& sides,
     const columnTeam& team,
     std::vector<labelledTriangle>& triangles
 )
 {
-    bool degenerate = false;
+    const label nBlocks = (sides.size() + facesPerBlock - 1)/facesPerBlock;
+    std::vector<std::vector<labelledTriangle>> blocks(nBlocks);
+    boolList degenerate(sides.size(), false);
 
-    for (const labelledTriangle& t : trianglesOf(layers, facei, level, team))
+    #pragma omp parallel for schedule(dynamic, 1) if (nBlocks > 1)
+    for (label block = 0; block < nBlocks; ++block)
     {
-        if (t.degenerate())
+        const label end = min((block + 1)*facesPerBlock, sides.size());
+        for (label i = block*facesPerBlock; i < end; ++i)
         {
-            degenerate = true;
-        }
-        else
-        {
-            triangles.push_back(t);
+            const labelPair& side = sides[i];
+            for
+            (
+                const labelledTriangle& t
+              : trianglesOf(layers, side.first(), side.second(), team)
+            )
+            {
+                if (t.degenerate())
+                {
+                    degenerate[i] = true;
+                }
+                else
+                {
+                    blocks[block].push_back(t);
+                }
+            }
         }
     }
 
-    return degenerate;
+    for (const std::vector<labelledTriangle>& block : blocks)
+    {
+        triangles.insert(triangles.end(), block.begin(), block.end());
+    }
+
+    DynamicList<label> faces;
+    for (const label i : findIndices(degenerate, true))
+    {
+        faces.append(sides[i].first());
+    }
+
+    return labelList(std::move(faces));
 }
 
 
@@ -398,20 +433,20 @@ static void addNear
         }
     }
 
+    DynamicList<labelPair> sides;
     forAll(near, facei)
     {
-        // Where the wall is degenerate it is nothing its neighbours are not
         for (const label side : {1, 0})
         {
             if (near[facei][side])
             {
-                addTriangles
-                (
-                    layers, facei, side*layers.nLayers, team, triangles
-                );
+                sides.append(labelPair(facei, side*layers.nLayers));
             }
         }
     }
+
+    // Where the wall is degenerate it is nothing its neighbours are not
+    addTriangles(layers, sides, team, triangles);
 }
 
 
@@ -481,17 +516,15 @@ List<labelPair> findIntersections
 
     // Each pair has one of the first
     std::vector<labelledTriangle> first(others), second;
-    forAll(candidates, facei)
+    DynamicList<labelPair> outer(outerFaces.size());
+    for (const label facei : findIndices(candidates, true))
     {
-        if
-        (
-            candidates[facei]
-         && addTriangles(layers, facei, layers.nLayers, team, first)
-        )
-        {
-            const label outerFace = layers.faces.size() + facei;
-            pairs.append(labelPair(outerFace, outerFace));
-        }
+        outer.append(labelPair(facei, layers.nLayers));
+    }
+    for (const label facei : addTriangles(layers, outer, team, first))
+    {
+        const label outerFace = layers.faces.size() + facei;
+        pairs.append(labelPair(outerFace, outerFace));
     }
 
     std::vector<boundBox> boxes(boxesOf(layers, outerFaces));
