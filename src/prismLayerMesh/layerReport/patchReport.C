@@ -73,27 +73,27 @@ static percentiles ofOneProcess(scalarField& values)
 {
     percentiles result;
 
-    // What is below a rank that was found need not be looked at again
-    auto start = values.begin();
-
-    const auto percentile = [&](const scalar percent)
+    // The median first: of the other values those on one side are looked at
+    const auto at = [&](const scalar percent)
     {
-        const label rank = label(rankOf(percent, values.size()));
+        return values.begin() + label(rankOf(percent, values.size()));
+    };
+    const auto percentile =
+        [&](const scalar below, const scalar percent, const scalar above)
+    {
+        setNthElement(at(below), at(percent), at(above) + 1);
 
-        setNthElement(start, values.begin() + rank, values.end());
-        start = values.begin() + rank;
-
-        return *start;
+        return *at(percent);
     };
 
     result.mean = average(values);
-    result.min = percentile(0);
-    result.p1 = percentile(1);
-    result.p5 = percentile(5);
-    result.p50 = percentile(50);
-    result.p95 = percentile(95);
-    result.p99 = percentile(99);
-    result.max = percentile(100);
+    result.min = min(values);
+    result.max = max(values);
+    result.p50 = percentile(0, 50, 100);
+    result.p5 = percentile(0, 5, 50);
+    result.p1 = percentile(0, 1, 5);
+    result.p95 = percentile(50, 95, 100);
+    result.p99 = percentile(95, 99, 100);
 
     return result;
 }
