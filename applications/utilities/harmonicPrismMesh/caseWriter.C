@@ -13,6 +13,7 @@
 #include "throwingErrors.H"
 #include "Time.H"
 #include "wedgeMesh.H"
+#include "writeObj.H"
 
 namespace Foam
 {
@@ -111,8 +112,8 @@ void Foam::caseWriter::writeFaces
     const word name(target.name());
     const fileName file(files.scratch(target, name)/name);
 
-    surface.write(file);
-    checkEnd(file, "# </faces>");
+    writeObj(file, surface);
+    checkEnd(file, objEnd);
 }
 
 

@@ -83,6 +83,13 @@ outerSurface outerOnMaster
     const processTeam& processes
 )
 {
+    if (processes.size() == 1)
+    {
+        const wallSurface outer(outerPolygons(own));
+
+        return outerSurface{outer.points, outer.faces};
+    }
+
     // The outermost layer alone
     pointField points(2*own.nColumns());
     for (label c = 0; c < own.nColumns(); ++c)
@@ -94,8 +101,7 @@ outerSurface outerOnMaster
     last.nLayers = 1;
     last.isCut = own.isCut;
     last.points = columnTeam(share, processes).columns.onMaster(points, 2);
-    last.faces = processes.size() == 1
-      ? own.faces : gatherFront(share, wall, processes).surface.faces;
+    last.faces = gatherFront(share, wall, processes).surface.faces;
     const wallSurface outer(outerPolygons(last));
 
     return outerSurface{outer.points, outer.faces};

@@ -8,5 +8,6 @@
 #include "surfaceFiles/curveEnds.C"
 #include "surfaceFiles/planarWall.C"
 #include "surfaceFiles/readWallSurface.C"
+#include "surfaceFiles/writeObj.C"
 
 // ************************************************************************* //

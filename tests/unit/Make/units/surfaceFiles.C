@@ -3,6 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
+#include "surfaceFiles/writeObjTest.C"
 #include "surfaceFiles/readWallSurfaceTest.C"
 #include "surfaceFiles/curveFileTest.C"
 #include "surfaceFiles/curveEndsTest.C"
