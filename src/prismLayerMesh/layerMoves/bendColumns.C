@@ -56,7 +56,7 @@ bool bendTargets::missesJacobian
 void bendTargets::keep(const layerEditor& editor, const labelUList& columns)
 {
     const labelListList& pointFaces = editor.front().addressing.pointFaces;
-    stackHeights stack(editor.layers());
+    DynamicList<label> newStacks;
 
     for (const label c : columns)
     {
@@ -73,10 +73,17 @@ void bendTargets::keep(const layerEditor& editor, const labelUList& columns)
              && facei < editor.front().nWallFaces
             )
             {
-                stack.compute(facei);
-                heights[facei] = stack.heights();
+                newStacks.append(facei);
             }
         }
+    }
+
+    #pragma omp parallel for schedule(static, 64) if (newStacks.size() > 64)
+    forAll(newStacks, i)
+    {
+        stackHeights stack(editor.layers());
+        stack.compute(newStacks[i]);
+        heights[newStacks[i]] = stack.heights();
     }
 }
 

@@ -117,8 +117,8 @@ class layerCertifier
     certification made_;
 
     //- Stacks below what is attainable, and those that were not judged further
-    labelHashSet below_;
-    labelHashSet unjudged_;
+    bitSet below_;
+    bitSet unjudged_;
 
     //- Times of the journal up to which cells and overlaps were judged
     label cellsJudged_ = 0;
@@ -214,7 +214,7 @@ class layerCertifier
     {
         const labelList moved(editor_.touchedSince(cellsJudged_));
         cellsJudged_ = editor_.now();
-        unjudged_.insert(moved);
+        unjudged_.set(moved);
         below_.unset(moved);
 
         for
@@ -226,19 +226,19 @@ class layerCertifier
             )
         )
         {
-            below_.insert(stack.facei);
+            below_.set(stack.facei);
         }
 
-        if (editor_.team().any(below_.size()))
+        if (editor_.team().any(below_.any()))
         {
-            return below_.sortedToc();
+            return below_.toc();
         }
 
         const List<faultyStack> faults
         (
             judge_.findFaults
             (
-                unjudged_.sortedToc(),
+                unjudged_.toc(),
                 stackFault::notPositive, stackFault::centreOutside
             )
         );
@@ -251,7 +251,8 @@ class layerCertifier
                 faulty.append(stack.facei);
             }
         }
-        unjudged_ = labelHashSet(faulty);
+        unjudged_.reset();
+        unjudged_.set(faulty);
 
         return labelList(std::move(faulty));
     }

@@ -389,11 +389,12 @@ static std::vector<boundBox> boxesOf
     const labelUList& faces
 )
 {
-    std::vector<boundBox> boxes;
-    boxes.reserve(faces.size());
-    for (const label facei : faces)
+    std::vector<boundBox> boxes(faces.size());
+
+    #pragma omp parallel for schedule(static, 256) if (faces.size() > 256)
+    forAll(faces, i)
     {
-        boxes.push_back(boxOf(layers, facei, layers.nLayers));
+        boxes[i] = boxOf(layers, faces[i], layers.nLayers);
     }
 
     return boxes;
