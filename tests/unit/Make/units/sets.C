@@ -6,6 +6,7 @@
 #include "sets/markedGridTest.C"
 #include "sets/boxGridTest.C"
 #include "sets/disjointSetsTest.C"
+#include "sets/reachGridTest.C"
 #include "sets/invertCompactTest.C"
 
 // ************************************************************************* //
