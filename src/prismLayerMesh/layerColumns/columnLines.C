@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "columnLines.H"
+#include "bitSet.H"
 #include "diffusionTensor.H"
 #include "harmonicField.H"
 #include "isolatedProcess.H"
@@ -34,6 +35,9 @@ struct blockGround
     const envelopeRadii& radii;
     const columnStarts& starts;
     const dividedWall& how;
+
+    //- The points that need a field
+    labelList needed;
 };
 
 } // End anonymous namespace
@@ -69,8 +73,8 @@ static columnLines makeLines
     (
         makeFieldBlock
         (
-            ground.wall, ground.radii, own, ground.how.controls,
-            ground.how.mesh, ground.how.maxStretch
+            ground.wall, ground.radii, own, ground.needed,
+            ground.how.controls, ground.how.mesh, ground.how.maxStretch
         )
     );
     const backgroundMesh mesh(makeBackgroundMesh(block));
@@ -308,6 +312,19 @@ static void setFromMakers
 }
 
 
+//- The points of all blocks, in the whole wall
+static bitSet pointsOfBlocks(const dividedWall& wall)
+{
+    bitSet points;
+    for (const labelList& block : wall.blocks)
+    {
+        points.set(block);
+    }
+
+    return points;
+}
+
+
 //- Makes n blocks, as many at once as there are threads
 template<class Make>
 static void makeBlocks(const label n, const Make& make)
@@ -338,7 +355,10 @@ static void setLinesOfAll
     {
         wallPoints, wall.front.visibility.axes(), wall.spacing.at(wallPoints)
     };
-    const blockGround ground{wall.wall, wall.radii, starts, wall};
+    const blockGround ground
+    {
+        wall.wall, wall.radii, starts, wall, pointsOfBlocks(wall).toc()
+    };
     const labelList order(largestFirst(wall.blocks));
     makeBlocks(order.size(), [&](const label k)
     {
@@ -363,6 +383,7 @@ static void setLinesOfShare
 )
 {
     List<message> toOwners(wall.team.size());
+    const bitSet needed(pointsOfBlocks(wall));
     {
         const List<blockWithWall> blocks(blocksOfProcess(wall));
         makeBlocks(blocks.size(), [&](const label i)
@@ -373,12 +394,23 @@ static void setLinesOfShare
             (
                 block.part.localPoints(wall.blocks[block.blocki])
             );
+            const blockGround ground
+            {
+                part, block.radii, block.starts, wall,
+                subsetList
+                (
+                    identity(part.points.size()),
+                    [&](const label p)
+                    {
+                        return needed.test(block.part.points[p]);
+                    }
+                )
+            };
             const columnLines made
             (
                 linesOfBlock
                 (
-                    blockGround{part, block.radii, block.starts, wall}, own,
-                    controls, failures[block.blocki]
+                    ground, own, controls, failures[block.blocki]
                 )
             );
 

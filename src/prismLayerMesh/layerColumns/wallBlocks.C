@@ -110,27 +110,6 @@ labelList findFieldIslands
 }
 
 
-labelListList partsWith(const labelListList& parts, const labelUList& points)
-{
-    const bitSet isWanted(points);
-
-    DynamicList<labelList> result;
-    for (const labelList& part : parts)
-    {
-        labelList wanted
-        (
-            subsetList(part, [&](const label p) { return isWanted.test(p); })
-        );
-        if (wanted.size())
-        {
-            result.append(std::move(wanted));
-        }
-    }
-
-    return labelListList(std::move(result));
-}
-
-
 wallBlocks makeWallBlocks
 (
     const wallUnderShare& under,
@@ -145,7 +124,7 @@ wallBlocks makeWallBlocks
     if
     (
         wall.border.sides.size()
-     || team.points.nWhole(wall.points.size()) <= controls.maxPoints
+     || team.points.nWhole(wall.points.size()) <= controls.largeWall
     )
     {
         return blocks;
@@ -153,15 +132,15 @@ wallBlocks makeWallBlocks
 
     const pointField points(team.points.onMaster(wall.points));
     const scalarField radius(team.points.onMaster(radii.radius));
-    const labelListList parts
+    blocks.isDivided = team.any
     (
-        team.isMaster() ? divideWall(points, radius, controls) : labelListList()
+        team.isMaster() && hasBlocks(points, radius, controls)
     );
-    blocks.isDivided = team.any(parts.size());
     if (blocks.isDivided)
     {
-        const boolList needed(inIslands(under, radii, team));
-        blocks.points = partsWith(parts, findIndices(needed, true));
+        const boolList isIn(inIslands(under, radii, team));
+        const labelList needed(findIndices(isIn, true));
+        blocks.points = divideWall(points, radius, needed, controls);
         broadcast(team, blocks.points);
     }
 

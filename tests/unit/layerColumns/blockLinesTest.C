@@ -23,7 +23,6 @@ static blockControls smallBlocks()
 {
     blockControls controls;
     controls.maxPoints = 400;
-    controls.leastWidth = 2;
 
     return controls;
 }
@@ -45,7 +44,12 @@ struct dividedStages
         return dividedWall
         {
             columnTeam::alone(), front, wall, radii, spacing,
-            divideWall(wall.points, radii.radius, controls), controls
+            divideWall
+            (
+                wall.points, radii.radius, identity(wall.points.size()),
+                controls
+            ),
+            controls
         };
     }
 };
@@ -73,17 +77,26 @@ static columnLines linesOfWhole(const stages& s)
 }
 
 
-//- Largest distance of the ends of lines over the thickness
-static scalar apart(const stages& s, const columnLines& a, const columnLines& b)
+//- Number of lines whose ends are further apart than 5 % of the thickness, or
+//  whose slopes differ by more than 0.1
+static label nApart
+(
+    const stages& s,
+    const columnLines& a,
+    const columnLines& b
+)
 {
     const label n = s.spacing.nLayers;
-    scalar largest = 0;
-    for (label i = n - 1; i < a.lines.points.size(); i += n)
+    label count = 0;
+    forAll(a.slopes, c)
     {
-        largest = max(largest, mag(a.lines.points[i] - b.lines.points[i]));
+        const label end = n*(c + 1) - 1;
+        const scalar apart = mag(a.lines.points[end] - b.lines.points[end]);
+        count += apart > 0.05*s.spacing.thickness[0]
+         || mag(a.slopes[c] - b.slopes[c]) > 0.1;
     }
 
-    return largest/s.spacing.thickness[0];
+    return count;
 }
 
 
@@ -92,9 +105,10 @@ static scalar apart(const stages& s, const columnLines& a, const columnLines& b)
 TEST(divideWall, everyPointIsOfOnePart)
 {
     const stages s(testSurfaces::sphere(12), 4, 0.05);
+    labelList some(identity(s.wall.points.size() - 7, 7));
     const labelListList parts
     (
-        divideWall(s.wall.points, s.radii.radius, smallBlocks())
+        divideWall(s.wall.points, s.radii.radius, some, smallBlocks())
     );
     labelList nParts(s.wall.points.size(), 0);
 
@@ -107,7 +121,9 @@ TEST(divideWall, everyPointIsOfOnePart)
             ++nParts[p];
         }
     }
-    EXPECT_EQ(nParts, labelList(nParts.size(), 1));
+    labelList expected(nParts.size(), 0);
+    UIndirectList<label>(expected, some) = 1;
+    EXPECT_EQ(nParts, expected);
 }
 
 
@@ -117,7 +133,11 @@ TEST(divideWall, narrowPartsStay)
     const blockControls controls(smallBlocks());
     const scalarField wide(s.wall.points.size(), 2/controls.reach);
 
-    EXPECT_TRUE(divideWall(s.wall.points, wide, controls).empty());
+    const labelList all(identity(wide.size()));
+    EXPECT_EQ
+    (
+        divideWall(s.wall.points, wide, all, controls), labelListList({all})
+    );
 }
 
 
@@ -133,7 +153,8 @@ TEST(fieldBlock, hasAllFacesOfItsPoints)
         (
             makeFieldBlock
             (
-                s.wall, s.radii, part, wall.controls, wall.mesh
+                s.wall, s.radii, part, identity(s.wall.points.size()),
+                wall.controls, wall.mesh
             )
         );
         EXPECT_LT(block.points.size(), s.wall.points.size());
@@ -182,8 +203,10 @@ TEST(blockLines, areNearToThoseOfTheWholeField)
         const columnLines whole(linesOfWhole(s));
 
         EXPECT_EQ(failure, "");
-        EXPECT_LT(apart(s, blocks, whole), 0.05);
-        EXPECT_LT(max(mag(blocks.slopes - whole.slopes)), 0.1);
+
+        // Points in a plane have several Delaunay tetrahedralisations. TetGen
+        // may take another one in a block, and a few lines are others then.
+        EXPECT_LT(nApart(s, blocks, whole), 0.01*whole.slopes.size());
     }
 }
 

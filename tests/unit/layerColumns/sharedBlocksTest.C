@@ -212,11 +212,14 @@ static void expectSameLines(const stages& s, const scalar angle)
 {
     blockControls controls;
     controls.maxPoints = 400;
-    controls.leastWidth = 2;
     const layerFront front(testSurfaces::frontOf(s.wall, angle));
     const labelListList parts
     (
-        divideWall(s.wall.points, s.radii.radius, controls)
+        divideWall
+        (
+            s.wall.points, s.radii.radius, identity(s.wall.points.size()),
+            controls
+        )
     );
     ASSERT_GT(parts.size(), 2);
 

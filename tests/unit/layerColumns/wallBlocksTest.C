@@ -108,17 +108,22 @@ TEST(fieldIslands, pointsWithoutRoomNeedAField)
 }
 
 
-TEST(partsWith, haveTheirPointsOnly)
+TEST(hasBlocks, wallsOfManyPointsThatAreWide)
 {
-    const labelListList parts({{0, 2, 4}, {1, 3}, {5, 6}});
+    const wallSurface wall(testSurfaces::cube(6));
+    const scalarField radius(wall.points.size(), 0.01);
+    blockControls controls;
+    controls.largeWall = wall.points.size() - 1;
 
-    EXPECT_EQ
-    (
-        partsWith(parts, labelList({2, 4, 6})),
-        labelListList({{2, 4}, {6}})
-    );
-    EXPECT_TRUE(partsWith(parts, labelList()).empty());
-    EXPECT_TRUE(partsWith(labelListList(), labelList({2, 4, 6})).empty());
+    // The edge of the cube is 1, and so 33.3 times as long as the reach
+    controls.largeWidth = 33;
+    EXPECT_TRUE(hasBlocks(wall.points, radius, controls));
+    controls.largeWidth = 34;
+    EXPECT_FALSE(hasBlocks(wall.points, radius, controls));
+
+    controls.largeWidth = 33;
+    ++controls.largeWall;
+    EXPECT_FALSE(hasBlocks(wall.points, radius, controls));
 }
 
 
