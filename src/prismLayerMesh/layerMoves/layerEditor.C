@@ -476,7 +476,7 @@ labelList layerEditor::inColours
         boolList changed(group.size(), false);
         prepare();
 
-        #pragma omp parallel for schedule(dynamic, 4) if (group.size() > 8)
+        #pragma omp parallel for schedule(dynamic, 1) if (group.size() > 8)
         forAll(group, i)
         {
             before[i] = state(group[i]);
