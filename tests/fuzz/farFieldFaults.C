@@ -18,10 +18,21 @@ namespace Foam
 namespace
 {
 
+labelList wallFaces(const polyMesh& mesh, const label nPatches)
+{
+    DynamicList<label> faces;
+    for (label patchi = 0; patchi < nPatches; ++patchi)
+    {
+        const polyPatch& patch = mesh.boundaryMesh()[patchi];
+        faces.append(identity(patch.size(), patch.start()));
+    }
+
+    return labelList(std::move(faces));
+}
+
+
 class farFieldJudge : madeFarField
 {
-    labelList wallFaces() const;
-
     std::string topologyFault() const;
 
     std::string certificateFault() const;
@@ -39,19 +50,6 @@ public:
 };
 
 } // End anonymous namespace
-
-
-labelList farFieldJudge::wallFaces() const
-{
-    DynamicList<label> faces;
-    for (label patchi = 0; patchi < nWallPatches(); ++patchi)
-    {
-        const polyPatch& patch = mesh.boundaryMesh()[patchi];
-        faces.append(identity(patch.size(), patch.start()));
-    }
-
-    return labelList(std::move(faces));
-}
 
 
 std::string farFieldJudge::topologyFault() const
@@ -77,7 +75,7 @@ std::string farFieldJudge::certificateFault() const
     );
     const meshCertificate certificate
     (
-        certifyMesh(cells, wallFaces(), labelList())
+        certifyMesh(cells, wallFaces(mesh, nWallPatches()), labelList())
     );
 
     if (certificate.invalidCells.size())
@@ -207,6 +205,50 @@ std::string farFieldJudge::fault() const
 std::string Foam::findFarFieldFault(const madeFarField& made)
 {
     return farFieldJudge(made).fault();
+}
+
+
+std::string Foam::findPolygonFault
+(
+    const polyMesh& mesh,
+    const label nWallPatches,
+    const label nLayers
+)
+{
+    bitSet beyond(mesh.nCells(), true);
+    beyond.unset(mesh.cellZones()[boundaryLayerName]);
+    const labelList wall(wallFaces(mesh, nWallPatches));
+    const meshCertificate certificate
+    (
+        certifyMesh
+        (
+            polyhedralMesh
+            (
+                mesh.points(), mesh.faces(), mesh.faceOwner(),
+                mesh.faceNeighbour()
+            ),
+            wall, labelList(), beyond
+        )
+    );
+    forAll(wall, i)
+    {
+        if (certificate.nLayers[i] != nLayers)
+        {
+            const point x(mesh.faceCentres()[wall[i]]);
+
+            return faultText
+            (
+                "a polygon of the wall has ", certificate.nLayers[i],
+                " layers, at ", x.x(), ' ', x.y(), ' ', x.z()
+            );
+        }
+    }
+
+    return
+        certificate.invalidCells.size() ? "polyhedra are not positive"
+      : certificate.doubleFaces.size() ? "faces of polygons are double"
+      : certificate.fillsBoundary() ? ""
+      : "polyhedra do not fill the boundary";
 }
 
 

@@ -263,6 +263,14 @@ void farFieldStage::checkPolygons() const
     {
         tell_("failed", "checkMesh finds faults of the polygons");
     }
+    const std::string fault
+    (
+        findPolygonFault(*mesh, layers.patchNames.size(), layers.nLayers)
+    );
+    if (fault.size())
+    {
+        tell_("failed", fault);
+    }
 }
 
 

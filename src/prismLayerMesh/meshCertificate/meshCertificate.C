@@ -7,6 +7,7 @@
 #include "HashSet.H"
 #include "labelledTriangle.H"
 #include "ListOps.H"
+#include "ranges.H"
 
 #include <algorithm>
 #include <cmath>
@@ -14,18 +15,41 @@
 namespace Foam
 {
 
-//- Number of layers of positive cells on each face of the wall. A stack goes
-//  on from a face to the opposite face of the cell, the only one without a
-//  common point, and from there to the next cell. It ends at the boundary, or
-//  at a cell that has no face opposite to the one below. The last cell may have
-//  several faces there if they are what one face is cut into, as below the
-//  tetrahedra of a far field. The set gets the cells of stacks that are not
-//  positive; they and the cells beyond are not counted.
+//- Whether a cell is the last one of the layers on a face: all of its faces
+//  that are apart from the face lead to cells beyond the layers
+static bool isLastLayer
+(
+    const polyhedralMesh& mesh,
+    const label facei,
+    const label celli,
+    const bitSet& beyondLayers
+)
+{
+    const labelList tops(mesh.apart(facei, celli));
+
+    return tops.size() && allOf(tops, [&](const label top)
+    {
+        const label above = mesh.across(top, celli);
+
+        return above >= 0 && beyondLayers.test(above);
+    });
+}
+
+
+//- Number of layers of positive cells on each face of the wall. A stack goes on
+//  from a face to the opposite face of the cell, the only one without a common
+//  point, and from there to the next cell. It ends at the boundary, or at a
+//  cell that has no face opposite to the one below. The last cell may have
+//  several faces there: if they are what one face is cut into, as below the
+//  tetrahedra of a far field, or if all of them lead beyond the layers, as
+//  below polyhedra. The set gets the cells of stacks that are not positive;
+//  they, the cells above, and cells beyond the layers are not counted.
 static labelList countLayers
 (
     const polyhedralMesh& mesh,
     const labelUList& wallFaces,
     const boolList& positive,
+    const bitSet& beyondLayers,
     labelHashSet& invalid
 )
 {
@@ -38,10 +62,10 @@ static labelList countLayers
 
         while (celli >= 0)
         {
+            counts = counts && positive[celli] && !beyondLayers.test(celli);
             if (!positive[celli])
             {
                 invalid.insert(celli);
-                counts = false;
             }
 
             const label next = mesh.opposite(facei, celli);
@@ -49,7 +73,11 @@ static labelList countLayers
             // A walk ends because faces are opposite to each other
             if (next < 0 || mesh.opposite(next, celli) != facei)
             {
-                nLayers[i] += counts && mesh.hasCutTop(facei, celli);
+                nLayers[i] += counts
+                 && (
+                        mesh.hasCutTop(facei, celli)
+                     || isLastLayer(mesh, facei, celli, beyondLayers)
+                    );
                 break;
             }
 
@@ -178,7 +206,8 @@ meshCertificate certifyMesh
     certificate.cellVolume = judgeCells(mesh, cell, positive, shapes);
 
     labelHashSet inLayers;
-    certificate.nLayers = countLayers(mesh, wallFaces, positive, inLayers);
+    certificate.nLayers =
+        countLayers(mesh, wallFaces, positive, beyondLayers, inLayers);
 
     DynamicList<label> cells;
     forAll(positive, celli)

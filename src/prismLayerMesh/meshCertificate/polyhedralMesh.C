@@ -93,10 +93,6 @@ bool polyhedralMesh::isOfTriangles(const label celli) const
 labelList polyhedralMesh::apart(const label facei, const label celli) const
 {
     DynamicList<label> found;
-    if (isOfTriangles(celli))
-    {
-        return found;
-    }
     for (const label other : cellFaces(celli))
     {
         const face& f = faces_[other];
@@ -118,7 +114,7 @@ label polyhedralMesh::opposite(const label facei, const label celli) const
 {
     const labelList faces(apart(facei, celli));
 
-    return faces.size() == 1 ? faces[0] : -1;
+    return faces.size() == 1 && !isOfTriangles(celli) ? faces[0] : -1;
 }
 
 
@@ -132,7 +128,9 @@ bool polyhedralMesh::hasCutTop(const label facei, const label celli) const
         points.insert(faces_[other]);
     }
 
-    return faces.size() > 1 && points.size() == faces_[facei].size();
+    return
+        faces.size() > 1 && points.size() == faces_[facei].size()
+     && !isOfTriangles(celli);
 }
 
 

@@ -7,6 +7,7 @@
 
 #include "polygonGeometry.H"
 #include "memoryMesh.H"
+#include "meshCertificate.H"
 #include "openSurfaces.H"
 #include "soundMesh.H"
 #include "testFarField.H"
@@ -55,6 +56,31 @@ static scalar areaOf(const polyMesh& mesh, const word& patch)
 }
 
 
+//- What checkPrismLayers -layers 4 wants
+static void expectCertified(const polyMesh& mesh)
+{
+    bitSet beyond(mesh.nCells(), true);
+    beyond.unset(mesh.cellZones()["boundaryLayer"]);
+    const polyPatch& wall = mesh.boundaryMesh()[0];
+    const meshCertificate certificate
+    (
+        certifyMesh
+        (
+            polyhedralMesh
+            (
+                mesh.points(), mesh.faces(), mesh.faceOwner(),
+                mesh.faceNeighbour()
+            ),
+            identity(wall.size(), wall.start()), {}, beyond
+        )
+    );
+    EXPECT_EQ(certificate.nLayers, labelList(wall.size(), 4));
+    EXPECT_TRUE(certificate.invalidCells.empty());
+    EXPECT_TRUE(certificate.doubleFaces.empty());
+    EXPECT_TRUE(certificate.fillsBoundary());
+}
+
+
 //- What every mesh of polygons is: sound, and full of the same volume
 static void expectSoundPolygons(polygonMesh&& polygons, const scalar volume)
 {
@@ -68,6 +94,7 @@ static void expectSoundPolygons(polygonMesh&& polygons, const scalar volume)
     const memoryMesh mesh(std::move(polygons.mesh));
     expectSound(mesh());
     EXPECT_EQ(mesh().cellZones()["boundaryLayer"].size(), nLayerCells);
+    expectCertified(mesh());
 }
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
@@ -131,6 +158,20 @@ TEST(polygonCells, sharpEdgesStayExactly)
 TEST(polygonCells, aCubeIsSound)
 {
     expectSoundPolygons(polygonsAround(cube(4), farFieldType::tet), 511);
+}
+
+
+TEST(polygonCells, layersAreWholeWherePolyhedraAreDivided)
+{
+    polygonMesh polygons
+    (
+        polygonsAround(wedgeBlock(6, 40), farFieldType::tet, 0.25)
+    );
+    EXPECT_GT(polygons.counts.nCornersOfTets, 0);
+    EXPECT_GT(polygons.counts.nCornersOfColumns, 0);
+
+    const memoryMesh mesh(std::move(polygons.mesh));
+    expectCertified(mesh());
 }
 
 
