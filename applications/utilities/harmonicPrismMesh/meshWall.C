@@ -7,7 +7,7 @@
 #include "boxSides.H"
 #include "cellSizes.H"
 #include "planarColumns.H"
-#include "polygonCells.H"
+#include "polygonReport.H"
 #include "layerStages.H"
 #include "OSspecific.H"
 #include "OStringStream.H"
@@ -260,12 +260,16 @@ static void writeCase
     const label nPolygonCells = polygons.mesh.nCells;
     const bool hasFarField = !farField.empty();
     writer.writeSurfaces(made->surfaces(), replaced);
-    const farFieldReport far
+    farFieldReport far
     (
         hasFarField
       ? makeFarFieldReport(made->wholeLayers(), farField, controls.quality)
       : farFieldReport()
     );
+    if (nPolygonCells)
+    {
+        reportPolygons(polygons, controls.quality, report, far);
+    }
 
     dictionary processes;
     const string size
@@ -276,9 +280,7 @@ static void writeCase
             controls.surface.planar, processes, replaced
         )
     );
-    const label nCells =
-        nPolygonCells ? nPolygonCells : report.nCells + far.nCells;
-    log.end(name(nCells) + " cells, " + size);
+    log.end(name(report.nCells + far.nCells) + " cells, " + size);
     report.stages = log.costs();
 
     dictionary entries(reportEntries(&report, hasFarField ? &far : nullptr));

@@ -265,7 +265,7 @@ dictionary toDictionary(const farFieldReport& report)
 
     dictionary dict;
     dict.add("cells", report.nCells);
-    dict.add("tetrahedra", report.nTets);
+    dict.add(report.shape, report.nTets);
     dict.add("patchFaces", patches);
     if (report.hasLayers)
     {
@@ -292,7 +292,8 @@ void write(Ostream& os, const farFieldReport& report)
     std::ostringstream volumes;
     volumes.precision(3);
     volumes
-        << "cells " << report.nCells << ", tetrahedra " << report.nTets;
+        << "cells " << report.nCells << ", " << report.shape << ' '
+        << report.nTets;
     if (report.hasLayers)
     {
         volumes
@@ -309,7 +310,8 @@ void write(Ostream& os, const farFieldReport& report)
     write(os, "in the far field", report.farField);
     if (report.nCells > report.nTets)
     {
-        write(os, "between tetrahedra and cells that stay", report.cut);
+        const string cut("between " + report.shape + " and cells that stay");
+        write(os, cut.c_str(), report.cut);
         write(os, "between cells that stay", report.core);
     }
     write(os, report.grade);

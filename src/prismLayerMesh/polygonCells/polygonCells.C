@@ -508,8 +508,7 @@ string textOf(const polygonCounts& counts)
     }
     text<< "\npoints of the wall are off the polygons by "
         << counts.wallDistance << " m at most, their area is "
-        << counts.wallAreaRatio << " of the wall's"
-        << "\nfactor of a plain scheme " << counts.grade.factor;
+        << counts.wallAreaRatio << " of the wall's";
 
     return text.str();
 }

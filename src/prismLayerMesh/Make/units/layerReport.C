@@ -7,6 +7,7 @@
 #include "layerReport/layerReport.C"
 #include "layerReport/stageLog.C"
 #include "layerReport/farFieldReport.C"
+#include "layerReport/polygonReport.C"
 #include "layerReport/levelSetReport.C"
 #include "layerReport/writeVtk.C"
 #include "layerReport/writeStageFields.C"

@@ -8,5 +8,6 @@
 #include "layerReport/levelSetEvennessTest.C"
 #include "layerReport/faceHeightsTest.C"
 #include "layerReport/writeVtkTest.C"
+#include "layerReport/polygonReportTest.C"
 
 // ************************************************************************* //
