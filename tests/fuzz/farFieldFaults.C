@@ -215,8 +215,18 @@ std::string Foam::findPolygonFault
     const label nLayers
 )
 {
-    bitSet beyond(mesh.nCells(), true);
-    beyond.unset(mesh.cellZones()[boundaryLayerName]);
+    bitSet beyond;
+    labelList outer;
+    if (mesh.cellZones().size())
+    {
+        beyond = bitSet(mesh.nCells(), true);
+        beyond.unset(mesh.cellZones()[boundaryLayerName]);
+    }
+    else
+    {
+        const polyPatch& patch = mesh.boundaryMesh()[layerOuterName];
+        outer = identity(patch.size(), patch.start());
+    }
     const labelList wall(wallFaces(mesh, nWallPatches));
     const meshCertificate certificate
     (
@@ -227,7 +237,7 @@ std::string Foam::findPolygonFault
                 mesh.points(), mesh.faces(), mesh.faceOwner(),
                 mesh.faceNeighbour()
             ),
-            wall, labelList(), beyond
+            wall, outer, beyond
         )
     );
     forAll(wall, i)
@@ -246,6 +256,7 @@ std::string Foam::findPolygonFault
 
     return
         certificate.invalidCells.size() ? "polyhedra are not positive"
+      : certificate.intersections.size() ? "layers on polygons intersect"
       : certificate.doubleFaces.size() ? "faces of polygons are double"
       : certificate.fillsBoundary() ? ""
       : "polyhedra do not fill the boundary";

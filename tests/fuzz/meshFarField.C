@@ -86,8 +86,9 @@ class farFieldStage
 
     void check(farFieldMesh far) const;
 
-    //- Makes polygons of layers and far field, and tells the first fault
-    void checkPolygons() const;
+    //- Makes polygons of layers and far field, or of layers alone, and tells
+    //  the first fault
+    void checkPolygons(farFieldMesh far) const;
 
     //- The far field, made by other numbers of threads too
     void makeAndCheck() const;
@@ -232,12 +233,9 @@ void farFieldStage::check(farFieldMesh far) const
 }
 
 
-void farFieldStage::checkPolygons() const
+void farFieldStage::checkPolygons(farFieldMesh far) const
 {
     tell_("stage", "polygons");
-    farFieldControls controls(asked_.controls);
-    controls.polyhedra = false;
-    farFieldMesh far(makeWith(controls));
     const prismLayers& layers = layered_.made.layers;
     polygonMesh polygons(makePolygonCells(layers, far));
     if
@@ -301,7 +299,10 @@ void farFieldStage::makeAndCheck() const
 
     if (asked_.hasPolygons && asked_.controls.type != farFieldType::mesh)
     {
-        checkPolygons();
+        farFieldControls controls(asked_.controls);
+        controls.polyhedra = false;
+        checkPolygons(makeWith(controls));
+        checkPolygons(farFieldMesh());
     }
 }
 

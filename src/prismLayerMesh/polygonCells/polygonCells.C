@@ -36,8 +36,10 @@ label nTetsOf(const farFieldMesh& far)
 }
 
 
-//- Returns the cells that have no certificate, see meshCertificate.H.
-//  nPatches: the first patches are the wall
+//- Returns the cells that have no certificate, see meshCertificate.H, and, of
+//  layers alone, the cells on faces of wall and outer surface that intersect.
+//  nPatches: the first patches are the wall; of layers alone the outer surface
+//  is the next one
 //  nLayerCells: the first cells are in layers
 labelList uncertifiedCells
 (
@@ -55,14 +57,29 @@ labelList uncertifiedCells
     {
         nWall += t.patchSizes[patchi];
     }
+    labelList outer;
+    if (nLayerCells == mesh.nCells)
+    {
+        outer = identity(t.patchSizes[nPatches], t.patchStarts[nPatches]);
+    }
     bitSet beyondLayers(mesh.nCells, true);
     beyondLayers.unset(identity(nLayerCells));
-
-    return certifyMesh
+    const meshCertificate certificate
     (
-        polyhedralMesh(mesh.points, faces, owner, neighbour),
-        identity(nWall, t.patchStarts[0]), labelList(), beyondLayers
-    ).invalidCells;
+        certifyMesh
+        (
+            polyhedralMesh(mesh.points, faces, owner, neighbour),
+            identity(nWall, t.patchStarts[0]), outer, beyondLayers
+        )
+    );
+    DynamicList<label> cells(certificate.invalidCells);
+    for (const labelPair& pair : certificate.intersections)
+    {
+        cells.append(owner[pair.first()]);
+        cells.append(owner[pair.second()]);
+    }
+
+    return labelList(std::move(cells));
 }
 
 
@@ -445,8 +462,9 @@ public:
             if (!improve(invalid, round > 0))
             {
                 FatalErrorInFunction
-                    << "No valid polygons were found: a cell does not see its"
-                    << " faces, at " << geometry.cellCentres[invalid[0]] << nl
+                    << "No valid polygons were found: a cell is not positive,"
+                    << " or intersects others, at "
+                    << geometry.cellCentres[invalid[0]] << nl
                     << "Use cells triangles" << exit(FatalError);
             }
         }

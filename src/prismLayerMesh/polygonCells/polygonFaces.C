@@ -47,6 +47,51 @@ static void appendTo
 }
 
 
+//- The area of the smallest triangle of the fan from a corner of a face, seen
+//  along a normal of any length
+static scalar smallestOfFan
+(
+    const face& f,
+    const label start,
+    const UList<point>& points,
+    const vector& normal
+)
+{
+    const point& a = points[f[start]];
+    scalar least = GREAT;
+    for (label k = 1; k + 1 < f.size(); ++k)
+    {
+        const point& b = points[f[(start + k) % f.size()]];
+        const point& c = points[f[(start + k + 1) % f.size()]];
+        least = min(least, normal & ((b - a) ^ (c - a)));
+    }
+
+    return least;
+}
+
+
+//- Rotates a face so that the smallest triangle of the fan from its first point
+//  is as large as can be: certificates cut faces into these fans, and at a
+//  straight edge of the wall there are three points in a line
+static face withBestFan(const face& f, const UList<point>& points)
+{
+    const vector normal(f.areaNormal(points));
+    label best = 0;
+    scalar most = -GREAT;
+    forAll(f, start)
+    {
+        const scalar least = smallestOfFan(f, start, points, normal);
+        if (least > most)
+        {
+            most = least;
+            best = start;
+        }
+    }
+
+    return face(rotateList(f, -best));
+}
+
+
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
 const SubList<label> polygonFaces::pointsOf(const label facei) const
@@ -186,7 +231,12 @@ polyMeshParts polygonFaces::makeParts
                 << "A face between polygons is a line, at "
                 << points.position(pointsOf(facei)[0]) << exit(FatalError);
         }
-        appendTo(mesh.topology, face(kept), cells_[facei]);
+        face f(kept);
+        if (cells_[facei].second() < 0)
+        {
+            f = withBestFan(f, places);
+        }
+        appendTo(mesh.topology, std::move(f), cells_[facei]);
     }
     startPatches(nPatches, mesh.topology);
     mesh.points.transfer(places);

@@ -59,8 +59,18 @@ static scalar areaOf(const polyMesh& mesh, const word& patch)
 //- What checkPrismLayers -layers 4 wants
 static void expectCertified(const polyMesh& mesh)
 {
-    bitSet beyond(mesh.nCells(), true);
-    beyond.unset(mesh.cellZones()["boundaryLayer"]);
+    bitSet beyond;
+    labelList outer;
+    if (mesh.cellZones().size())
+    {
+        beyond = bitSet(mesh.nCells(), true);
+        beyond.unset(mesh.cellZones()["boundaryLayer"]);
+    }
+    else
+    {
+        const polyPatch& patch = mesh.boundaryMesh()["layerOuter"];
+        outer = identity(patch.size(), patch.start());
+    }
     const polyPatch& wall = mesh.boundaryMesh()[0];
     const meshCertificate certificate
     (
@@ -71,11 +81,12 @@ static void expectCertified(const polyMesh& mesh)
                 mesh.points(), mesh.faces(), mesh.faceOwner(),
                 mesh.faceNeighbour()
             ),
-            identity(wall.size(), wall.start()), {}, beyond
+            identity(wall.size(), wall.start()), outer, beyond
         )
     );
     EXPECT_EQ(certificate.nLayers, labelList(wall.size(), 4));
     EXPECT_TRUE(certificate.invalidCells.empty());
+    EXPECT_TRUE(certificate.intersections.empty());
     EXPECT_TRUE(certificate.doubleFaces.empty());
     EXPECT_TRUE(certificate.fillsBoundary());
 }
@@ -234,6 +245,23 @@ TEST(polygonCells, layersAloneHaveAnOuterPatch)
 
     EXPECT_FALSE(mesh().checkFacePyramids(false));
     EXPECT_EQ(mesh().boundaryMesh()["layerOuter"].size(), nColumns);
+}
+
+
+TEST(polygonCells, layersAloneDoNotIntersect)
+{
+    // Polygons at a sharp edge have three points in a line. In a sharp corner
+    // polygons of the outer surface are beyond the triangles of the prisms.
+    for (const wallSurface& wall : {lBlock(4), wedgeBlock(6, 40)})
+    {
+        const prismLayerMesh run(layeredMesh(wall, 4, 0.1));
+        farFieldMesh none;
+        const memoryMesh mesh
+        (
+            std::move(makePolygonCells(run.made.layers, none).mesh)
+        );
+        expectCertified(mesh());
+    }
 }
 
 
