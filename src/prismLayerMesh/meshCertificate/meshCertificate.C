@@ -42,8 +42,9 @@ static bool isLastLayer
 //  cell that has no face opposite to the one below. The last cell may have
 //  several faces there: if they are what one face is cut into, as below the
 //  tetrahedra of a far field, or if all of them lead beyond the layers, as
-//  below polyhedra. The set gets the cells of stacks that are not positive;
-//  they, the cells above, and cells beyond the layers are not counted.
+//  below polyhedra. A stack ends where it leaves the layers. If it does not
+//  begin in the layers, none of its cells is counted. The set gets the cells of
+//  stacks that are not positive; they and the cells above are not counted.
 static labelList countLayers
 (
     const polyhedralMesh& mesh,
@@ -58,11 +59,12 @@ static labelList countLayers
     {
         label facei = wallFaces[i];
         label celli = mesh.owner(facei);
-        bool counts = true;
+        bool counts = !beyondLayers.test(celli);
+        const bool hasLayers = counts;
 
-        while (celli >= 0)
+        while (celli >= 0 && !(hasLayers && beyondLayers.test(celli)))
         {
-            counts = counts && positive[celli] && !beyondLayers.test(celli);
+            counts = counts && positive[celli];
             if (!positive[celli])
             {
                 invalid.insert(celli);

@@ -375,6 +375,39 @@ TEST(certifyMesh, snappedHexahedraArePolyhedraOutsideOfLayers)
 }
 
 
+TEST(certifyMesh, snappedHexahedraAreInNoStackThatEndsBelow)
+{
+    // The snapped hexahedron is on a cube, which is the layer
+    const pointField points
+    ({
+        {0, 0, -1}, {1, 0, -1}, {1, 1, -1}, {0, 1, -1},
+        {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+        {0, 0, 1}, {1, 0, 1}, {0.6, 0.6, 0.6}, {0, 1, 1}
+    });
+    const faceList faces
+    ({
+        face({4, 5, 6, 7}),
+        face({0, 3, 2, 1}), face({0, 1, 5, 4}), face({1, 2, 6, 5}),
+        face({2, 3, 7, 6}), face({3, 0, 4, 7}),
+        face({8, 9, 10, 11}), face({4, 5, 9, 8}), face({5, 6, 10, 9}),
+        face({6, 7, 11, 10}), face({7, 4, 8, 11})
+    });
+    const labelList owner({0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 1});
+    const labelList neighbour(1, 1);
+    const polyhedralMesh mesh(points, faces, owner, neighbour);
+    bitSet beyond(2);
+    beyond.set(1);
+    const meshCertificate certificate
+    (
+        certifyMesh(mesh, labelList({1}), {}, beyond)
+    );
+
+    EXPECT_EQ(certificate.nLayers[0], 1);
+    EXPECT_TRUE(certificate.invalidCells.empty());
+    EXPECT_EQ(certificate.nCells[label(meshCellShape::polyhedron)], 1);
+}
+
+
 TEST(meshCertificate, cellsFillTheBoundary)
 {
     // Straight layers on a cube of width 1: slabs on the sides, and what is
