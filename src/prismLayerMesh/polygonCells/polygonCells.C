@@ -7,6 +7,7 @@
 
 #include "polygonGeometry.H"
 #include "farPolygons.H"
+#include "keptParts.H"
 #include "makeFarFieldMesh.H"
 #include "meshCertificate.H"
 #include "movePolygonPoints.H"
@@ -83,6 +84,74 @@ labelList uncertifiedCells
 }
 
 
+//- Returns zones of cells: of the layers, the first cells, and those of the far
+//  field
+List<cellZoneParts> zonesOf
+(
+    const farFieldMesh& far,
+    const farGroups& groups,
+    const label nLayerCells
+)
+{
+    List<cellZoneParts> zones;
+    zones.append(cellZoneParts(boundaryLayerName, identity(nLayerCells)));
+    const label nTets = groups.ofTets.size();
+    for (const cellZoneParts& zone : far.cellZones)
+    {
+        bitSet cells(nLayerCells + groups.nGroups);
+        for (const label celli : zone.cells)
+        {
+            if (celli >= nTets)
+            {
+                cells.set(nLayerCells + groups.ofOthers[celli - nTets]);
+                continue;
+            }
+            for (const label g : groups.ofTets[celli])
+            {
+                cells.set(nLayerCells + g);
+            }
+        }
+        zones.append(cellZoneParts(zone.name, cells.toc()));
+    }
+
+    return zones;
+}
+
+
+//- Returns the cells of some that are no prism or hexahedron that stays: these
+//  have the certificate of the layers.
+//  whole: front faces that stay
+//  volumes: of the cells; they must be positive all the same
+labelList withoutKept
+(
+    const labelUList& cells,
+    const prismLayers& layers,
+    const frontGroups& front,
+    const bitSet& whole,
+    const scalarField& volumes
+)
+{
+    bitSet isKept(front.nGroups);
+    for (const label facei : whole)
+    {
+        isKept.set(front.of(facei, 0));
+    }
+    DynamicList<label> others;
+    for (const label celli : cells)
+    {
+        const label group = celli/layers.nLayers;
+        const bool stays =
+            group < front.nGroups && volumes[celli] > 0 && isKept.test(group);
+        if (!stays)
+        {
+            others.append(celli);
+        }
+    }
+
+    return labelList(std::move(others));
+}
+
+
 //- Compares the wall of polygons with the wall
 void compareWalls
 (
@@ -151,9 +220,12 @@ class polygonMaker
         groupExceptions onFront_;
         groupExceptions inFar_;
 
-    bool hasMoved_ = false;
+    // The last mesh: the groups, and the labels of its points
         frontGroups front_;
         farGroups groups_;
+        labelList labels_;
+
+    bool hasMoved_ = false;
 
     void setPatches()
     {
@@ -199,50 +271,17 @@ class polygonMaker
 
     label nLayerCells() const { return front_.nGroups*layers_.nLayers; }
 
-    //- Zones of cells; those of the far field with the layers below
-    List<cellZoneParts> zones() const
-    {
-        List<cellZoneParts> zones;
-        zones.append
-        (
-            cellZoneParts(boundaryLayerName, identity(nLayerCells()))
-        );
-        for (const cellZoneParts& zone : far_.cellZones)
-        {
-            bitSet cells(nLayerCells() + groups_.nGroups);
-            for (const label celli : zone.cells)
-            {
-                if (celli >= tets_.size())
-                {
-                    cells.set
-                    (
-                        nLayerCells()
-                      + groups_.ofOthers[celli - tets_.size()]
-                    );
-                    continue;
-                }
-                for (const label g : groups_.ofTets[celli])
-                {
-                    cells.set(nLayerCells() + g);
-                }
-            }
-            zones.append(cellZoneParts(zone.name, cells.toc()));
-        }
-
-        return zones;
-    }
-
     //- Moves free points of a mesh to where gains fall
-    void movePoints(const labelUList& labels, polyMeshParts& mesh)
+    void movePoints(polyMeshParts& mesh)
     {
         // Later most points are where they are best
         pointMoveControls moves;
         moves.nRounds = hasMoved_ ? 1 : moves.nRounds;
         hasMoved_ = true;
-        bitSet isFixed(labels.size());
-        forAll(labels, p)
+        bitSet isFixed(labels_.size());
+        forAll(labels_, p)
         {
-            isFixed.set(p, !points_.isFree(labels[p]));
+            isFixed.set(p, !points_.isFree(labels_[p]));
         }
         for
         (
@@ -250,12 +289,17 @@ class polygonMaker
           : movePolygonPoints(isFixed, moves, mesh)
         )
         {
-            points_.move(labels[p], mesh.points[p]);
+            points_.move(labels_[p], mesh.points[p]);
         }
     }
 
     polyMeshParts make()
     {
+        keepNeighbours(layers_, neighbours_, front_, onFront_);
+        for (const label t : inFar_.whole)
+        {
+            points_.fixTet(t);
+        }
         front_ = groupFront(layers_, neighbours_, controls_, onFront_);
         polygonFaces faces;
         appendLayerFaces
@@ -281,19 +325,18 @@ class polygonMaker
                 controls_.sharpAngle, faces
             );
         }
-        labelList labels;
         polyMeshParts mesh
         (
             faces.makeParts
             (
                 points_, nLayerCells() + groups_.nGroups,
-                patches_.names.size(), labels
+                patches_.names.size(), labels_
             )
         );
         mesh.patches = patches_;
         if (!far_.empty())
         {
-            movePoints(labels, mesh);
+            movePoints(mesh);
         }
 
         return mesh;
@@ -336,77 +379,100 @@ class polygonMaker
     //- Changes cells that are not valid. The inner points of their prisms and
     //  tetrahedra move to the centroids; with 'divide' each of the cells is
     //  also divided into corners. If a corner is not valid, its front face or
-    //  tetrahedron stays whole. Returns whether there was a change.
-    bool improve(const labelUList& cells, const bool divide)
+    //  tetrahedron stays whole. Returns the cells that none of this changes.
+    labelList improve(const labelUList& cells, const bool divide)
     {
-        bitSet isChanged(nLayerCells() + groups_.nGroups);
-        isChanged.set(cells);
-        bitSet onFront(front_.nGroups);
-        for (label celli = 0; celli < nLayerCells(); ++celli)
+        // Groups of the front, then those of the far field
+        const auto groupOf = [&](const label celli)
         {
-            if (isChanged.test(celli))
-            {
-                onFront.set(celli/layers_.nLayers);
-            }
+            return
+                celli < nLayerCells()
+              ? celli/layers_.nLayers
+              : front_.nGroups + celli - nLayerCells();
+        };
+        bitSet isWanted(front_.nGroups + groups_.nGroups);
+        bitSet isChanged(isWanted.size());
+        for (const label celli : cells)
+        {
+            isWanted.set(groupOf(celli));
         }
-        label n = 0;
+        const auto setIf = [&](const label g, const bool first, const bool then)
+        {
+            isChanged.set(g, isChanged.test(g) || first || then);
+        };
         visitCorners
         (
             [&](const label g, const label facei, const label k)
             {
-                if (onFront.test(g))
+                if (isWanted.test(g))
                 {
-                    n += points_.centreFace(facei);
-                    n += divide && except
+                    const label corner = front_.starts[facei] + k;
+                    setIf
                     (
-                        front_.starts[facei] + k, facei, onFront_
+                        g, points_.centreFace(facei),
+                        divide && except(corner, facei, onFront_)
                     );
                 }
             },
-            [&](const label g, const label t, const label k)
+            [&](const label farGroup, const label t, const label k)
             {
-                if (isChanged.test(nLayerCells() + g))
+                const label g = front_.nGroups + farGroup;
+                if (isWanted.test(g))
                 {
-                    n += points_.centreTet(t);
-                    n += divide && except(4*t + k, t, inFar_);
+                    setIf
+                    (
+                        g, points_.centreTet(t),
+                        divide && except(4*t + k, t, inFar_)
+                    );
                 }
             }
         );
-        for (const label t : inFar_.whole)
-        {
-            points_.fixTet(t);
-        }
-
-        return n;
-    }
-
-    //- Returns the cells of some that are no prism or hexahedron that stays:
-    //  these have the certificate of the layers.
-    //  volumes: of the cells; they must be positive all the same
-    labelList withoutKept
-    (
-        const labelUList& cells,
-        const scalarField& volumes
-    ) const
-    {
-        bitSet isKept(front_.nGroups);
-        forAll(layers_.faces, facei)
-        {
-            isKept.set(front_.of(facei, 0), onFront_.whole.test(facei));
-        }
-        DynamicList<label> others;
+        DynamicList<label> stuck;
         for (const label celli : cells)
         {
-            const bool stays =
-                celli < nLayerCells() && volumes[celli] > 0
-             && isKept.test(celli/layers_.nLayers);
-            if (!stays)
+            if (!isChanged.test(groupOf(celli)))
             {
-                others.append(celli);
+                stuck.append(celli);
             }
         }
 
-        return labelList(std::move(others));
+        return labelList(std::move(stuck));
+    }
+
+    //- Leaves whole the front faces and tetrahedra that have an edge at cells
+    //  of a mesh. A cell that nothing else helps has whole ones around it then,
+    //  and is as it was given. Returns whether there was a change.
+    bool keepAround(const polyMeshParts& mesh, const labelUList& cells)
+    {
+        const givenPoints at(points_, labels_, mesh, cells);
+
+        return
+            keepAt(at.columns, layers_.faces, onFront_.whole)
+          + keepAt(at.farPoints, tets_.points(), inFar_.whole);
+    }
+
+    //- Returns the cells that are not valid or have no certificate
+    labelList invalidIn
+    (
+        const polyMeshParts& mesh,
+        const polygonGeometry& geometry
+    ) const
+    {
+        bitSet cells(mesh.nCells);
+        cells.set
+        (
+            withoutKept
+            (
+                geometry.invalidCells(mesh), layers_, front_, onFront_.whole,
+                geometry.cellVolumes
+            )
+        );
+        cells.set
+        (
+            uncertifiedCells(mesh, layers_.patchNames.size(), nLayerCells())
+        );
+
+        return cells.toc();
     }
 
 public:
@@ -435,20 +501,7 @@ public:
         {
             made.mesh = make();
             const polygonGeometry geometry(made.mesh);
-            labelList invalid
-            (
-                withoutKept
-                (
-                    geometry.invalidCells(made.mesh), geometry.cellVolumes
-                )
-            );
-            if (invalid.empty())
-            {
-                invalid = uncertifiedCells
-                (
-                    made.mesh, layers_.patchNames.size(), nLayerCells()
-                );
-            }
+            const labelList invalid(invalidIn(made.mesh, geometry));
             if (invalid.empty())
             {
                 const finiteVolumes volumes(geometry.volumes(made.mesh));
@@ -459,7 +512,9 @@ public:
                 );
                 break;
             }
-            if (!improve(invalid, round > 0))
+            labelList stuck(improve(invalid, round > 0));
+            stuck = improve(stuck, true);
+            if (!keepAround(made.mesh, stuck) && stuck.size() == invalid.size())
             {
                 FatalErrorInFunction
                     << "No valid polygons were found: a cell is not positive,"
@@ -470,7 +525,7 @@ public:
         }
         if (!far_.empty())
         {
-            made.mesh.cellZones = zones();
+            made.mesh.cellZones = zonesOf(far_, groups_, nLayerCells());
         }
         polygonCounts& counts = made.counts;
         counts.nColumns = front_.nGroups;

@@ -186,6 +186,17 @@ TEST(polygonCells, layersAreWholeWherePolyhedraAreDivided)
 }
 
 
+TEST(polygonCells, hexahedraAroundASharpCornerGetPolygons)
+{
+    polygonMesh polygons
+    (
+        polygonsAround(wedgeBlock(4, 25), farFieldType::hexCore, 0.3)
+    );
+    const memoryMesh mesh(std::move(polygons.mesh));
+    expectCertified(mesh());
+}
+
+
 TEST(polygonCells, quadrilateralsOfTheWallAreSound)
 {
     expectSoundPolygons

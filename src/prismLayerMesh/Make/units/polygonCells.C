@@ -12,6 +12,7 @@
 #include "polygonCells/farPolygons.C"
 #include "polygonCells/polygonGeometry.C"
 #include "polygonCells/movePolygonPoints.C"
+#include "polygonCells/keptParts.C"
 #include "polygonCells/polygonCells.C"
 
 // ************************************************************************* //
