@@ -217,9 +217,9 @@ meshCertificate certifyMesh
         // Such as a hexahedron that was snapped so that a corner is flat
         if
         (
-            !positive[celli] && shapes[celli] == meshCellShape::hexahedron
-         && beyondLayers.test(celli) && !inLayers.found(celli)
+            !positive[celli] && beyondLayers.test(celli)
          && cell.isPositivePolyhedron(celli)
+         && mesh.volume(celli) > mesh.roundingVolume(celli)
         )
         {
             shapes[celli] = meshCellShape::polyhedron;

@@ -362,15 +362,14 @@ TEST(certifyMesh, snappedHexahedraArePolyhedraOutsideOfLayers)
     EXPECT_EQ(outside.nCells[label(meshCellShape::polyhedron)], 1);
     EXPECT_TRUE(outside.invalidCells.empty());
 
-    // In the layers, and on a face of the wall
+    // In the layers
+    const meshCertificate inside(certifyMesh(mesh, {}, {}));
+    EXPECT_EQ(inside.nInvalid[label(meshCellShape::hexahedron)], 1);
+
+    // On the wall it is no layer, wherever it is
     for (const bitSet& beyond : {bitSet(), beyondLayers})
     {
-        const meshCertificate layer
-        (
-            certifyMesh(mesh, labelList({0}), {}, beyond)
-        );
-        EXPECT_EQ(layer.nInvalid[label(meshCellShape::hexahedron)], 1);
-        EXPECT_EQ(layer.nLayers[0], 0);
+        EXPECT_EQ(certifyMesh(mesh, labelList({0}), {}, beyond).nLayers[0], 0);
     }
 }
 
@@ -405,6 +404,34 @@ TEST(certifyMesh, snappedHexahedraAreInNoStackThatEndsBelow)
     EXPECT_EQ(certificate.nLayers[0], 1);
     EXPECT_TRUE(certificate.invalidCells.empty());
     EXPECT_EQ(certificate.nCells[label(meshCellShape::polyhedron)], 1);
+}
+
+
+TEST(certifyMesh, aPolyhedronHasMoreVolumeThanRounding)
+{
+    // The snapped hexahedron, nearly flat and far from the origin
+    const auto at = [](const scalar x, const scalar y, const scalar z)
+    {
+        return point(x + 1e6, y + 1e6, 1e-12*z);
+    };
+    const pointField points
+    ({
+        at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0),
+        at(0, 0, 1), at(1, 0, 1), at(0.6, 0.6, 0.6), at(0, 1, 1)
+    });
+    const faceList faces
+    ({
+        face({0, 3, 2, 1}), face({4, 5, 6, 7}), face({0, 1, 5, 4}),
+        face({1, 2, 6, 5}), face({2, 3, 7, 6}), face({3, 0, 4, 7})
+    });
+    const labelList owner(6, Zero);
+    const labelList neighbour;
+    const polyhedralMesh mesh(points, faces, owner, neighbour);
+
+    EXPECT_EQ
+    (
+        certifyMesh(mesh, {}, {}, bitSet(1, true)).invalidCells.size(), 1
+    );
 }
 
 
