@@ -5,9 +5,11 @@
 
 #include "movePolygonPoints.H"
 
-#include "HashSet.H"
-#include "polygonGeometry.H"
+#include "CompactListList.H"
+#include "faceQuality.H"
 #include "unitConversion.H"
+
+#include <algorithm>
 
 namespace Foam
 {
@@ -17,22 +19,33 @@ namespace Foam
 namespace
 {
 
-typedef DynamicList<label, 64> someLabels;
-
-
 //- A mesh whose points move one by one
 class movingPoints
 {
     const pointMoveControls& controls_;
     polyMeshParts& mesh_;
-    polygonGeometry geometry_;
+    polygonGeometry& geometry_;
     const scalar leastCosine_;
 
-    //- Poorness of each cell
+    //- Poorness of each cell with points that may move, and the cells of which
+    //  the poorness is out of date
     scalarField poor_;
-    DynamicList<schemeFace> seen_;
+    bitSet isOld_;
+
+    // Of the point that moves
+
+        //- The cells around, the poorest first, and their poorness now
+        DynamicList<label> cells_;
+        DynamicList<scalar> now_;
+
+        DynamicList<schemeFace> seen_;
 
     const polyMeshTopology& topology() const { return mesh_.topology; }
+
+    bool isInternal(const label facei) const
+    {
+        return facei < topology().neighbour.size();
+    }
 
     //- The area of the triangles from the centre of a face to its edges that a
     //  point does not see, as share of the face
@@ -44,220 +57,285 @@ class movingPoints
     ) const
     {
         const face& f = topology().faces[facei];
-        const point& centre = geometry_.faceCentres[facei];
-        scalar sum = 0;
-        for (label k = 0; k < f.size() && f.size() > 3; ++k)
+        if (f.size() == 3)
         {
-            const vector area
-            (
-                0.5
-               *(
-                    (mesh_.points[f[k]] - centre)
-                  ^ (mesh_.points[f.nextLabel(k)] - centre)
-                )
-            );
-            sum += way*(area & (centre - from)) > 0 ? 0 : mag(area);
+            return 0;
         }
-
+        const point& centre = geometry_.faceCentres[facei];
+        const vector to(way*(centre - from));
+        scalar sum = 0;
+        vector last(mesh_.points[f.last()] - centre);
+        for (const label p : f)
+        {
+            const vector next(mesh_.points[p] - centre);
+            const vector area(0.5*(last ^ next));
+            sum += (area & to) > 0 ? 0 : mag(area);
+            last = next;
+        }
         const scalar whole = max(mag(geometry_.faceAreas[facei]), sum);
 
         return sum > 0 ? 0.3 + sum/whole : 0;
     }
 
-    //- Skewness of a face between two cells, as OpenFOAM defines it
-    scalar skewness(const label facei) const
+    //- How poor the angle and the skewness of a face between cells are
+    scalar poornessBetween(const label facei) const
     {
         const polyMeshTopology& t = topology();
         const point& own = geometry_.cellCentres[t.owner[facei]];
-        const vector d(geometry_.cellCentres[t.neighbour[facei]] - own);
-        const vector& area = geometry_.faceAreas[facei];
-        const vector to(geometry_.faceCentres[facei] - own);
-        const scalar along = area & d;
-        if (along <= SMALL*mag(area)*mag(d))
-        {
-            return controls_.maxSkewness + 5;
-        }
-        const vector off(to - (area & to)/along*d);
-        const vector way(normalised(off));
-        scalar size = 0.2*mag(d) + VSMALL;
-        for (const label p : t.faces[facei])
-        {
-            const vector arm(mesh_.points[p] - geometry_.faceCentres[facei]);
-            size = max(size, mag(way & arm));
-        }
+        const point& other = geometry_.cellCentres[t.neighbour[facei]];
+        const faceGeometry f(geometry_.faceAt(facei));
+        const scalar most = controls_.maxSkewness;
+        const scalar skewness =
+            (f.area & (other - own)) <= 0 ? most + 5
+          : skewnessAbove
+            (
+                f, UIndirectList<point>(mesh_.points, t.faces[facei]), own,
+                other, most
+            );
 
-        return mag(off)/size;
+        return
+            controls_.faceWeight
+           *nonOrthoViolation(f.area, other - own, leastCosine_)
+          + min(max(skewness - most, scalar(0)), scalar(5));
     }
 
-    scalar poorness(const label celli)
+    //- Returns how poor a cell is, or less if that is more than a bound
+    scalar poorness(const label celli, const scalar bound)
     {
-        const finiteVolumes volumes(geometry_.volumes(mesh_));
-        const scalar gain = gainOf(volumes, celli, seen_);
-        scalar sum = sqr(min(max(gain - controls_.gain, scalar(0)), scalar(2)));
+        const point& centre = geometry_.cellCentres[celli];
         const scalar size = ::cbrt(mag(geometry_.cellVolumes[celli]));
-        for (const schemeFace& f : seen_)
-        {
-            const scalar area = mag(f.area);
-            if (f.explicitArea == vector::zero && f.ownShare == 0)
-            {
-                continue;
-            }
-            const scalar cosine = (f.area & f.d)/max(area*mag(f.d), VSMALL);
-            sum += controls_.faceWeight*max(leastCosine_ - cosine, scalar(0));
-        }
+        scalar sum = 0;
         for (const label facei : geometry_.cells[celli])
         {
             const vector& area = geometry_.faceAreas[facei];
             const scalar way = topology().owner[facei] == celli ? 1 : -1;
-            const scalar depth = way*
-            (
-                area
-              & (geometry_.faceCentres[facei] - geometry_.cellCentres[celli])
-            )/max(mag(area)*size, VSMALL);
+            const scalar depth =
+                way*(area & (geometry_.faceCentres[facei] - centre))
+               /max(mag(area)*size, VSMALL);
             sum += depth > 0 ? 0 : 5 - 5*max(depth, scalar(-1));
-            sum += hidden(facei, way, geometry_.cellCentres[celli]);
-            if (facei < topology().neighbour.size())
+            sum += hidden(facei, way, centre);
+            sum += isInternal(facei) ? poornessBetween(facei) : 0;
+            if (sum > bound)
             {
-                const scalar excess = skewness(facei) - controls_.maxSkewness;
-                sum += min(max(excess, scalar(0)), scalar(5));
+                return sum;
+            }
+        }
+        const scalar gain = gainOf(geometry_.volumes(mesh_), celli, seen_);
+
+        return sum + sqr(min(max(gain - controls_.gain, scalar(0)), scalar(2)));
+    }
+
+    //- Sets cells_, with their poorness, and returns the sum
+    scalar setCells(const labelUList& faces)
+    {
+        const polyMeshTopology& t = topology();
+        cells_.clear();
+        const auto add = [&](const label celli)
+        {
+            if (!cells_.found(celli))
+            {
+                cells_.append(celli);
+            }
+        };
+        for (const label facei : faces)
+        {
+            add(t.owner[facei]);
+            if (isInternal(facei))
+            {
+                add(t.neighbour[facei]);
+            }
+        }
+        scalar sum = 0;
+        for (const label celli : cells_)
+        {
+            if (isOld_.unset(celli))
+            {
+                poor_[celli] = poorness(celli, GREAT);
+            }
+            sum += poor_[celli];
+        }
+        std::sort
+        (
+            cells_.begin(), cells_.end(), [&](const label a, const label b)
+            {
+                return
+                    poor_[a] > poor_[b] || (poor_[a] == poor_[b] && a < b);
+            }
+        );
+
+        return sum;
+    }
+
+    //- Sets now_, and returns the sum, or any sum from a bound on
+    scalar sumNow(const scalar bound)
+    {
+        scalar sum = 0;
+        now_.clear();
+        for (const label celli : cells_)
+        {
+            now_.append(poorness(celli, bound - sum));
+            sum += now_.last();
+            if (sum >= bound)
+            {
+                break;
             }
         }
 
         return sum;
     }
 
-    //- Sums the poorness of some cells, and keeps it
-    scalar sumPoorness(const labelUList& cells)
+    void setPoint(const label p, const point& x, const labelUList& faces)
     {
-        scalar sum = 0;
-        for (const label celli : cells)
-        {
-            poor_[celli] = poorness(celli);
-            sum += poor_[celli];
-        }
-
-        return sum;
-    }
-
-    void update(const labelUList& faces, const labelUList& cells)
-    {
+        mesh_.points[p] = x;
         for (const label facei : faces)
         {
             geometry_.setFace(mesh_, facei);
         }
-        for (const label celli : cells)
+        for (const label celli : cells_)
         {
             geometry_.setCell(mesh_, celli);
         }
     }
 
-    labelList cellsOf(const labelUList& faces) const
+    void setOldBeside()
     {
-        const polyMeshTopology& t = topology();
-        labelHashSet cells;
-        for (const label facei : faces)
+        for (const label celli : cells_)
         {
-            cells.insert(t.owner[facei]);
-            if (facei < t.neighbour.size())
+            for (const label facei : geometry_.cells[celli])
             {
-                cells.insert(t.neighbour[facei]);
+                isOld_.set(topology().owner[facei]);
+                if (isInternal(facei))
+                {
+                    isOld_.set(topology().neighbour[facei]);
+                }
             }
         }
-
-        return cells.sortedToc();
+        isOld_.unset(cells_);
     }
 
 public:
 
-    movingPoints(const pointMoveControls& controls, polyMeshParts& mesh)
+    //- The cells with points that may move are out of date
+    movingPoints
+    (
+        const bitSet& isFixed,
+        const pointMoveControls& controls,
+        polyMeshParts& mesh,
+        polygonGeometry& geometry
+    )
     :
         controls_(controls),
         mesh_(mesh),
-        geometry_(mesh),
+        geometry_(geometry),
         leastCosine_(Foam::cos(degToRad(controls.maxNonOrtho))),
-        poor_(mesh.nCells)
+        poor_(mesh.nCells, 0),
+        isOld_(mesh.nCells)
     {
-        forAll(poor_, celli)
+        const polyMeshTopology& t = topology();
+        forAll(t.faces, facei)
         {
-            poor_[celli] = poorness(celli);
+            bool moves = false;
+            for (const label p : t.faces[facei])
+            {
+                moves = moves || !isFixed.test(p);
+            }
+            if (moves)
+            {
+                isOld_.set(t.owner[facei]);
+                if (isInternal(facei))
+                {
+                    isOld_.set(t.neighbour[facei]);
+                }
+            }
         }
+        for (const label celli : isOld_)
+        {
+            poor_[celli] = poorness(celli, GREAT);
+        }
+        isOld_.reset();
     }
 
-    bool isPoor(const label celli) const { return poor_[celli] > 0; }
-
-    const labelUList& facesOf(const label celli) const
+    //- Returns the points of poor cells
+    bitSet pointsOfPoor() const
     {
-        return geometry_.cells[celli];
+        bitSet points(mesh_.points.size());
+        forAll(poor_, celli)
+        {
+            if (poor_[celli] > 0)
+            {
+                for (const label facei : geometry_.cells[celli])
+                {
+                    points.set(topology().faces[facei]);
+                }
+            }
+        }
+
+        return points;
     }
 
     //- Moves a point by steps along the axes while that helps; halves the step
     //  if none does. Returns whether the point has moved.
     bool move(const label p, const labelUList& faces, scalar& step)
     {
-        // Cells beside these change little, and have their turns
-        const labelList cells(cellsOf(faces));
-        scalar least = sumPoorness(cells);
+        scalar least = setCells(faces);
         point best(mesh_.points[p]);
         bool hasMoved = false;
+        bool isBest = true;
         for (label i = 0; i < 6 && least > 0; ++i)
         {
             vector way(Zero);
             way[i/2] = (i % 2 ? -step : step);
-            mesh_.points[p] = best + way;
-            update(faces, cells);
-            const scalar now = sumPoorness(cells);
-            if (now < 0.999*least)
+            setPoint(p, best + way, faces);
+            const scalar now = sumNow(0.999*least);
+            isBest = now < 0.999*least;
+            if (isBest)
             {
                 least = now;
                 best = mesh_.points[p];
+                UIndirectList<scalar>(poor_, cells_) = now_;
                 hasMoved = true;
             }
         }
-        mesh_.points[p] = best;
-        update(faces, cells);
-        sumPoorness(cells);
-        step *= hasMoved ? 1 : 0.5;
+        if (!isBest)
+        {
+            setPoint(p, best, faces);
+        }
+        if (hasMoved)
+        {
+            setOldBeside();
+        }
+        else
+        {
+            step *= 0.5;
+        }
 
         return hasMoved;
     }
 };
 
 
-//- The faces at each point that may move and is at a poor cell
-void findFacesAt
-(
-    const movingPoints& moving,
-    const polyMeshParts& mesh,
-    const bitSet& isFixed,
-    List<someLabels>& facesAt,
-    bitSet& isWanted
-)
+//- The faces at each of some points
+CompactListList<label> facesAt(const bitSet& points, const faceList& faces)
 {
-    for (label celli = 0; celli < mesh.nCells; ++celli)
+    const auto visit = [&](const auto& act)
     {
-        if (!moving.isPoor(celli))
+        forAll(faces, facei)
         {
-            continue;
-        }
-        for (const label facei : moving.facesOf(celli))
-        {
-            for (const label p : mesh.topology.faces[facei])
+            for (const label p : faces[facei])
             {
-                isWanted.set(p, !isFixed.test(p));
+                if (points.test(p))
+                {
+                    act(p, facei);
+                }
             }
         }
-    }
-    facesAt.setSize(mesh.points.size());
-    forAll(mesh.topology.faces, facei)
-    {
-        for (const label p : mesh.topology.faces[facei])
-        {
-            if (isWanted.test(p))
-            {
-                facesAt[p].append(facei);
-            }
-        }
-    }
+    };
+    labelList n(points.size(), Zero);
+    visit([&](const label p, label) { ++n[p]; });
+    CompactListList<label> at(n);
+    visit([&](const label p, const label facei) { at(p, --n[p]) = facei; });
+
+    return at;
 }
 
 } // End anonymous namespace
@@ -269,24 +347,25 @@ bitSet movePolygonPoints
 (
     const bitSet& isFixed,
     const pointMoveControls& controls,
-    polyMeshParts& mesh
+    polyMeshParts& mesh,
+    polygonGeometry& geometry
 )
 {
+    const faceList& faces = mesh.topology.faces;
     bitSet hasMoved(mesh.points.size());
-    movingPoints moving(controls, mesh);
-    List<someLabels> facesAt;
-    bitSet isWanted(mesh.points.size());
-    findFacesAt(moving, mesh, isFixed, facesAt, isWanted);
+    movingPoints moving(isFixed, controls, mesh, geometry);
+    const bitSet isWanted(moving.pointsOfPoor() - isFixed);
+    const CompactListList<label> at(facesAt(isWanted, faces));
 
     // Mean distances to the points beside
     scalarField steps(mesh.points.size(), 0);
     for (const label p : isWanted)
     {
-        for (const label facei : facesAt[p])
+        for (const label facei : at[p])
         {
-            const face& f = mesh.topology.faces[facei];
+            const face& f = faces[facei];
             steps[p] +=
-                controls.step/facesAt[p].size()
+                controls.step/at[p].size()
                *mag(mesh.points[f.nextLabel(f.find(p))] - mesh.points[p]);
         }
     }
@@ -294,7 +373,7 @@ bitSet movePolygonPoints
     {
         for (const label p : isWanted)
         {
-            if (moving.move(p, facesAt[p], steps[p]))
+            if (moving.move(p, at[p], steps[p]))
             {
                 hasMoved.set(p);
             }

@@ -272,7 +272,7 @@ class polygonMaker
     label nLayerCells() const { return front_.nGroups*layers_.nLayers; }
 
     //- Moves free points of a mesh to where gains fall
-    void movePoints(polyMeshParts& mesh)
+    void movePoints(polyMeshParts& mesh, polygonGeometry& geometry)
     {
         // Later most points are where they are best
         pointMoveControls moves;
@@ -286,13 +286,14 @@ class polygonMaker
         for
         (
             const label p
-          : movePolygonPoints(isFixed, moves, mesh)
+          : movePolygonPoints(isFixed, moves, mesh, geometry)
         )
         {
             points_.move(labels_[p], mesh.points[p]);
         }
     }
 
+    //- Returns the mesh, without zones
     polyMeshParts make()
     {
         keepNeighbours(layers_, neighbours_, front_, onFront_);
@@ -334,10 +335,6 @@ class polygonMaker
             )
         );
         mesh.patches = patches_;
-        if (!far_.empty())
-        {
-            movePoints(mesh);
-        }
 
         return mesh;
     }
@@ -500,7 +497,11 @@ public:
         for (label round = 0;; ++round)
         {
             made.mesh = make();
-            const polygonGeometry geometry(made.mesh);
+            polygonGeometry geometry(made.mesh);
+            if (!far_.empty())
+            {
+                movePoints(made.mesh, geometry);
+            }
             const labelList invalid(invalidIn(made.mesh, geometry));
             if (invalid.empty())
             {
