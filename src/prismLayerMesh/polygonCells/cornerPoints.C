@@ -5,18 +5,20 @@
 
 #include "cornerPoints.H"
 
-#include "tensor.H"
+#include "layerGeometry.H"
 
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 //- The weights of the circumcentre of a triangle, or zeros if it has no area
-static scalarList circumWeights(const point& a, const point& b, const point& c)
+static FixedList<scalar, 3> circumWeights(const FixedList<point, 3>& p)
 {
-    const scalar aa = magSqr(c - b), bb = magSqr(a - c), cc = magSqr(b - a);
-    scalarList w
+    const scalar aa = magSqr(p[2] - p[1]);
+    const scalar bb = magSqr(p[0] - p[2]);
+    const scalar cc = magSqr(p[1] - p[0]);
+    FixedList<scalar, 3> w
     ({
         aa*(bb + cc - aa), bb*(cc + aa - bb), cc*(aa + bb - cc)
     });
@@ -32,64 +34,66 @@ static scalarList circumWeights(const point& a, const point& b, const point& c)
 
 //- The weights of the circumcentre of a tetrahedron, or zeros if it has no
 //  volume
-static scalarList circumWeights(const UList<point>& p)
+static FixedList<scalar, 4> circumWeights(const FixedList<point, 4>& p)
 {
     const vector u(p[1] - p[0]), v(p[2] - p[0]), w(p[3] - p[0]);
     const scalar det = u & (v ^ w);
     if (mag(det) < VSMALL)
     {
-        return scalarList(4, Zero);
+        return FixedList<scalar, 4>(Zero);
     }
     const vector x
     (
         (magSqr(u)*(v ^ w) + magSqr(v)*(w ^ u) + magSqr(w)*(u ^ v))/(2*det)
     );
-    scalarList weights(4);
-    weights[1] = (x & (v ^ w))/det;
-    weights[2] = (x & (w ^ u))/det;
-    weights[3] = (x & (u ^ v))/det;
-    weights[0] = 1 - weights[1] - weights[2] - weights[3];
+    const scalar a = (x & (v ^ w))/det;
+    const scalar b = (x & (w ^ u))/det;
+    const scalar c = (x & (u ^ v))/det;
 
-    return weights;
+    return FixedList<scalar, 4>({1 - a - b - c, a, b, c});
 }
 
 
-scalarList innerWeights(const UList<point>& corners, const scalar leastShare)
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+template<unsigned n>
+FixedList<scalar, n> innerWeights
+(
+    const FixedList<point, n>& corners,
+    const scalar leastShare
+)
 {
-    const label n = corners.size();
-    const scalarList w
-    (
-        n == 3 ? circumWeights(corners[0], corners[1], corners[2])
-      : circumWeights(corners)
-    );
-    scalarList weights(n, 1.0/n);
-    if (min(w) == 0 && max(w) == 0)
-    {
-        return weights;
-    }
+    FixedList<scalar, n> weights(circumWeights(corners));
     scalar way = 1;
-    for (const scalar x : w)
+    bool isCentral = true;
+    for (const scalar x : weights)
     {
+        isCentral = isCentral && x == 0;
         if (n*x < leastShare)
         {
             way = min(way, (1 - leastShare)/(1 - n*x));
         }
     }
-    forAll(weights, i)
+    for (scalar& x : weights)
     {
-        weights[i] += way*(w[i] - weights[i]);
+        x = 1.0/n + (isCentral ? 0 : way*(x - 1.0/n));
     }
 
     return weights;
 }
 
 
+template FixedList<scalar, 3> innerWeights(const FixedList<point, 3>&, scalar);
+template FixedList<scalar, 4> innerWeights(const FixedList<point, 4>&, scalar);
+
+
 //- The mean of points. A coordinate that is the same in all points stays it,
 //  whatever rounding.
-static point meanOf(const UList<point>& points, const UList<scalar>& weights)
+template<class Points, class Weights>
+static point meanOf(const Points& points, const Weights& weights)
 {
     vector sum(Zero);
-    for (label k = 1; k < points.size(); ++k)
+    for (label k = 1; k < label(points.size()); ++k)
     {
         sum += weights[k]*(points[k] - points[0]);
     }
@@ -100,7 +104,7 @@ static point meanOf(const UList<point>& points, const UList<scalar>& weights)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void cornerPoints::setWeights(const label facei, const scalar leastShare)
+void cornerPoints::setWeights(const label facei)
 {
     const face& f = layers_.faces[facei];
     const label n = layers_.nLayers;
@@ -112,12 +116,13 @@ void cornerPoints::setWeights(const label facei, const scalar leastShare)
     }
     if (facei < layers_.nWallFaces())
     {
-        pointField corners(3);
+        FixedList<point, 3> corners;
         forAll(corners, k)
         {
             corners[k] = 0.5*(layers_(f[k], 0) + layers_(f[k], n));
         }
-        weights = innerWeights(corners, leastShare);
+        const FixedList<scalar, 3> inner(innerWeights(corners, leastShare_));
+        std::copy(inner.begin(), inner.end(), weights.begin());
         return;
     }
 
@@ -257,15 +262,11 @@ point cornerPoints::positionOnLevel(const label i, const label k) const
     }
     const label facei = i - nColumns - edges_.size();
     const face& f = layers_.faces[facei];
-    pointField corners(f.size());
-    forAll(f, l)
-    {
-        corners[l] = layers_(f[l], k);
-    }
 
     return meanOf
     (
-        corners, SubList<scalar>(weights_, f.size(), starts_[facei])
+        levelPoints{layers_, f, k},
+        SubList<scalar>(weights_, f.size(), starts_[facei])
     );
 }
 
@@ -284,8 +285,6 @@ cornerPoints::cornerPoints
     far_(far),
     tets_(tets),
     leastShare_(controls.leastShare),
-    centralTets_(tets.size()),
-    centralFaces_(far.topology.faces.size()),
     starts_(layers.faces.size() + 1, Zero)
 {
     std::vector<endsOfEdge> ends;
@@ -302,7 +301,7 @@ cornerPoints::cornerPoints
     weights_.setSize(starts_.last());
     forAll(layers.faces, facei)
     {
-        setWeights(facei, leastShare_);
+        setWeights(facei);
     }
     setRoots();
     setDiagonals();
@@ -311,33 +310,6 @@ cornerPoints::cornerPoints
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-bool cornerPoints::centreFace(const label facei)
-{
-    const SubList<scalar> weights
-    (
-        weights_, layers_.faces[facei].size(), starts_[facei]
-    );
-    const scalarList before(weights);
-    if (before.size() == 3)
-    {
-        setWeights(facei, 1);
-    }
-
-    return before != weights;
-}
-
-
-bool cornerPoints::centreTet(const label t)
-{
-    for (const label facei : tets_.faces(t))
-    {
-        centralFaces_.set(facei);
-    }
-
-    return centralTets_.set(t);
-}
-
 
 label cornerPoints::ofFarPoint(const label p) const
 {
@@ -441,11 +413,6 @@ bool cornerPoints::isFree(const label i) const
 
 point cornerPoints::position(const label i) const
 {
-    const auto moved = moved_.cfind(i);
-    if (moved.good())
-    {
-        return moved.val();
-    }
     if (i < firstFarPoint())
     {
         return positionOnLevel(i % perLevel(), i/perLevel());
@@ -454,6 +421,11 @@ point cornerPoints::position(const label i) const
     {
         return far_.points[i - firstFarPoint()];
     }
+    const auto moved = moved_.cfind(i);
+    if (moved.good())
+    {
+        return moved.val();
+    }
     if (i < firstFarFace())
     {
         const endsOfEdge& e = tets_.edges()[i - firstFarEdge()];
@@ -461,31 +433,30 @@ point cornerPoints::position(const label i) const
 
         return a + 0.5*(far_.points[e.second] - a);
     }
-    const bool inFace = i < firstFarCell();
-    pointField corners(4);
-    if (inFace)
+    if (i >= firstFarCell())
     {
-        corners = far_.topology.faces[i - firstFarFace()].points(far_.points);
-    }
-    else
-    {
+        FixedList<point, 4> corners;
         forAll(corners, k)
         {
             corners[k] = far_.points[tets_.points(i - firstFarCell())[k]];
         }
-    }
-    const bool isCentral =
-        inFace
-      ? corners.size() != 3 || centralFaces_.test(i - firstFarFace())
-      : centralTets_.test(i - firstFarCell());
 
-    return meanOf
-    (
-        corners,
-        !isCentral
-      ? innerWeights(corners, leastShare_)
-      : scalarList(corners.size(), 1.0/corners.size())
-    );
+        return meanOf(corners, innerWeights(corners, leastShare_));
+    }
+    const face& f = far_.topology.faces[i - firstFarFace()];
+    if (f.size() != 3)
+    {
+        return meanOf
+        (
+            f.points(far_.points), scalarList(f.size(), 1.0/f.size())
+        );
+    }
+    const FixedList<point, 3> corners
+    ({
+        far_.points[f[0]], far_.points[f[1]], far_.points[f[2]]
+    });
+
+    return meanOf(corners, innerWeights(corners, leastShare_));
 }
 
 } // End namespace Foam

@@ -373,11 +373,10 @@ class polygonMaker
         return exceptions.apart.set(corner) || exceptions.whole.set(i);
     }
 
-    //- Changes cells that are not valid. The inner points of their prisms and
-    //  tetrahedra move to the centroids; with 'divide' each of the cells is
-    //  also divided into corners. If a corner is not valid, its front face or
-    //  tetrahedron stays whole. Returns the cells that none of this changes.
-    labelList improve(const labelUList& cells, const bool divide)
+    //- Divides cells that are not valid into corners. If a corner is not valid,
+    //  its front face or tetrahedron stays whole. Returns the cells that this
+    //  does not change.
+    labelList divide(const labelUList& cells)
     {
         // Groups of the front, then those of the far field
         const auto groupOf = [&](const label celli)
@@ -393,9 +392,9 @@ class polygonMaker
         {
             isWanted.set(groupOf(celli));
         }
-        const auto setIf = [&](const label g, const bool first, const bool then)
+        const auto setIf = [&](const label g, const bool hasChanged)
         {
-            isChanged.set(g, isChanged.test(g) || first || then);
+            isChanged.set(g, isChanged.test(g) || hasChanged);
         };
         visitCorners
         (
@@ -404,11 +403,7 @@ class polygonMaker
                 if (isWanted.test(g))
                 {
                     const label corner = front_.starts[facei] + k;
-                    setIf
-                    (
-                        g, points_.centreFace(facei),
-                        divide && except(corner, facei, onFront_)
-                    );
+                    setIf(g, except(corner, facei, onFront_));
                 }
             },
             [&](const label farGroup, const label t, const label k)
@@ -416,11 +411,7 @@ class polygonMaker
                 const label g = front_.nGroups + farGroup;
                 if (isWanted.test(g))
                 {
-                    setIf
-                    (
-                        g, points_.centreTet(t),
-                        divide && except(4*t + k, t, inFar_)
-                    );
+                    setIf(g, except(4*t + k, t, inFar_));
                 }
             }
         );
@@ -494,7 +485,7 @@ public:
     polygonMesh makeValid()
     {
         polygonMesh made;
-        for (label round = 0;; ++round)
+        for (;;)
         {
             made.mesh = make();
             polygonGeometry geometry(made.mesh);
@@ -513,8 +504,7 @@ public:
                 );
                 break;
             }
-            labelList stuck(improve(invalid, round > 0));
-            stuck = improve(stuck, true);
+            const labelList stuck(divide(invalid));
             if (!keepAround(made.mesh, stuck) && stuck.size() == invalid.size())
             {
                 FatalErrorInFunction

@@ -104,11 +104,11 @@ TEST(outlines, haveEachPointOnce)
 
 TEST(innerWeights, anAcuteTriangleHasItsCircumcentre)
 {
-    const pointField corners
+    const FixedList<point, 3> corners
     ({
         point(0, 0, 0), point(1, 0, 0), point(0.5, 0.8, 0)
     });
-    const scalarList w(innerWeights(corners, 0.1));
+    const auto w(innerWeights(corners, 0.1));
     const point centre(w[0]*corners[0] + w[1]*corners[1] + w[2]*corners[2]);
 
     EXPECT_NEAR(mag(centre - corners[0]), mag(centre - corners[1]), 1e-15);
@@ -118,12 +118,12 @@ TEST(innerWeights, anAcuteTriangleHasItsCircumcentre)
 
 TEST(innerWeights, aTetrahedronHasItsCircumcentre)
 {
-    const pointField corners
+    const FixedList<point, 4> corners
     ({
         point(0, 0, 0), point(1, 0, 0), point(0.5, 0.9, 0),
         point(0.5, 0.3, 0.8)
     });
-    const scalarList w(innerWeights(corners, 0.1));
+    const auto w(innerWeights(corners, 0.1));
     point centre(Zero);
     forAll(corners, k)
     {
@@ -140,15 +140,18 @@ TEST(innerWeights, aTetrahedronHasItsCircumcentre)
 TEST(innerWeights, haveAShareOfThoseOfTheCentroid)
 {
     // The circumcentre of an obtuse triangle is outside
-    const pointField corners
+    const FixedList<point, 3> corners
     ({
         point(0, 0, 0), point(4, 0, 0), point(2, 0.5, 0)
     });
-    const scalarList w(innerWeights(corners, 0.3));
+    const auto w(innerWeights(corners, 0.3));
 
-    EXPECT_NEAR(min(w), 0.3/3, 1e-15);
-    EXPECT_NEAR(sum(w), 1, 1e-15);
-    EXPECT_EQ(innerWeights(corners, 1), scalarList(3, 1.0/3));
+    EXPECT_NEAR(min(w[0], min(w[1], w[2])), 0.3/3, 1e-15);
+    EXPECT_NEAR(w[0] + w[1] + w[2], 1, 1e-15);
+    for (const scalar x : innerWeights(corners, 1))
+    {
+        EXPECT_EQ(x, 1.0/3);
+    }
 }
 
 
