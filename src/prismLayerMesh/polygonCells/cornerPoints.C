@@ -156,7 +156,7 @@ void cornerPoints::setRoots()
             )
         );
     }
-    const numberedEdges onWall{std::vector<endsOfEdge>(ends)};
+    const numberedEdges onWall(ends);
 
     roots_ = identity(perLevel());
     for (label c = 0; c < nColumns; ++c)
@@ -193,7 +193,7 @@ void cornerPoints::setDiagonal
     const label b
 )
 {
-    diagonals_.insert(tets_.edges().find(a, b), facei);
+    farEdges_[tets_.edges().find(a, b)] = ofFace(facei, layers_.nLayers);
     const face& f = layers_.faces[facei];
     if (f.size() == 4)
     {
@@ -206,8 +206,18 @@ void cornerPoints::setDiagonal
 }
 
 
-void cornerPoints::setDiagonals()
+void cornerPoints::setFarEdges()
 {
+    farEdges_ = identity(tets_.edges().size(), firstFarEdge());
+    for (label e = 0; e < edges_.size(); ++e)
+    {
+        const label onFar =
+            tets_.edges().find(edges_[e].first, edges_[e].second);
+        if (onFar >= 0)
+        {
+            farEdges_[onFar] = ofEdge(e, layers_.nLayers);
+        }
+    }
     const polyMeshTopology& t = far_.topology;
     forAll(far_.frontFaces, k)
     {
@@ -297,14 +307,14 @@ cornerPoints::cornerPoints
             ends.push_back(std::minmax(f[k], f.nextLabel(k)));
         }
     }
-    edges_ = numberedEdges(std::move(ends));
+    edges_ = numberedEdges(ends);
     weights_.setSize(starts_.last());
     forAll(layers.faces, facei)
     {
         setWeights(facei);
     }
     setRoots();
-    setDiagonals();
+    setFarEdges();
     setBoundary();
 }
 
@@ -321,21 +331,9 @@ label cornerPoints::ofFarPoint(const label p) const
 
 label cornerPoints::ofFarEdge(const label a, const label b) const
 {
-    const label onFront = edges_.find(a, b);
-    if (onFront >= 0)
-    {
-        return ofEdge(onFront, layers_.nLayers);
-    }
     const label e = tets_.edges().find(a, b);
-    if (e < 0)
-    {
-        return -1;
-    }
-    const auto onFace = diagonals_.cfind(e);
 
-    return
-        onFace.good()
-      ? ofFace(onFace.val(), layers_.nLayers) : firstFarEdge() + e;
+    return e < 0 ? -1 : farEdges_[e];
 }
 
 
@@ -364,19 +362,18 @@ bool cornerPoints::isGiven(const label i) const
 
 void cornerPoints::fixTet(const label t)
 {
-    const FixedList<label, 4>& p = tets_.points(t);
     const auto fix = [&](const label i)
     {
         moved_.erase(i);
         fixed_.insert(i);
     };
-    for (label k = 0; k < 4; ++k)
+    for (const label facei : tets_.faces(t))
     {
-        fix(ofFarFace(tets_.faces(t)[k]));
-        for (label l = k + 1; l < 4; ++l)
-        {
-            fix(ofFarEdge(p[k], p[l]));
-        }
+        fix(ofFarFace(facei));
+    }
+    for (const label e : tets_.edges(t))
+    {
+        fix(ofFarEdge(e));
     }
 }
 

@@ -46,7 +46,10 @@ struct quadBetween
 //- Appends the faces that quadrilaterals are joined to, and clears their list
 void appendJoined(DynamicList<quadBetween>& quads, polygonFaces& faces)
 {
-    std::stable_sort(quads.begin(), quads.end());
+    if (!std::is_sorted(quads.begin(), quads.end()))
+    {
+        std::stable_sort(quads.begin(), quads.end());
+    }
     for (label i = 0; i < quads.size();)
     {
         DynamicList<cornerQuad, 32> same;
@@ -144,35 +147,33 @@ class farFaces
         }
     }
 
-    //- The quadrilateral of an edge inside of a tetrahedron, if it is between
-    //  two groups; without the points of faces that are not needed
-    void addInside
-    (
-        const label t,
-        label i,
-        label j,
-        DynamicList<quadBetween>& to
-    )
+    //- The quadrilateral of edge i = 0..5 inside of a tetrahedron, if it is
+    //  between two groups
+    void addInside(const label t, const label i, DynamicList<quadBetween>& to)
     {
-        if (c_.tets.points(t)[i] > c_.tets.points(t)[j])
+        const label* ends = farTets::edgeEnds[i];
+        const FixedList<label, 4>& p = c_.tets.points(t);
+        const FixedList<label, 4>& groups = c_.groups.ofTets[t];
+        labelPair between(groups[ends[0]], groups[ends[1]]);
+        labelPair sides(c_.tets.facesAt(t, i));
+        if (p[ends[0]] > p[ends[1]])
         {
-            std::swap(i, j);
+            between.flip();
+            sides.flip();
         }
-        const label a = c_.tets.points(t)[i], b = c_.tets.points(t)[j];
-        const label first = cell(t, a), second = cell(t, b);
-        if (first == second)
+        if (between.first() == between.second())
         {
             return;
         }
-        const labelPair sides(c_.tets.facesAt(t, i, j));
         to.append
         (
             quadBetween
             {
-                0, first, second,
+                0, c_.firstCell() + between.first(),
+                c_.firstCell() + between.second(),
                 cornerQuad
                 ({
-                    c_.points.ofFarEdge(a, b),
+                    c_.points.ofFarEdge(c_.tets.edges(t)[i]),
                     c_.points.ofFarFace(sides.first()),
                     c_.points.ofTet(t),
                     c_.points.ofFarFace(sides.second())
@@ -250,41 +251,30 @@ public:
 
 void farFaces::appendAroundEdges()
 {
-    // The tetrahedra around each edge, with the positions of its points
-    const numberedEdges& edges = c_.tets.edges();
-    labelList ends(edges.size() + 1, Zero);
-    const auto visit = [&](const auto& act)
+    // Edge i of tetrahedron t is 6*t + i
+    labelList n(c_.tets.edges().size(), Zero);
+    for (label t = 0; t < c_.tets.size(); ++t)
     {
-        for (label t = 0; t < c_.tets.size(); ++t)
+        for (const label e : c_.tets.edges(t))
         {
-            const FixedList<label, 4>& p = c_.tets.points(t);
-            for (label i = 0; i < 4; ++i)
-            {
-                for (label j = i + 1; j < 4; ++j)
-                {
-                    act(edges.find(p[i], p[j]), t, i, j);
-                }
-            }
+            ++n[e];
         }
-    };
-    visit([&](const label e, label, label, label) { ++ends[e + 1]; });
-    for (label e = 0; e < edges.size(); ++e)
-    {
-        ends[e + 1] += ends[e];
     }
-    labelList next(ends);
-    List<FixedList<label, 3>> around(ends.last());
-    visit([&](const label e, const label t, const label i, const label j)
+    CompactListList<label> around(n);
+    for (label t = 0; t < c_.tets.size(); ++t)
     {
-        around[next[e]++] = FixedList<label, 3>({t, i, j});
-    });
-
-    DynamicList<quadBetween> quads;
-    for (label e = 0; e < edges.size(); ++e)
-    {
-        for (label i = ends[e]; i < ends[e + 1]; ++i)
+        for (label i = 0; i < 6; ++i)
         {
-            addInside(around[i][0], around[i][1], around[i][2], quads);
+            const label e = c_.tets.edges(t)[i];
+            around(e, --n[e]) = 6*t + i;
+        }
+    }
+    DynamicList<quadBetween> quads;
+    for (label e = 0; e < around.size(); ++e)
+    {
+        for (const label i : around[e])
+        {
+            addInside(i/6, i % 6, quads);
         }
         appendJoined(quads, faces_);
     }

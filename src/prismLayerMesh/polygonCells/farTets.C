@@ -8,13 +8,73 @@
 namespace Foam
 {
 
+// * * * * * * * * * * * * * * * * Static Data * * * * * * * * * * * * * * * //
+
+constexpr label farTets::edgeEnds[6][4];
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void farTets::setPoints(const label t)
+{
+    // The points of the first face, and of the second the other point
+    const polyMeshTopology& topology = far_.topology;
+    const FixedList<label, 4> faces(faces_[t]);
+    FixedList<label, 4>& p = points_[t];
+    const face& first = topology.faces[faces[0]];
+    const bool owns = topology.owner[faces[0]] == t;
+    for (label k = 0; k < 3; ++k)
+    {
+        p[k] = first[owns ? k : 2 - k];
+    }
+    for (const label q : topology.faces[faces[1]])
+    {
+        p[3] = first.found(q) ? p[3] : q;
+    }
+    for (const label facei : faces)
+    {
+        for (label k = 0; k < 4; ++k)
+        {
+            if (!topology.faces[facei].found(p[k]))
+            {
+                faces_[t][k] = facei;
+            }
+        }
+    }
+}
+
+
+void farTets::setEdges()
+{
+    std::vector<endsOfEdge> ends;
+    ends.reserve(6*size());
+    for (const FixedList<label, 4>& p : points_)
+    {
+        for (const label* e : edgeEnds)
+        {
+            ends.push_back(std::minmax(p[e[0]], p[e[1]]));
+        }
+    }
+    edges_ = numberedEdges(ends);
+    forAll(edgesOf_, t)
+    {
+        for (label i = 0; i < 6; ++i)
+        {
+            const endsOfEdge& e = ends[6*t + i];
+            edgesOf_[t][i] = edges_.find(e.first, e.second);
+        }
+    }
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 farTets::farTets(const farFieldMesh& far, const label nTets)
 :
     far_(far),
     points_(nTets),
-    faces_(nTets)
+    faces_(nTets),
+    edgesOf_(nTets)
 {
     const polyMeshTopology& t = far.topology;
     labelList nFaces(nTets, Zero);
@@ -34,77 +94,11 @@ farTets::farTets(const farFieldMesh& far, const label nTets)
         }
     }
 
-    std::vector<endsOfEdge> ends;
-    ends.reserve(6*nTets);
-    forAll(points_, i)
+    for (label i = 0; i < nTets; ++i)
     {
-        // The points of the first face, and of the second the other point
-        FixedList<label, 4>& p = points_[i];
-        const face& first = t.faces[faces_[i][0]];
-        for (label k = 0; k < 3; ++k)
-        {
-            p[k] = first[k];
-        }
-        for (const label q : t.faces[faces_[i][1]])
-        {
-            p[3] = first.found(q) ? p[3] : q;
-        }
-        const FixedList<label, 4> faces(faces_[i]);
-        for (const label facei : faces)
-        {
-            for (label k = 0; k < 4; ++k)
-            {
-                if (!t.faces[facei].found(p[k]))
-                {
-                    faces_[i][k] = facei;
-                }
-            }
-        }
-        for (label k = 0; k < 4; ++k)
-        {
-            for (label l = k + 1; l < 4; ++l)
-            {
-                ends.push_back(std::minmax(p[k], p[l]));
-            }
-        }
+        setPoints(i);
     }
-    edges_ = numberedEdges(std::move(ends));
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-label farTets::across(const label facei, const label t) const
-{
-    const polyMeshTopology& topology = far_.topology;
-    if (facei >= topology.neighbour.size())
-    {
-        return -1;
-    }
-
-    return
-        topology.owner[facei] == t
-      ? topology.neighbour[facei] : topology.owner[facei];
-}
-
-
-labelPair farTets::facesAt(const label t, const label i, const label j) const
-{
-    labelPair found;
-    for (label k = 0; k < 4; ++k)
-    {
-        if (k != i && k != j)
-        {
-            const label facei = faces_[t][k];
-            const edge e(points_[t][i], points_[t][j]);
-            const bool forth =
-                (far_.topology.faces[facei].edgeDirection(e) > 0)
-             == (far_.topology.owner[facei] == t);
-            found[forth] = facei;
-        }
-    }
-
-    return found;
+    setEdges();
 }
 
 } // End namespace Foam
