@@ -43,28 +43,42 @@ struct quadBetween
 };
 
 
-//- Appends the faces that quadrilaterals are joined to, and clears their list
-void appendJoined(DynamicList<quadBetween>& quads, polygonFaces& faces)
+//- Quadrilaterals that are joined to faces
+class quadJoiner
 {
-    if (!std::is_sorted(quads.begin(), quads.end()))
+    DynamicList<quadBetween> quads_;
+
+    // For work
+        DynamicList<cornerQuad> same_;
+        outlineFinder outlinesOf_;
+
+public:
+
+    void append(quadBetween&& quad) { quads_.append(quad); }
+
+    //- Appends the faces, and forgets the quadrilaterals
+    void moveTo(polygonFaces& faces)
     {
-        std::stable_sort(quads.begin(), quads.end());
-    }
-    for (label i = 0; i < quads.size();)
-    {
-        DynamicList<cornerQuad, 32> same;
-        const label first = i;
-        for (; i < quads.size() && quads[i].sameFace(quads[first]); ++i)
+        if (!std::is_sorted(quads_.begin(), quads_.end()))
         {
-            same.append(quads[i].quad);
+            std::stable_sort(quads_.begin(), quads_.end());
         }
-        for (const labelList& outline : outlinesOf(same))
+        for (label i = 0; i < quads_.size();)
         {
-            faces.append(outline, quads[first].first, quads[first].second);
+            const quadBetween& first = quads_[i];
+            same_.clear();
+            for (; i < quads_.size() && quads_[i].sameFace(first); ++i)
+            {
+                same_.append(quads_[i].quad);
+            }
+            outlinesOf_(same_, [&](const labelUList& outline)
+            {
+                faces.append(outline, first.first, first.second);
+            });
         }
+        quads_.clear();
     }
-    quads.clear();
-}
+};
 
 
 //- The quadrilateral at a corner of a face of the far field
@@ -93,7 +107,8 @@ class farFaces
     const polyMeshTopology& t_;
     polygonFaces& faces_;
 
-    //- Internal faces whose inner point is not needed
+    //- Internal faces within one cell at each of their points. Their inner
+    //  points would be on a line but for its bend.
     bitSet isInside_;
 
     label nInternal() const { return t_.neighbour.size(); }
@@ -147,9 +162,17 @@ class farFaces
         }
     }
 
+    //- The inner point of a face, or the owner's in its place
+    label facePoint(const label facei) const
+    {
+        return
+            isInside_.test(facei)
+          ? c_.points.ofTet(t_.owner[facei]) : c_.points.ofFarFace(facei);
+    }
+
     //- The quadrilateral of edge i = 0..5 inside of a tetrahedron, if it is
     //  between two groups
-    void addInside(const label t, const label i, DynamicList<quadBetween>& to)
+    void addInside(const label t, const label i, quadJoiner& to)
     {
         const label* ends = farTets::edgeEnds[i];
         const FixedList<label, 4>& p = c_.tets.points(t);
@@ -174,9 +197,8 @@ class farFaces
                 cornerQuad
                 ({
                     c_.points.ofFarEdge(c_.tets.edges(t)[i]),
-                    c_.points.ofFarFace(sides.first()),
-                    c_.points.ofTet(t),
-                    c_.points.ofFarFace(sides.second())
+                    facePoint(sides.first()), c_.points.ofTet(t),
+                    facePoint(sides.second())
                 })
             }
         );
@@ -192,7 +214,7 @@ class farFaces
             appendWhole(facei, cell(own, f[0]), cell(nei, f[0]));
             return;
         }
-        DynamicList<quadBetween> quads;
+        quadJoiner quads;
         forAll(f, k)
         {
             const label first = cell(own, f[k]), second = cell(nei, f[k]);
@@ -204,7 +226,7 @@ class farFaces
                 );
             }
         }
-        appendJoined(quads, faces_);
+        quads.moveTo(faces_);
     }
 
     //- Joins the corners of boundary faces of a patch that no sharp edge
@@ -269,21 +291,21 @@ void farFaces::appendAroundEdges()
             around(e, --n[e]) = 6*t + i;
         }
     }
-    DynamicList<quadBetween> quads;
+    quadJoiner quads;
     for (label e = 0; e < around.size(); ++e)
     {
         for (const label i : around[e])
         {
             addInside(i/6, i % 6, quads);
         }
-        appendJoined(quads, faces_);
+        quads.moveTo(faces_);
     }
 }
 
 
 void farFaces::appendToLayers()
 {
-    DynamicList<quadBetween> quads;
+    quadJoiner quads;
     forAll(c_.far.frontFaces, i)
     {
         const label facei = t_.patchStarts[0] + i;
@@ -304,7 +326,7 @@ void farFaces::appendToLayers()
             );
         }
     }
-    appendJoined(quads, faces_);
+    quads.moveTo(faces_);
 }
 
 
@@ -381,7 +403,7 @@ void farFaces::appendOnPatches
     }
     const labelList smooth(smoothCorners(starts, patchOf, sharpAngle));
 
-    DynamicList<quadBetween> quads;
+    quadJoiner quads;
     forAll(patchOf, i)
     {
         const label facei = nInternal() + i;
@@ -409,7 +431,7 @@ void farFaces::appendOnPatches
             );
         }
     }
-    appendJoined(quads, faces_);
+    quads.moveTo(faces_);
 }
 
 } // End anonymous namespace

@@ -397,12 +397,13 @@ public:
                 );
             }
         }
+        outlineFinder outlinesOf;
         forAll(quads, g)
         {
-            for (const labelList& outline : outlinesOf(quads[g]))
+            outlinesOf(quads[g], [&](const labelUList& outline)
             {
                 visit(g, outline, faceOf[g]);
-            }
+            });
         }
     }
 
@@ -431,7 +432,7 @@ public:
     {
         visitOutlines
         (
-            [&](const label g, const labelList& outline, const label facei)
+            [&](const label g, const labelUList& outline, const label facei)
             {
                 if (facei < layers_.nWallFaces())
                 {
@@ -453,7 +454,7 @@ public:
     {
         visitOutlines
         (
-            [&](const label g, const labelList& outline, const label)
+            [&](const label g, const labelUList& outline, const label)
             {
                 appendFlat
                 (

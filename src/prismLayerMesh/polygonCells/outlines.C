@@ -5,94 +5,84 @@
 
 #include "outlines.H"
 
-#include "edge.H"
-
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-typedef DynamicList<labelPair, 64> directedEdges;
-
-
-//- The directed edges of quadrilaterals. An edge goes together with its
-//  opposite.
-static directedEdges boundaryOf(const UList<cornerQuad>& quads)
+void outlineFinder::setBoundary(const UList<cornerQuad>& quads)
 {
-    directedEdges rest;
+    // An edge goes together with its opposite
+    rest_.clear();
+    walk_.clear();
     for (const cornerQuad& quad : quads)
     {
         for (label k = 0; k < 4; ++k)
         {
             const labelPair e(quad[k], quad[(k + 1) % 4]);
-            const label opposite = rest.find(labelPair(e.second(), e.first()));
+            if (e.first() == e.second())
+            {
+                continue;
+            }
+            const label opposite = rest_.find(labelPair(e.second(), e.first()));
             if (opposite >= 0)
             {
-                rest[opposite] = rest.last();
-                rest.remove();
+                rest_[opposite] = rest_.last();
+                rest_.remove();
             }
-            else if (e.first() != e.second())
+            else
             {
-                rest.append(e);
+                rest_.append(e);
             }
         }
     }
-
-    return rest;
 }
 
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
-List<labelList> outlinesOf(const UList<cornerQuad>& quads)
+bool outlineFinder::setNext()
 {
-    directedEdges rest(boundaryOf(quads));
-
     // A walk along the edges. Where it comes to a point for the second time, it
     // has gone round an outline.
-    DynamicList<labelList> outlines;
-    DynamicList<label, 16> walk;
-    while (rest.size())
+    while (rest_.size())
     {
         label next = 0;
         while
         (
-            walk.size() && next < rest.size()
-         && rest[next].first() != walk.last()
+            walk_.size() && next < rest_.size()
+         && rest_[next].first() != walk_.last()
         )
         {
             ++next;
         }
-        if (next == rest.size())
+        if (next == rest_.size())
         {
-            walk.clear();
+            walk_.clear();
             continue;
         }
-        const labelPair e(rest[next]);
-        rest[next] = rest.last();
-        rest.remove();
-        if (walk.empty())
+        const labelPair e(rest_[next]);
+        rest_[next] = rest_.last();
+        rest_.remove();
+        if (walk_.empty())
         {
-            walk.append(e.first());
+            walk_.append(e.first());
         }
-        const label met = walk.find(e.second());
+        const label met = walk_.find(e.second());
         if (met < 0)
         {
-            walk.append(e.second());
+            walk_.append(e.second());
             continue;
         }
-        outlines.append
-        (
-            labelList(SubList<label>(walk, walk.size() - met, met))
-        );
-        walk.setSize(met);
+        outline_ = SubList<label>(walk_, walk_.size() - met, met);
+        walk_.setSize(met);
         if (met > 0)
         {
-            walk.append(e.second());
+            walk_.append(e.second());
         }
+
+        return true;
     }
 
-    return List<labelList>(std::move(outlines));
+    return false;
 }
 
 } // End namespace Foam

@@ -5,7 +5,7 @@
 
 #include "polygonFaces.H"
 
-#include "error.H"
+#include "CompactListList.H"
 
 #include <algorithm>
 
@@ -139,27 +139,47 @@ boolList polygonFaces::stayingPoints(const cornerPoints& points) const
 }
 
 
-labelList polygonFaces::order() const
+labelList polygonFaces::order
+(
+    const label nCells,
+    const label nPatches
+) const
 {
-    const auto key = [&](const label facei)
+    // Faces by their smaller cell, or behind these by their patch
+    const auto bucketOf = [&](const labelPair& cells)
     {
-        const labelPair& c = cells_[facei];
+        const label first = cells.first(), second = cells.second();
 
-        return
-            c.second() >= 0
-          ? labelPair(min(c.first(), c.second()), max(c.first(), c.second()))
-          : labelPair(labelMax, -c.second());
+        return second < 0 ? nCells - 1 - second : min(first, second);
     };
-    labelList order(identity(ends_.size()));
-    std::stable_sort
-    (
-        order.begin(), order.end(), [&](const label a, const label b)
-        {
-            return key(a) < key(b);
-        }
-    );
+    labelList n(nCells + nPatches, Zero);
+    for (const labelPair& cells : cells_)
+    {
+        ++n[bucketOf(cells)];
+    }
+    CompactListList<label> faces(n);
+    forAllReverse(cells_, facei)
+    {
+        const label bucket = bucketOf(cells_[facei]);
+        faces(bucket, --n[bucket]) = facei;
+    }
+    for (label celli = 0; celli < nCells; ++celli)
+    {
+        UList<label> ofCell(faces[celli]);
+        std::sort
+        (
+            ofCell.begin(), ofCell.end(), [&](const label a, const label b)
+            {
+                const label other = max(cells_[a].first(), cells_[a].second());
 
-    return order;
+                return
+                    labelPair(other, a)
+                  < labelPair(max(cells_[b].first(), cells_[b].second()), b);
+            }
+        );
+    }
+
+    return faces.m();
 }
 
 
@@ -204,13 +224,15 @@ polyMeshParts polygonFaces::makeParts
 {
     polyMeshParts mesh;
     mesh.nCells = nCells;
+    mesh.topology.reserve(ends_.size(), ends_.size());
     const boolList stays(stayingPoints(points));
     labelList newLabels(points.size(), -1);
     DynamicList<point> places;
     DynamicList<label> labelsOf;
-    for (const label facei : order())
+    DynamicList<label> kept;
+    for (const label facei : order(nCells, nPatches))
     {
-        DynamicList<label, 16> kept;
+        kept.clear();
         for (const label p : pointsOf(facei))
         {
             if (!stays[p])

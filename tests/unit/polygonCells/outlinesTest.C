@@ -25,6 +25,17 @@ static bool isTurned(const labelList& a, const labelList& b)
     return same;
 }
 
+
+static List<labelList> outlinesOf(const List<cornerQuad>& quads)
+{
+    DynamicList<labelList> outlines;
+    outlineFinder find;
+    find(quads, [&](const labelUList& outline) { outlines.append(outline); });
+
+    return List<labelList>(std::move(outlines));
+}
+
+
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
 
 TEST(outlines, aRingAroundAPointLosesThePoint)
