@@ -198,6 +198,10 @@ static std::string faultOf(const spaceRegions& all, const polyMeshParts& mesh)
         )
     );
 
+    pointField centres;
+    scalarField volumes;
+    setCentresAndVolumes(mesh, identity(mesh.nCells), centres, volumes);
+
     std::ostringstream fault;
     if (certificate.invalidCells.size())
     {
@@ -205,7 +209,7 @@ static std::string faultOf(const spaceRegions& all, const polyMeshParts& mesh)
         fault<< certificate.invalidCells.size() << " cells are not positive,"
             << " the first is a "
             << meshCellShapeName[certificate.invalidShapes[0]] << " of volume "
-            << cells.volume(c) << " at x = " << cells.centre(c).x() << ' ';
+            << volumes[c] << " at x = " << centres[c].x() << ' ';
     }
     if (certificate.doubleFaces.size() || !certificate.fillsBoundary())
     {
@@ -218,7 +222,7 @@ static std::string faultOf(const spaceRegions& all, const polyMeshParts& mesh)
         scalar volume = 0;
         for (const label c : mesh.cellZones[r].cells)
         {
-            volume += cells.volume(c);
+            volume += volumes[c];
         }
 
         // Sides in single precision are put into planes, which they are not

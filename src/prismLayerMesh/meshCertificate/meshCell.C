@@ -136,6 +136,7 @@ void meshCell::set(const label celli)
 {
     labels_.clear();
     starts_.clear();
+    geometry_.clear();
     nTriangles_ = nQuads_ = 0;
 
     for (const label facei : mesh_.cellFaces(celli))
@@ -152,6 +153,17 @@ void meshCell::set(const label celli)
         {
             labels_.append(f[outwards ? k : n - 1 - k]);
         }
+        geometry_.append
+        (
+            faceGeometry
+            (
+                UIndirectList<point>
+                (
+                    mesh_.points(),
+                    SubList<label>(labels_, n, starts_.last())
+                )
+            )
+        );
     }
 
     starts_.append(labels_.size());
@@ -182,7 +194,7 @@ meshCellVerdict meshCell::operator()(const label celli)
 
     if (!isPrism && !asWedge(p))
     {
-        return cornersVerdict(celli);
+        return cornersVerdict();
     }
 
     const point* points[6];
@@ -226,7 +238,7 @@ label meshCell::sideOf(const label i, const boundBox& bounds) const
 }
 
 
-bool meshCell::asBox(const label celli, bool& positive) const
+bool meshCell::asBox(bool& positive) const
 {
     const boundBox bounds(corners_.bounds());
     const vector span(bounds.span());
@@ -240,9 +252,8 @@ bool meshCell::asBox(const label celli, bool& positive) const
         {
             return false;
         }
-        const label facei = mesh_.cellFaces(celli)[i];
         const scalar outwards =
-            (side % 2 ? 1 : -1)*mesh_.outwardArea(facei, celli)[side/2];
+            (side % 2 ? 1 : -1)*geometry_[i].area[side/2];
         positive = positive && outwards > 0;
         area += outwards;
     }
@@ -256,40 +267,54 @@ bool meshCell::asBox(const label celli, bool& positive) const
 }
 
 
-point meshCell::centreOf(const label celli) const
+bool meshCell::hasPositivePyramids() const
 {
-    DynamicList<faceGeometry> faces;
-    for (const label facei : mesh_.cellFaces(celli))
+    const point centre(cellGeometry(geometry_).centre);
+    const pointField& x = mesh_.points();
+    for (label i = 0; i < nFaces(); ++i)
     {
-        const face& f = mesh_.faces()[facei];
-        faces.append
-        (
-            faceGeometry(UIndirectList<point>(mesh_.points(), f))
-        );
-        faces.last().area *= mesh_.owner(facei) == celli ? 1 : -1;
+        const bool isPositive =
+            nPoints(i) > 3
+          ? geometry_[i].pyramid3(centre) > 0
+          : orientation
+            (
+                x[corner(i, 0)], x[corner(i, 1)], x[corner(i, 2)], centre
+            ) < 0;
+        if (!isPositive)
+        {
+            return false;
+        }
     }
 
-    return cellGeometry(faces).centre;
+    return true;
 }
 
 
-bool meshCell::hasPositivePyramids(const label celli) const
+scalar meshCell::volume() const
 {
-    const cell faces(mesh_.cellFaces(celli));
-    const point centre(centreOf(celli));
-
-    return allOf(faces, [&](const label facei)
+    // An apex nearby: differences of large volumes are not precise
+    const point& apex = mesh_.points()[labels_[0]];
+    scalar sum = 0;
+    for (const faceGeometry& f : geometry_)
     {
-        const face& f = mesh_.faces()[facei];
-        const pointField& x = mesh_.points();
-        if (f.size() > 3)
-        {
-            return mesh_.pyramidVolume(facei, celli, centre) > 0;
-        }
-        const int sign = orientation(x[f[0]], x[f[1]], x[f[2]], centre);
+        sum += f.pyramid3(apex)/3;
+    }
 
-        return (mesh_.owner(facei) == celli ? -sign : sign) > 0;
-    });
+    return sum;
+}
+
+
+bool meshCell::hasVolume() const
+{
+    scalar area = 0;
+    for (const faceGeometry& f : geometry_)
+    {
+        area += mag(f.area);
+    }
+
+    return
+        volume()
+      > roundingVolume(boundBox(mesh_.points(), labels_, false), area);
 }
 
 
@@ -298,11 +323,11 @@ bool meshCell::isPositivePolyhedron(const label celli)
     set(celli);
     corners_.set(labels_, starts_);
 
-    return corners_.facts().closed && hasPositivePyramids(celli);
+    return corners_.facts().closed && hasPositivePyramids();
 }
 
 
-meshCellVerdict meshCell::cornersVerdict(const label celli)
+meshCellVerdict meshCell::cornersVerdict()
 {
     corners_.set(labels_, starts_);
     const cellCorners::factsOfAll corners(corners_.facts());
@@ -313,24 +338,24 @@ meshCellVerdict meshCell::cornersVerdict(const label celli)
 
     // As merged tetrahedra, of which corners say too little
     bool positiveBox = false;
-    if (!corners.simple && mesh_.isOfTriangles(celli))
+    if (!corners.simple && polyhedralMesh::isOfTriangles(nTriangles_, nFaces()))
     {
-        return asBox(celli, positiveBox)
+        return asBox(positiveBox)
           ? meshCellVerdict{meshCellShape::box, positiveBox}
           : meshCellVerdict
             {
-                meshCellShape::polyhedron, hasPositivePyramids(celli)
+                meshCellShape::polyhedron, hasPositivePyramids()
             };
     }
 
     // Only a cell with more points, or points within its edges, may be refined
     if (!corners.positive && (corners.within || corners.nPoints > 8))
     {
-        return asBox(celli, positiveBox)
+        return asBox(positiveBox)
           ? meshCellVerdict{meshCellShape::box, positiveBox}
           : meshCellVerdict
             {
-                meshCellShape::polyhedron, hasPositivePyramids(celli)
+                meshCellShape::polyhedron, hasPositivePyramids()
             };
     }
 

@@ -171,23 +171,28 @@ List<labelPair> findDoubleFaces(const faceList& faces)
 static scalar judgeCells
 (
     const polyhedralMesh& mesh,
-    meshCell& cell,
+    const boolList& onWall,
     boolList& positive,
     List<meshCellShape>& shapes
 )
 {
-    scalar sum = 0;
-    forAll(positive, celli)
+    scalarField volumes(mesh.nCells());
+
+    #pragma omp parallel
     {
-        const meshCellVerdict verdict(cell(celli));
-        const scalar volume = mesh.volume(celli);
-        shapes[celli] = verdict.shape;
-        positive[celli] =
-            verdict.positive && volume > mesh.roundingVolume(celli);
-        sum += volume;
+        meshCell cell(mesh, onWall);
+
+        #pragma omp for schedule(static)
+        forAll(positive, celli)
+        {
+            const meshCellVerdict verdict(cell(celli));
+            shapes[celli] = verdict.shape;
+            positive[celli] = verdict.positive && cell.hasVolume();
+            volumes[celli] = cell.volume();
+        }
     }
 
-    return sum;
+    return sum(volumes);
 }
 
 
@@ -205,7 +210,7 @@ meshCertificate certifyMesh
     meshCell cell(mesh, onWall);
     boolList positive(mesh.nCells());
     List<meshCellShape> shapes(mesh.nCells());
-    certificate.cellVolume = judgeCells(mesh, cell, positive, shapes);
+    certificate.cellVolume = judgeCells(mesh, onWall, positive, shapes);
 
     labelHashSet inLayers;
     certificate.nLayers =
@@ -219,7 +224,7 @@ meshCertificate certifyMesh
         (
             !positive[celli] && beyondLayers.test(celli)
          && cell.isPositivePolyhedron(celli)
-         && mesh.volume(celli) > mesh.roundingVolume(celli)
+         && cell.hasVolume()
         )
         {
             shapes[celli] = meshCellShape::polyhedron;

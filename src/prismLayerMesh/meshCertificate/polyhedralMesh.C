@@ -6,7 +6,6 @@
 #include "polyhedralMesh.H"
 #include "HashSet.H"
 #include "ranges.H"
-#include "surfaceMeasures.H"
 
 namespace Foam
 {
@@ -84,9 +83,8 @@ bool polyhedralMesh::isOfTriangles(const label celli) const
     {
         nTriangles += faces_[facei].size() == 3;
     }
-    const label n = cellFaces(celli).size();
 
-    return n > 5 && 2*nTriangles > n;
+    return isOfTriangles(nTriangles, cellFaces(celli).size());
 }
 
 
@@ -152,38 +150,6 @@ scalar polyhedralMesh::pyramidVolume
     const vector height(faces_[facei].centre(points_) - apex);
 
     return (outwardArea(facei, celli) & height)/3;
-}
-
-
-scalar polyhedralMesh::volume(const label celli) const
-{
-    // An apex nearby: differences of large volumes are not precise
-    const UList<label> faces(cellFaces(celli));
-    const point& apex = points_[faces_[faces[0]][0]];
-    scalar sum = 0;
-    for (const label facei : faces)
-    {
-        sum += pyramidVolume(facei, celli, apex);
-    }
-
-    return sum;
-}
-
-
-scalar polyhedralMesh::roundingVolume(const label celli) const
-{
-    scalar area = 0;
-    boundBox box(boundBox::invertedBox);
-    for (const label facei : cellFaces(celli))
-    {
-        area += mag(outwardArea(facei, celli));
-        for (const label p : faces_[facei])
-        {
-            box.add(points_[p]);
-        }
-    }
-
-    return Foam::roundingVolume(box, area);
 }
 
 

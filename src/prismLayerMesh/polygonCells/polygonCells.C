@@ -50,9 +50,9 @@ labelList uncertifiedCells
 )
 {
     const polyMeshTopology& t = mesh.topology;
-    const faceList faces(t.faces);
-    const labelList owner(t.owner);
-    const labelList neighbour(t.neighbour);
+    const faceList& faces = t.faces;
+    const labelList& owner = t.owner;
+    const labelList& neighbour = t.neighbour;
     label nWall = 0;
     for (label patchi = 0; patchi < nPatches; ++patchi)
     {

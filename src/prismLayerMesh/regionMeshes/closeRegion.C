@@ -79,9 +79,7 @@ static void requirePositive
         const bool isSnapped =
             verdict.shape == meshCellShape::hexahedron
          && judge.isPositivePolyhedron(celli);
-        const bool isFlat =
-            cells.volume(celli) <= cells.roundingVolume(celli);
-        if (isFlat || !(verdict.positive || isSnapped))
+        if (!judge.hasVolume() || !(verdict.positive || isSnapped))
         {
             FatalErrorInFunction
                 << "The boundary of the region " << region.name
