@@ -362,19 +362,11 @@ bool cornerPoints::isGiven(const label i) const
 
 void cornerPoints::fixTet(const label t)
 {
-    const auto fix = [&](const label i)
+    visitInner(t, [&](const label i)
     {
         moved_.erase(i);
         fixed_.insert(i);
-    };
-    for (const label facei : tets_.faces(t))
-    {
-        fix(ofFarFace(facei));
-    }
-    for (const label e : tets_.edges(t))
-    {
-        fix(ofFarEdge(e));
-    }
+    });
 }
 
 

@@ -220,6 +220,10 @@ class polygonMaker
         groupExceptions onFront_;
         groupExceptions inFar_;
 
+    //- Labels of the points in tetrahedra that were divided last. If it is
+    //  empty, all points may move.
+    labelHashSet divided_;
+
     // The last mesh: the groups, and the labels of its points
         frontGroups front_;
         farGroups groups_;
@@ -274,15 +278,15 @@ class polygonMaker
     //- Moves free points of a mesh to where gains fall
     void movePoints(polyMeshParts& mesh, polygonGeometry& geometry)
     {
-        // Later most points are where they are best
-        pointMoveControls moves;
-        moves.nRounds = hasMoved_ ? 1 : moves.nRounds;
-        hasMoved_ = true;
+        // The others are where they are best
         bitSet isFixed(labels_.size());
         forAll(labels_, p)
         {
-            isFixed.set(p, !points_.isFree(labels_[p]));
+            const bool isNew =
+                divided_.empty() || divided_.found(labels_[p]);
+            isFixed.set(p, !isNew || !points_.isFree(labels_[p]));
         }
+        const pointMoveControls moves;
         for
         (
             const label p
@@ -396,6 +400,7 @@ class polygonMaker
         {
             isChanged.set(g, isChanged.test(g) || hasChanged);
         };
+        divided_.clear();
         visitCorners
         (
             [&](const label g, const label facei, const label k)
@@ -412,6 +417,10 @@ class polygonMaker
                 if (isWanted.test(g))
                 {
                     setIf(g, except(4*t + k, t, inFar_));
+                    points_.visitInner
+                    (
+                        t, [&](const label i) { divided_.insert(i); }
+                    );
                 }
             }
         );
