@@ -300,7 +300,7 @@ void farFieldStage::makeAndCheck() const
     if (asked_.hasPolygons && asked_.controls.type != farFieldType::mesh)
     {
         farFieldControls controls(asked_.controls);
-        controls.polyhedra = false;
+        controls.forPolygons = true;
         checkPolygons(makeWith(controls));
         checkPolygons(farFieldMesh());
     }

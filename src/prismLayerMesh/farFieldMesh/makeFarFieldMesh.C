@@ -529,7 +529,8 @@ static void setReplaced
 
 
 //- Names the hexahedra of a core. They come after the tetrahedra. Then merges
-//  tetrahedra, if the controls ask for polyhedra, and sets the grade.
+//  tetrahedra, if the controls ask for polyhedra, and sets the grade, unless
+//  the far field is for polygons.
 static void finish
 (
     const prismLayers& layers,
@@ -551,9 +552,12 @@ static void finish
             cellZoneParts(hexCoreName, identity(far.nCells - nTets, nTets))
         );
     }
-    mergeControls merges;
-    merges.maxTets = controls.polyhedra ? merges.maxTets : 0;
-    mergeCells(layers, frontAddressing(layers), nTets, merges, far);
+    if (!controls.forPolygons)
+    {
+        mergeControls merges;
+        merges.maxTets = controls.polyhedra ? merges.maxTets : 0;
+        mergeCells(layers, frontAddressing(layers), nTets, merges, far);
+    }
 }
 
 

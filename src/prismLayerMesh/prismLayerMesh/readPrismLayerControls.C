@@ -353,8 +353,7 @@ static void readCells(const dictionary& dict, prismLayerControls& controls)
         "side patches of type cyclic"
     );
 
-    // The tetrahedra become polyhedra anyhow
-    controls.farField.polyhedra = false;
+    controls.farField.forPolygons = true;
 }
 
 

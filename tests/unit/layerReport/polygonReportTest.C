@@ -32,7 +32,7 @@ struct sphereReports
         const prismLayerMesh run(layeredMesh(wall, 4, 0.1));
         farFieldControls controls;
         controls.type = type;
-        controls.polyhedra = false;
+        controls.forPolygons = true;
         controls.boundary.type = farBoundaryType::box;
         controls.boundary.box =
             boundBox(point::uniform(-4), point::uniform(4));

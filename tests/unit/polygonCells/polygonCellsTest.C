@@ -26,7 +26,7 @@ static farFieldControls inBox(const farFieldType type, const scalar size)
 {
     farFieldControls controls;
     controls.type = type;
-    controls.polyhedra = false;
+    controls.forPolygons = true;
     controls.boundary.type = farBoundaryType::box;
     controls.boundary.box =
         boundBox(point::uniform(-size), point::uniform(size));
@@ -228,7 +228,7 @@ TEST(polygonCells, layersOnTheSidesOfADuctAreSound)
     const prismLayerMesh run(layeredMesh(wall, 4, 0.1));
     farFieldControls controls;
     controls.type = farFieldType::tet;
-    controls.polyhedra = false;
+    controls.forPolygons = true;
     farFieldMesh far(farFieldOf(run, controls));
     polygonMesh polygons(makePolygonCells(run.made.layers, far));
     const polygonGeometry geometry(polygons.mesh);
