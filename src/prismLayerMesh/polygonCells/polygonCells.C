@@ -229,8 +229,6 @@ class polygonMaker
         farGroups groups_;
         labelList labels_;
 
-    bool hasMoved_ = false;
-
     void setPatches()
     {
         const List<DynamicList<labelPair>> open
@@ -448,15 +446,15 @@ class polygonMaker
           + keepAt(at.farPoints, tets_.points(), inFar_.whole);
     }
 
-    //- Returns the cells that are not valid or have no certificate
+    //- Returns the cells that are not valid, or, if all are valid, those that
+    //  have no certificate: the certificate takes longer
     labelList invalidIn
     (
         const polyMeshParts& mesh,
         const polygonGeometry& geometry
     ) const
     {
-        bitSet cells(mesh.nCells);
-        cells.set
+        const labelList invalid
         (
             withoutKept
             (
@@ -464,12 +462,10 @@ class polygonMaker
                 geometry.cellVolumes
             )
         );
-        cells.set
-        (
-            uncertifiedCells(mesh, layers_.patchNames.size(), nLayerCells())
-        );
 
-        return cells.toc();
+        return
+            invalid.size() ? invalid
+          : uncertifiedCells(mesh, layers_.patchNames.size(), nLayerCells());
     }
 
 public:

@@ -340,22 +340,23 @@ TEST(meshCertificate, aLastCellMayHaveSeveralFacesToThoseBeyond)
 }
 
 
+//- A hexahedron. The corner that was at (1 1 1) is behind its neighbours.
+static const pointField snapped
+({
+    {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
+    {0, 0, 1}, {1, 0, 1}, {0.6, 0.6, 0.6}, {0, 1, 1}
+});
+static const faceList snappedFaces
+({
+    face({0, 3, 2, 1}), face({4, 5, 6, 7}), face({0, 1, 5, 4}),
+    face({1, 2, 6, 5}), face({2, 3, 7, 6}), face({3, 0, 4, 7})
+});
+
+
 TEST(certifyMesh, snappedHexahedraArePolyhedraOutsideOfLayers)
 {
-    // The corner that was at (1 1 1) is behind its neighbours
-    const pointField points
-    ({
-        {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
-        {0, 0, 1}, {1, 0, 1}, {0.6, 0.6, 0.6}, {0, 1, 1}
-    });
-    const faceList faces
-    ({
-        face({0, 3, 2, 1}), face({4, 5, 6, 7}), face({0, 1, 5, 4}),
-        face({1, 2, 6, 5}), face({2, 3, 7, 6}), face({3, 0, 4, 7})
-    });
-    const labelList owner(6, Zero);
-    const labelList neighbour;
-    const polyhedralMesh mesh(points, faces, owner, neighbour);
+    const labelList owner(6, Zero), neighbour;
+    const polyhedralMesh mesh(snapped, snappedFaces, owner, neighbour);
 
     const bitSet beyondLayers(1, true);
     const meshCertificate outside(certifyMesh(mesh, {}, {}, beyondLayers));
@@ -410,23 +411,13 @@ TEST(certifyMesh, snappedHexahedraAreInNoStackThatEndsBelow)
 TEST(certifyMesh, aPolyhedronHasMoreVolumeThanRounding)
 {
     // The snapped hexahedron, nearly flat and far from the origin
-    const auto at = [](const scalar x, const scalar y, const scalar z)
+    pointField points(snapped);
+    for (point& x : points)
     {
-        return point(x + 1e6, y + 1e6, 1e-12*z);
-    };
-    const pointField points
-    ({
-        at(0, 0, 0), at(1, 0, 0), at(1, 1, 0), at(0, 1, 0),
-        at(0, 0, 1), at(1, 0, 1), at(0.6, 0.6, 0.6), at(0, 1, 1)
-    });
-    const faceList faces
-    ({
-        face({0, 3, 2, 1}), face({4, 5, 6, 7}), face({0, 1, 5, 4}),
-        face({1, 2, 6, 5}), face({2, 3, 7, 6}), face({3, 0, 4, 7})
-    });
-    const labelList owner(6, Zero);
-    const labelList neighbour;
-    const polyhedralMesh mesh(points, faces, owner, neighbour);
+        x = point(x.x() + 1e6, x.y() + 1e6, 1e-12*x.z());
+    }
+    const labelList owner(6, Zero), neighbour;
+    const polyhedralMesh mesh(points, snappedFaces, owner, neighbour);
 
     EXPECT_EQ
     (
