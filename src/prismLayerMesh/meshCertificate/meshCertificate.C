@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "meshCertificate.H"
-#include "HashSet.H"
 #include "labelledTriangle.H"
 #include "ListOps.H"
 #include "ranges.H"
@@ -43,15 +42,14 @@ static bool isLastLayer
 //  several faces there: if they are what one face is cut into, as below the
 //  tetrahedra of a far field, or if all of them lead beyond the layers, as
 //  below polyhedra. A stack ends where it leaves the layers. If it does not
-//  begin in the layers, none of its cells is counted. The set gets the cells of
-//  stacks that are not positive; they and the cells above are not counted.
+//  begin in the layers, none of its cells is counted. Cells that are not
+//  positive, and those above them, are not counted either.
 static labelList countLayers
 (
     const polyhedralMesh& mesh,
     const labelUList& wallFaces,
     const boolList& positive,
-    const bitSet& beyondLayers,
-    labelHashSet& invalid
+    const bitSet& beyondLayers
 )
 {
     labelList nLayers(wallFaces.size(), Zero);
@@ -65,11 +63,6 @@ static labelList countLayers
         while (celli >= 0 && !(hasLayers && beyondLayers.test(celli)))
         {
             counts = counts && positive[celli];
-            if (!positive[celli])
-            {
-                invalid.insert(celli);
-            }
-
             const label next = mesh.opposite(facei, celli);
 
             // A walk ends because faces are opposite to each other
@@ -212,9 +205,7 @@ meshCertificate certifyMesh
     List<meshCellShape> shapes(mesh.nCells());
     certificate.cellVolume = judgeCells(mesh, onWall, positive, shapes);
 
-    labelHashSet inLayers;
-    certificate.nLayers =
-        countLayers(mesh, wallFaces, positive, beyondLayers, inLayers);
+    certificate.nLayers = countLayers(mesh, wallFaces, positive, beyondLayers);
 
     DynamicList<label> cells;
     forAll(positive, celli)
