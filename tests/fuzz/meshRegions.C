@@ -198,9 +198,17 @@ static std::string faultOf(const spaceRegions& all, const polyMeshParts& mesh)
         )
     );
 
-    pointField centres;
-    scalarField volumes;
-    setCentresAndVolumes(mesh, identity(mesh.nCells), centres, volumes);
+    // cell::mag adds the magnitudes of pyramids, too many in a concave cell
+    const auto volumeOf = [&](const label c)
+    {
+        scalar volume = 0;
+        for (const label f : cells.cellFaces(c))
+        {
+            volume += cells.pyramidVolume(f, c, cells.centre(c));
+        }
+
+        return volume;
+    };
 
     std::ostringstream fault;
     if (certificate.invalidCells.size())
@@ -209,7 +217,7 @@ static std::string faultOf(const spaceRegions& all, const polyMeshParts& mesh)
         fault<< certificate.invalidCells.size() << " cells are not positive,"
             << " the first is a "
             << meshCellShapeName[certificate.invalidShapes[0]] << " of volume "
-            << volumes[c] << " at x = " << centres[c].x() << ' ';
+            << volumeOf(c) << " at x = " << cells.centre(c).x() << ' ';
     }
     if (certificate.doubleFaces.size() || !certificate.fillsBoundary())
     {
@@ -222,7 +230,7 @@ static std::string faultOf(const spaceRegions& all, const polyMeshParts& mesh)
         scalar volume = 0;
         for (const label c : mesh.cellZones[r].cells)
         {
-            volume += volumes[c];
+            volume += volumeOf(c);
         }
 
         // Sides in single precision are put into planes, which they are not
