@@ -6,6 +6,7 @@
 #include "farFieldMesh.H"
 #include "error.H"
 #include "surfaceMeasures.H"
+#include "UIndirectList.H"
 
 namespace Foam
 {
@@ -36,16 +37,25 @@ void farFieldMesh::keepPatches(const labelUList& kept)
 void requireVolumes(const farFieldMesh& far, const label nCells)
 {
     const polyMeshTopology& t = far.topology;
+    List<faceGeometry> geometries(t.faces.size());
+
+    #pragma omp parallel for schedule(static)
+    forAll(geometries, facei)
+    {
+        geometries[facei] =
+            faceGeometry(UIndirectList<point>(far.points, t.faces[facei]));
+    }
+
     scalarField volumes(far.nCells, 0), areas(far.nCells, 0);
     List<boundBox> boxes(far.nCells, boundBox(boundBox::invertedBox));
     labelList apex(far.nCells, -1);
-    const auto add = [&](const label celli, const face& f, const scalar way)
+    const auto add = [&](const label celli, const label facei, const scalar way)
     {
+        const face& f = t.faces[facei];
+        const faceGeometry& g = geometries[facei];
         apex[celli] = apex[celli] < 0 ? f[0] : apex[celli];
-        const vector area(f.areaNormal(far.points));
-        const vector height(f.centre(far.points) - far.points[apex[celli]]);
-        volumes[celli] += way*(area & height)/3;
-        areas[celli] += mag(area);
+        volumes[celli] += way*g.pyramid3(far.points[apex[celli]])/3;
+        areas[celli] += mag(g.area);
         for (const label p : f)
         {
             boxes[celli].add(far.points[p]);
@@ -53,10 +63,10 @@ void requireVolumes(const farFieldMesh& far, const label nCells)
     };
     forAll(t.faces, facei)
     {
-        add(t.owner[facei], t.faces[facei], 1);
+        add(t.owner[facei], facei, 1);
         if (facei < t.neighbour.size())
         {
-            add(t.neighbour[facei], t.faces[facei], -1);
+            add(t.neighbour[facei], facei, -1);
         }
     }
 

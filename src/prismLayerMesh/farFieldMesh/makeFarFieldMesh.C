@@ -368,15 +368,22 @@ static void improve
     neighbours.volumes.append(volumes);
     improveTets(neighbours, mesh);
 
-    for (const tetCell& tet : mesh.tets)
+    label flat = labelMax;
+
+    #pragma omp parallel for schedule(static) reduction(min:flat)
+    forAll(mesh.tets, t)
     {
-        if (!allPositive(mesh.points, List<tetCell>(1, tet)))
+        if (!allPositive(mesh.points, SubList<tetCell>(mesh.tets, 1, t)))
         {
-            FatalErrorInFunction
-                << "A tetrahedron of the far field could not be certified: it"
-                << " is flat but for rounding, at "
-                << tet.tet(mesh.points).centre() << exit(FatalError);
+            flat = min(flat, t);
         }
+    }
+    if (flat < labelMax)
+    {
+        FatalErrorInFunction
+            << "A tetrahedron of the far field could not be certified: it is"
+            << " flat but for rounding, at "
+            << mesh.tets[flat].tet(mesh.points).centre() << exit(FatalError);
     }
 }
 
