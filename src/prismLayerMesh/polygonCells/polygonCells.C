@@ -84,8 +84,8 @@ labelList uncertifiedCells
 }
 
 
-//- Returns zones of cells: of the layers, the first cells, and those of the far
-//  field
+//- Returns the cellZones of a mesh. The layers have the first cells. The zones
+//  of the far field follow.
 List<cellZoneParts> zonesOf
 (
     const farFieldMesh& far,
@@ -380,7 +380,7 @@ class polygonMaker
     //  does not change.
     labelList divide(const labelUList& cells)
     {
-        // Groups of the front, then those of the far field
+        // The groups of the front come first; those of the far field follow
         const auto groupOf = [&](const label celli)
         {
             return
@@ -446,8 +446,8 @@ class polygonMaker
           + keepAt(at.farPoints, tets_.points(), inFar_.whole);
     }
 
-    //- Returns the cells that are not valid, or, if all are valid, those that
-    //  have no certificate: the certificate takes longer
+    //- Returns the cells that are not valid. If all cells are valid, returns
+    //  the cells without a certificate, which takes longer.
     labelList invalidIn
     (
         const polyMeshParts& mesh,
