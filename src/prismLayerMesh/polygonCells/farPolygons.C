@@ -6,11 +6,8 @@
 #include "farPolygons.H"
 
 #include "disjointSets.H"
-#include "outlines.H"
+#include "quadJoiner.H"
 #include "unitConversion.H"
-
-#include <algorithm>
-#include <tuple>
 
 namespace Foam
 {
@@ -19,67 +16,6 @@ namespace Foam
 
 namespace
 {
-
-//- A corner quadrilateral between two cells, and what it may be joined on
-struct quadBetween
-{
-    label carrier;
-    label first;
-    label second;
-    cornerQuad quad;
-
-    bool sameFace(const quadBetween& b) const
-    {
-        return
-            carrier == b.carrier && first == b.first && second == b.second;
-    }
-
-    bool operator<(const quadBetween& b) const
-    {
-        return
-            std::tie(carrier, first, second)
-          < std::tie(b.carrier, b.first, b.second);
-    }
-};
-
-
-//- Quadrilaterals that are joined to faces
-class quadJoiner
-{
-    DynamicList<quadBetween> quads_;
-
-    // For work
-        DynamicList<cornerQuad> same_;
-        outlineFinder outlinesOf_;
-
-public:
-
-    void append(quadBetween&& quad) { quads_.append(quad); }
-
-    //- Appends the faces, and forgets the quadrilaterals
-    void moveTo(polygonFaces& faces)
-    {
-        if (!std::is_sorted(quads_.begin(), quads_.end()))
-        {
-            std::stable_sort(quads_.begin(), quads_.end());
-        }
-        for (label i = 0; i < quads_.size();)
-        {
-            const quadBetween& first = quads_[i];
-            same_.clear();
-            for (; i < quads_.size() && quads_[i].sameFace(first); ++i)
-            {
-                same_.append(quads_[i].quad);
-            }
-            outlinesOf_(same_, [&](const labelUList& outline)
-            {
-                faces.append(outline, first.first, first.second);
-            });
-        }
-        quads_.clear();
-    }
-};
-
 
 //- The quadrilateral at a corner of a face of the far field
 cornerQuad quadAt
