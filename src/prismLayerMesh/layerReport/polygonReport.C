@@ -96,8 +96,12 @@ static pointField outlyingCentres
     label last = -1;
     for (const label celli : geometry.invalidCells(polygons.mesh))
     {
+        if (celli >= nLayerCells)
+        {
+            continue;
+        }
         const label first = celli - celli % nLayers;
-        if (celli < nLayerCells && first != last)
+        if (first != last)
         {
             places.append(geometry.cellCentres[first]);
             last = first;

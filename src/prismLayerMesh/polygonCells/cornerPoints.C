@@ -6,6 +6,7 @@
 #include "cornerPoints.H"
 
 #include "layerGeometry.H"
+#include "UIndirectList.H"
 
 namespace Foam
 {
@@ -87,6 +88,18 @@ template FixedList<scalar, 3> innerWeights(const FixedList<point, 3>&, scalar);
 template FixedList<scalar, 4> innerWeights(const FixedList<point, 4>&, scalar);
 
 
+face rootsOf(const prismLayers& layers, const label facei)
+{
+    face f(layers.faces[facei]);
+    for (label& c : f)
+    {
+        c = layers.root(c);
+    }
+
+    return f;
+}
+
+
 //- The mean of points. A coordinate that is the same in all points stays it,
 //  whatever rounding.
 template<class Points, class Weights>
@@ -104,6 +117,25 @@ static point meanOf(const Points& points, const Weights& weights)
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
+FixedList<point, 3> cornerPoints::commonPlaces
+(
+    const label facei,
+    labelList& positions
+) const
+{
+    const face f(rootsOf(layers_, facei));
+    FixedList<point, 3> places;
+    forAll(f, k)
+    {
+        const label rank = common_.rank(f, k);
+        positions[rank] = k;
+        places[rank] = layers_(f[k], 0);
+    }
+
+    return places;
+}
+
+
 void cornerPoints::setWeights(const label facei)
 {
     const face& f = layers_.faces[facei];
@@ -112,6 +144,19 @@ void cornerPoints::setWeights(const label facei)
     weights = 1.0/f.size();
     if (f.size() != 3)
     {
+        return;
+    }
+    if (common_.isCommon.test(facei))
+    {
+        labelList positions(3);
+        const FixedList<scalar, 3> inner
+        (
+            innerWeights(commonPlaces(facei, positions), leastShare_)
+        );
+        forAll(positions, k)
+        {
+            weights[positions[k]] = inner[k];
+        }
         return;
     }
     if (facei < layers_.nWallFaces())
@@ -256,6 +301,28 @@ void cornerPoints::setBoundary()
 }
 
 
+endsOfEdge cornerPoints::orderedEnds(const label i) const
+{
+    const endsOfEdge& e = edges_[i];
+    const labelList& points = common_.points;
+    const bool isTurned =
+        points.size()
+     && points[layers_.root(e.first)] > points[layers_.root(e.second)];
+
+    return isTurned ? endsOfEdge(e.second, e.first) : e;
+}
+
+
+point cornerPoints::positionOnCommon(const label facei) const
+{
+    labelList positions(3);
+    const FixedList<point, 3> places(commonPlaces(facei, positions));
+    const SubList<scalar> weights(weights_, 3, starts_[facei]);
+
+    return meanOf(places, UIndirectList<scalar>(weights, positions));
+}
+
+
 point cornerPoints::positionOnLevel(const label i, const label k) const
 {
     const label nColumns = layers_.nColumns();
@@ -265,12 +332,16 @@ point cornerPoints::positionOnLevel(const label i, const label k) const
     }
     if (i < nColumns + edges_.size())
     {
-        const endsOfEdge& e = edges_[i - nColumns];
+        const endsOfEdge e(orderedEnds(i - nColumns));
         const point& a = layers_(e.first, k);
 
         return a + 0.5*(layers_(e.second, k) - a);
     }
     const label facei = i - nColumns - edges_.size();
+    if (k == 0 && common_.isCommon.test(facei))
+    {
+        return positionOnCommon(facei);
+    }
     const face& f = layers_.faces[facei];
 
     return meanOf
@@ -288,12 +359,14 @@ cornerPoints::cornerPoints
     const prismLayers& layers,
     const farFieldMesh& far,
     const farTets& tets,
+    const commonTriangles& common,
     const cornerPointControls& controls
 )
 :
     layers_(layers),
     far_(far),
     tets_(tets),
+    common_(common),
     leastShare_(controls.leastShare),
     starts_(layers.faces.size() + 1, Zero)
 {

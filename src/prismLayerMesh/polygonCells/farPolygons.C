@@ -241,8 +241,9 @@ void farFaces::appendAroundEdges()
 
 void farFaces::appendToLayers()
 {
+    const label n = c_.layers.nLayers;
     quadJoiner quads;
-    forAll(c_.far.frontFaces, i)
+    for (label i = 0; n > 0 && i < c_.far.frontFaces.size(); ++i)
     {
         const label facei = t_.patchStarts[0] + i;
         const label fronti = c_.far.frontFaces[i];
@@ -251,7 +252,6 @@ void farFaces::appendToLayers()
         {
             const label g =
                 c_.front.of(fronti, c_.layers.faces[fronti].find(f[k]));
-            const label n = c_.layers.nLayers;
             quads.append
             (
                 quadBetween

@@ -428,13 +428,13 @@ public:
         faces_.append(f, first, second);
     }
 
-    void appendLevels()
+    void appendLevels(const bool hasWall)
     {
         visitOutlines
         (
             [&](const label g, const labelUList& outline, const label facei)
             {
-                if (facei < layers_.nWallFaces())
+                if (hasWall && facei < layers_.nWallFaces())
                 {
                     const label patchi = layers_.patchIDs[facei];
                     appendFlat
@@ -500,6 +500,7 @@ void appendLayerFaces
     const frontGroups& front,
     const cornerPoints& points,
     const labelUList& sidePatches,
+    const bool hasWall,
     polygonFaces& faces
 )
 {
@@ -508,7 +509,7 @@ void appendLayerFaces
         layers, faceNeighbours, front, points, sidePatches, faces
     );
     columns.appendSides();
-    columns.appendLevels();
+    columns.appendLevels(hasWall);
 }
 
 

@@ -102,43 +102,6 @@ const SubList<label> polygonFaces::pointsOf(const label facei) const
 }
 
 
-boolList polygonFaces::stayingPoints(const cornerPoints& points) const
-{
-    // Two neighbours of each point; a third one makes it stay
-    boolList stays(points.size(), false);
-    List<labelPair> neighbours(points.size(), labelPair(-1, -1));
-    const auto add = [&](const label p, const label q)
-    {
-        labelPair& known = neighbours[p];
-        if (known.first() < 0 || known.first() == q)
-        {
-            known.first() = q;
-        }
-        else if (known.second() < 0 || known.second() == q)
-        {
-            known.second() = q;
-        }
-        else
-        {
-            stays[p] = true;
-        }
-    };
-    forAll(ends_, facei)
-    {
-        const SubList<label> f(pointsOf(facei));
-        forAll(f, k)
-        {
-            const label next = f[f.fcIndex(k)];
-            add(f[k], next);
-            add(next, f[k]);
-            stays[f[k]] = stays[f[k]] || points.isGiven(f[k]);
-        }
-    }
-
-    return stays;
-}
-
-
 labelList polygonFaces::order
 (
     const label nCells,
@@ -214,9 +177,47 @@ void polygonFaces::append
 }
 
 
+boolList polygonFaces::stayingPoints(const cornerPoints& points) const
+{
+    // Two neighbours of each point; a third one makes it stay
+    boolList stays(points.size(), false);
+    List<labelPair> neighbours(points.size(), labelPair(-1, -1));
+    const auto add = [&](const label p, const label q)
+    {
+        labelPair& known = neighbours[p];
+        if (known.first() < 0 || known.first() == q)
+        {
+            known.first() = q;
+        }
+        else if (known.second() < 0 || known.second() == q)
+        {
+            known.second() = q;
+        }
+        else
+        {
+            stays[p] = true;
+        }
+    };
+    forAll(ends_, facei)
+    {
+        const SubList<label> f(pointsOf(facei));
+        forAll(f, k)
+        {
+            const label next = f[f.fcIndex(k)];
+            add(f[k], next);
+            add(next, f[k]);
+            stays[f[k]] = stays[f[k]] || points.isGiven(f[k]);
+        }
+    }
+
+    return stays;
+}
+
+
 polyMeshParts polygonFaces::makeParts
 (
     const cornerPoints& points,
+    const boolList& stays,
     const label nCells,
     const label nPatches,
     labelList& labels
@@ -225,7 +226,6 @@ polyMeshParts polygonFaces::makeParts
     polyMeshParts mesh;
     mesh.nCells = nCells;
     mesh.topology.reserve(ends_.size(), ends_.size());
-    const boolList stays(stayingPoints(points));
     labelList newLabels(points.size(), -1);
     DynamicList<point> places;
     DynamicList<label> labelsOf;

@@ -3,16 +3,19 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
+#include "polygonCells/commonWall.C"
 #include "polygonCells/outlines.C"
 #include "polygonCells/farTets.C"
 #include "polygonCells/cornerPoints.C"
 #include "polygonCells/polygonFaces.C"
 #include "polygonCells/layerPolygons.C"
+#include "polygonCells/wallPolygons.C"
 #include "polygonCells/farGroups.C"
 #include "polygonCells/farPolygons.C"
 #include "polygonCells/polygonGeometry.C"
 #include "polygonCells/movePolygonPoints.C"
 #include "polygonCells/keptParts.C"
+#include "polygonCells/polygonMaker.C"
 #include "polygonCells/polygonCells.C"
 
 // ************************************************************************* //

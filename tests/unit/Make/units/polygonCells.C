@@ -3,6 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
+#include "polygonCells/commonWallTest.C"
 #include "polygonCells/outlinesTest.C"
 #include "polygonCells/keptPartsTest.C"
 #include "polygonCells/polygonCellsTest.C"

@@ -1,0 +1,617 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "polygonMaker.H"
+
+#include "keptParts.H"
+#include "makeFarFieldMesh.H"
+#include "meshCertificate.H"
+#include "movePolygonPoints.H"
+#include "prismFaces.H"
+#include "prismPolyMesh.H"
+
+namespace Foam
+{
+
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+static label nTetsOf(const farFieldMesh& far)
+{
+    for (const cellZoneParts& zone : far.cellZones)
+    {
+        if (zone.name == farFieldName)
+        {
+            return zone.cells.size();
+        }
+    }
+
+    return 0;
+}
+
+
+//- Returns the cells that have no certificate, see meshCertificate.H, and, of
+//  layers alone, the cells on faces of wall and outer surface that intersect.
+//  nPatches: the first patches are the wall; of layers alone the outer surface
+//  is the next one
+//  nLayerCells: the first cells are in layers
+static labelList uncertifiedCells
+(
+    const polyMeshParts& mesh,
+    const label nPatches,
+    const label nLayerCells
+)
+{
+    const polyMeshTopology& t = mesh.topology;
+    const faceList& faces = t.faces;
+    const labelList& owner = t.owner;
+    const labelList& neighbour = t.neighbour;
+    label nWall = 0;
+    for (label patchi = 0; patchi < nPatches; ++patchi)
+    {
+        nWall += t.patchSizes[patchi];
+    }
+    labelList outer;
+    if (nLayerCells == mesh.nCells)
+    {
+        outer = identity(t.patchSizes[nPatches], t.patchStarts[nPatches]);
+    }
+    bitSet beyondLayers(mesh.nCells, true);
+    beyondLayers.unset(identity(nLayerCells));
+    const meshCertificate certificate
+    (
+        certifyMesh
+        (
+            polyhedralMesh(mesh.points, faces, owner, neighbour),
+            identity(nWall, t.patchStarts[0]), outer, beyondLayers
+        )
+    );
+    DynamicList<label> cells(certificate.invalidCells);
+    for (const labelPair& pair : certificate.intersections)
+    {
+        cells.append(owner[pair.first()]);
+        cells.append(owner[pair.second()]);
+    }
+
+    return labelList(std::move(cells));
+}
+
+
+//- Returns the cellZones of a mesh. The layers have the first cells. The zones
+//  of the far field follow.
+static List<cellZoneParts> zonesOf
+(
+    const farFieldMesh& far,
+    const farGroups& groups,
+    const label nLayerCells
+)
+{
+    List<cellZoneParts> zones;
+    zones.append(cellZoneParts(boundaryLayerName, identity(nLayerCells)));
+    const label nTets = groups.ofTets.size();
+    for (const cellZoneParts& zone : far.cellZones)
+    {
+        bitSet cells(nLayerCells + groups.nGroups);
+        for (const label celli : zone.cells)
+        {
+            if (celli >= nTets)
+            {
+                cells.set(nLayerCells + groups.ofOthers[celli - nTets]);
+                continue;
+            }
+            for (const label g : groups.ofTets[celli])
+            {
+                cells.set(nLayerCells + g);
+            }
+        }
+        zones.append(cellZoneParts(zone.name, cells.toc()));
+    }
+
+    return zones;
+}
+
+
+//- Returns the cells of some that are no prism or hexahedron that stays: these
+//  have the certificate of the layers.
+//  whole: front faces that stay
+//  volumes: of the cells; they must be positive all the same
+static labelList withoutKept
+(
+    const labelUList& cells,
+    const prismLayers& layers,
+    const frontGroups& front,
+    const bitSet& whole,
+    const scalarField& volumes
+)
+{
+    bitSet isKept(front.nGroups);
+    for (const label facei : whole)
+    {
+        isKept.set(front.of(facei, 0));
+    }
+    DynamicList<label> others;
+    for (const label celli : cells)
+    {
+        const label group = celli/max(layers.nLayers, label(1));
+        const bool stays =
+            group < front.nGroups && volumes[celli] > 0 && isKept.test(group);
+        if (!stays)
+        {
+            others.append(celli);
+        }
+    }
+
+    return labelList(std::move(others));
+}
+
+
+//- Sets a corner apart, or, if it is apart, its face or tetrahedron whole.
+//  Returns whether that is new.
+static bool except
+(
+    const label corner,
+    const label i,
+    groupExceptions& exceptions
+)
+{
+    return exceptions.apart.set(corner) || exceptions.whole.set(i);
+}
+
+
+// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+
+void polygonMaker::setPatches()
+{
+    const List<DynamicList<labelPair>> open
+    (
+        openEdges(layers_, neighbours_)
+    );
+    patches_ = patchesOfMesh(layers_, open.size(), far_);
+    const List<labelPair> parts
+    (
+        partsOfPatches(layers_, open.size(), far_)
+    );
+    labelList ofLayers
+    (
+        layers_.patchNames.size() + 1 + open.size(), label(-1)
+    );
+    farPatches_.setSize(far_.topology.patchStarts.size(), -1);
+    forAll(parts, patchi)
+    {
+        if (parts[patchi].first() >= 0)
+        {
+            ofLayers[parts[patchi].first()] = patchi;
+        }
+        if (parts[patchi].second() >= 0)
+        {
+            farPatches_[parts[patchi].second()] = patchi;
+        }
+    }
+    const frontGroups corners
+    (
+        groupFront(layers_, neighbours_, controls_, onFront_)
+    );
+    sidePatches_.setSize(corners.groups.size(), -1);
+    forAll(open, i)
+    {
+        for (const labelPair& e : open[i])
+        {
+            sidePatches_[corners.starts[e.first()] + e.second()] =
+                ofLayers[layers_.patchNames.size() + 1 + i];
+        }
+    }
+
+    if (layers_.nLayers == 0)
+    {
+        farFaces_.setSize(layers_.faces.size(), -1);
+        forAll(far_.frontFaces, k)
+        {
+            farFaces_[far_.frontFaces[k]] = far_.topology.patchStarts[0] + k;
+        }
+    }
+}
+
+
+wallCorners polygonMaker::wall() const
+{
+    const label n = layers_.nLayers;
+    wallCorners wall{layers_, neighbours_, front_, common_, labelList()};
+    wall.cells.setSize(front_.groups.size(), -1);
+    for (label facei = 0; facei < layers_.nWallFaces(); ++facei)
+    {
+        forAll(layers_.faces[facei], k)
+        {
+            label& cell = wall.cells[wall.corner(facei, k)];
+            cell = n*front_.of(facei, k);
+            if (n == 0)
+            {
+                const label own = far_.topology.owner[farFaces_[facei]];
+                cell = groups_.at(tets_, own, layers_.faces[facei][k]);
+            }
+        }
+    }
+
+    return wall;
+}
+
+
+void polygonMaker::movePoints(polygonGeometry& geometry)
+{
+    // The others are where they are best
+    polyMeshParts& mesh = made_.mesh;
+    bitSet isFixed(labels_.size());
+    forAll(labels_, p)
+    {
+        const bool isNew = divided_.empty() || divided_.found(labels_[p]);
+        isFixed.set(p, !isNew || !points_.isFree(labels_[p]));
+    }
+    const pointMoveControls moves;
+    for
+    (
+        const label p : movePolygonPoints(isFixed, moves, mesh, geometry)
+    )
+    {
+        points_.move(labels_[p], mesh.points[p]);
+    }
+    mayMove_ = false;
+}
+
+
+template<class OnFront, class OnTet>
+void polygonMaker::visitCorners
+(
+    const OnFront& onFront,
+    const OnTet& onTet
+) const
+{
+    forAll(layers_.faces, facei)
+    {
+        forAll(layers_.faces[facei], k)
+        {
+            onFront(front_.of(facei, k), facei, k);
+        }
+    }
+    forAll(groups_.ofTets, t)
+    {
+        for (label k = 0; k < 4; ++k)
+        {
+            onTet(groups_.ofTets[t][k], t, k);
+        }
+    }
+}
+
+
+labelList polygonMaker::divide(const labelUList& cells)
+{
+    // The groups of the front come first; those of the far field follow
+    const auto groupOf = [&](const label celli)
+    {
+        return
+            celli < nLayerCells()
+          ? celli/layers_.nLayers
+          : front_.nGroups + celli - nLayerCells();
+    };
+    bitSet isWanted(front_.nGroups + groups_.nGroups);
+    bitSet isChanged(isWanted.size());
+    for (const label celli : cells)
+    {
+        isWanted.set(groupOf(celli));
+    }
+    const auto setIf = [&](const label g, const bool hasChanged)
+    {
+        isChanged.set(g, isChanged.test(g) || hasChanged);
+    };
+    divided_.clear();
+    visitCorners
+    (
+        [&](const label g, const label facei, const label k)
+        {
+            if (isWanted.test(g))
+            {
+                const label corner = front_.starts[facei] + k;
+                setIf(g, except(corner, facei, onFront_));
+            }
+        },
+        [&](const label farGroup, const label t, const label k)
+        {
+            const label g = front_.nGroups + farGroup;
+            if (isWanted.test(g))
+            {
+                setIf(g, except(4*t + k, t, inFar_));
+                points_.visitInner
+                (
+                    t, [&](const label i) { divided_.insert(i); }
+                );
+            }
+        }
+    );
+    DynamicList<label> stuck;
+    for (const label celli : cells)
+    {
+        if (!isChanged.test(groupOf(celli)))
+        {
+            stuck.append(celli);
+        }
+    }
+
+    return labelList(std::move(stuck));
+}
+
+
+bool polygonMaker::keepAround(const labelUList& cells)
+{
+    const givenPoints at(points_, labels_, made_.mesh, cells);
+
+    return
+        keepAt(at.columns, layers_.faces, onFront_.whole)
+      + keepAt(at.farPoints, tets_.points(), inFar_.whole);
+}
+
+
+labelList polygonMaker::invalidIn(const polygonGeometry& geometry) const
+{
+    labelList invalid
+    (
+        withoutKept
+        (
+            geometry.invalidCells(made_.mesh), layers_, front_,
+            onFront_.whole, geometry.cellVolumes
+        )
+    );
+    if (isTouched())
+    {
+        invalid.append(pinchedCells(wall(), points_, labels_, made_.mesh));
+    }
+
+    return
+        invalid.size() ? invalid
+      : uncertifiedCells
+        (
+            made_.mesh, layers_.patchNames.size(), nLayerCells()
+        );
+}
+
+
+void polygonMaker::compareWalls(const polygonGeometry& geometry)
+{
+    const polyMeshParts& mesh = made_.mesh;
+    const labelList cells(wall().cells);
+    labelList columnOf(mesh.nCells, -1);
+    scalar area = 0;
+    for (label facei = 0; facei < layers_.nWallFaces(); ++facei)
+    {
+        const face& f = layers_.faces[facei];
+        pointField x(f.size());
+        forAll(f, k)
+        {
+            columnOf[cells[front_.starts[facei] + k]] = f[k];
+            x[k] = layers_(f[k], 0);
+        }
+        area += face(identity(f.size())).mag(x);
+    }
+    scalar polygons = 0;
+    polygonCounts& counts = made_.counts;
+    for (label patchi = 0; patchi < layers_.patchNames.size(); ++patchi)
+    {
+        const label start = mesh.topology.patchStarts[patchi];
+        for (label i = 0; i < mesh.topology.patchSizes[patchi]; ++i)
+        {
+            const label own = mesh.topology.owner[start + i];
+            const vector& normal = geometry.faceAreas[start + i];
+            const vector off
+            (
+                layers_(columnOf[own], 0) - geometry.faceCentres[start + i]
+            );
+            polygons += mag(normal);
+            counts.wallDistance = max
+            (
+                counts.wallDistance,
+                mag(off & normal)/max(mag(normal), VSMALL)
+            );
+        }
+    }
+    counts.wallAreaRatio = polygons/area;
+}
+
+
+void polygonMaker::setCommonPolygons()
+{
+    const polyMeshTopology& t = made_.mesh.topology;
+    made_.commonPolygons = labelList(t.faces.size(), -1);
+    forAll(ofPatches_, patchi)
+    {
+        SubList<label>
+        (
+            made_.commonPolygons, t.patchSizes[patchi], t.patchStarts[patchi]
+        ) = ofPatches_[patchi];
+    }
+}
+
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+polygonMaker::polygonMaker
+(
+    const prismLayers& layers,
+    farFieldMesh& far,
+    const commonTriangles& common,
+    const polygonControls& controls
+)
+:
+    layers_(layers),
+    far_(far),
+    common_(common),
+    controls_(controls),
+    neighbours_(findFaceNeighbours(layers)),
+    tets_(far, nTetsOf(far)),
+    points_(layers, far, tets_, common, controls)
+{
+    setPatches();
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool polygonMaker::keepWhole(commonPolygons& polygons)
+{
+    const bool hasLayers = layers_.nLayers;
+    const label nWhole = onFront_.whole.count();
+    if (hasLayers)
+    {
+        keepNeighbours(layers_, neighbours_, front_, onFront_);
+    }
+    bool isNew = label(onFront_.whole.count()) > nWhole;
+    forAll(common_.faces, facei)
+    {
+        const label triangle = common_.faces[facei];
+        const label t = hasLayers ? -1 : far_.topology.owner[farFaces_[facei]];
+        if (polygons.isWhole(triangle))
+        {
+            isNew = onFront_.whole.set(facei) || isNew;
+            isNew = (t >= 0 && inFar_.whole.set(t)) || isNew;
+        }
+        const bool isWhole =
+            hasLayers ? onFront_.whole.test(facei) : inFar_.whole.test(t);
+        isNew = (isWhole && polygons.keep(triangle)) || isNew;
+    }
+
+    return isNew;
+}
+
+
+void polygonMaker::group(commonPolygons& polygons)
+{
+    for (const label t : inFar_.whole)
+    {
+        points_.fixTet(t);
+    }
+    front_ = groupFront(layers_, neighbours_, controls_, onFront_);
+    if (!far_.empty())
+    {
+        groups_ = groupFarField
+        (
+            layers_, neighbours_, front_, far_, tets_, inFar_
+        );
+    }
+    if (isTouched())
+    {
+        joinCommonCorners(wall(), polygons);
+    }
+}
+
+
+void polygonMaker::collectFaces(commonPolygons& polygons)
+{
+    faces_ = polygonFaces();
+    if (isTouched() && layers_.nLayers)
+    {
+        divideGroups(wall(), polygons, front_);
+    }
+    appendLayerFaces
+    (
+        layers_, neighbours_, front_, points_, sidePatches_, !isTouched(),
+        faces_
+    );
+    if (isTouched())
+    {
+        ofPatches_ = List<DynamicList<label>>(layers_.patchNames.size());
+        appendWallFaces(wall(), points_, polygons, faces_, ofPatches_);
+    }
+    if (far_.empty())
+    {
+        appendOuterFaces
+        (
+            layers_, front_, points_, layers_.patchNames.size(), faces_
+        );
+    }
+    else
+    {
+        appendFarFaces
+        (
+            {layers_, front_, far_, tets_, groups_, points_}, farPatches_,
+            controls_.sharpAngle, faces_
+        );
+    }
+    stays_ = faces_.stayingPoints(points_);
+    if (isTouched())
+    {
+        addCommonPoints(wall(), points_, stays_, polygons);
+    }
+}
+
+
+void polygonMaker::makeMesh(const commonPolygons& polygons)
+{
+    hasChanged_ = false;
+    if (isTouched())
+    {
+        keepCommonPoints(wall(), points_, polygons, stays_);
+    }
+    made_ = polygonMesh();
+    polyMeshParts& mesh = made_.mesh;
+    mesh = faces_.makeParts
+    (
+        points_, stays_, nLayerCells() + groups_.nGroups,
+        patches_.names.size(), labels_
+    );
+    mesh.patches = patches_;
+    faces_ = polygonFaces();
+    stays_.clear();
+    setCommonPolygons();
+
+    polygonGeometry geometry(mesh);
+    if (!far_.empty() && mayMove_)
+    {
+        movePoints(geometry);
+    }
+    const labelList invalid(invalidIn(geometry));
+    if (invalid.empty())
+    {
+        const finiteVolumes volumes(geometry.volumes(mesh));
+        made_.counts.grade = gradeOf(volumes, explicitGains(volumes));
+        compareWalls(geometry);
+    }
+    else
+    {
+        mayMove_ = true;
+        const labelList stuck(divide(invalid));
+        const bool areKept = keepAround(stuck);
+        hasChanged_ = areKept || stuck.size() < invalid.size();
+        place_ = geometry.cellCentres[invalid[0]];
+    }
+    isValid_ = invalid.empty();
+}
+
+
+void polygonMaker::refuse() const
+{
+    FatalErrorInFunction
+        << "No valid polygons were found: a cell is not positive,"
+        << " or intersects others, at " << place_ << nl
+        << "Use cells triangles" << exit(FatalError);
+}
+
+
+polygonMesh polygonMaker::take()
+{
+    if (!far_.empty())
+    {
+        made_.mesh.cellZones = zonesOf(far_, groups_, nLayerCells());
+    }
+    polygonCounts& counts = made_.counts;
+    counts.nColumns = layers_.nLayers ? front_.nGroups : 0;
+    counts.nLayerCells = nLayerCells();
+    counts.nOthers = groups_.ofOthers.size();
+    counts.nPolyhedra = groups_.nGroups - counts.nOthers;
+    counts.nCornersOfColumns = onFront_.apart.count();
+    counts.nCornersOfTets = inFar_.apart.count();
+    counts.nKeptFaces = onFront_.whole.count();
+    counts.nKeptTets = inFar_.whole.count();
+
+    return std::move(made_);
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
