@@ -101,8 +101,8 @@ static boolList openAll(spaceRegions& all, Random& random)
 }
 
 
-//- The mesh of a region, or an empty one if something is wrong
-static polyMeshParts meshOf
+//- Layers and far field of a region, without cells if something is wrong
+static regionParts partsOf
 (
     spaceRegions& all,
     const label regioni,
@@ -113,10 +113,13 @@ static polyMeshParts meshOf
 {
     const regionWall walls(prepareRegion(all, regioni, controls));
     const wallSurface& wall = walls.wall;
-    prismLayers layers(wallWithoutLayers(wall));
+    regionParts made;
+    made.common = commonTrianglesOf(all, regioni, wall);
+    prismLayers& layers = made.layers;
+    layers = wallWithoutLayers(wall);
     if (hasLayers)
     {
-        prismLayerMesh made
+        prismLayerMesh run
         (
             makePrismLayerMesh
             (
@@ -128,17 +131,17 @@ static polyMeshParts meshOf
                 }
             )
         );
-        if (!made.certificate.valid())
+        if (!run.certificate.valid())
         {
             tell("failed", "the certificate is not valid");
-            return polyMeshParts();
+            return made;
         }
-        layers = std::move(made.made.layers);
+        layers = std::move(run.made.layers);
         const std::string fault(findMeshFault(wall, layers));
         if (fault.size())
         {
             tell("failed", oneLine(fault));
-            return polyMeshParts();
+            return made;
         }
     }
     tell("stage", "far field of " + all.regions[regioni].name);
@@ -149,19 +152,20 @@ static polyMeshParts meshOf
         domain.boundary = makeFarBoundary(walls.far);
         around.boundary.type = farBoundaryType::surface;
     }
-    farFieldMesh far(makeFarFieldMesh(layers, domain, around));
+    made.farField = makeFarFieldMesh(layers, domain, around);
 
-    return makePrismMeshParts(layers, far);
+    return made;
 }
 
 
-//- The faces between regions, and those on the patches of solids
-static labelList wallFaces(const polyMeshParts& mesh)
+//- The faces on the patches of solids, and those between regions: stacks on
+//  these are counted. They would go around in polyhedra.
+static labelList wallFaces(const polyMeshParts& mesh, const bool hasPolygons)
 {
     labelList faces;
     for (const faceZoneParts& zone : mesh.faceZones)
     {
-        faces.append(zone.faces);
+        faces.append(hasPolygons ? labelList() : zone.faces);
     }
     forAll(mesh.patches.names, patchi)
     {
@@ -182,9 +186,61 @@ static labelList wallFaces(const polyMeshParts& mesh)
 }
 
 
-//- What is wrong with the whole mesh; empty if nothing is
-static std::string faultOf(const spaceRegions& all, const polyMeshParts& mesh)
+//- The volume [m3] of a cell. cell::mag adds the magnitudes of pyramids, too
+//  many in a concave cell
+static scalar volumeOf(const polyhedralMesh& cells, const label celli)
 {
+    scalar volume = 0;
+    for (const label f : cells.cellFaces(celli))
+    {
+        volume += cells.pyramidVolume(f, celli, cells.centre(celli));
+    }
+
+    return volume;
+}
+
+
+//- The regions that do not have their volume but for a share of it
+static std::string volumeFault
+(
+    const spaceRegions& all,
+    const polyMeshParts& mesh,
+    const polyhedralMesh& cells,
+    const scalar share
+)
+{
+    std::ostringstream fault;
+    forAll(all.regions, r)
+    {
+        scalar volume = 0;
+        for (const label c : mesh.cellZones[r].cells)
+        {
+            volume += volumeOf(cells, c);
+        }
+        if (mag(volume - all.regions[r].volume) > share*volume)
+        {
+            fault<< "region " << r << " has the volume " << volume
+                << " in place of " << all.regions[r].volume << ' ';
+        }
+    }
+
+    return fault.str();
+}
+
+
+//- What is wrong with the whole mesh; empty if nothing is
+static std::string faultOf
+(
+    const spaceRegions& all,
+    const polyMeshParts& mesh,
+    const bool hasPolygons
+)
+{
+    // Sides in single precision are put into planes, which they are not.
+    // Polygons lose points of walls.
+    static constexpr scalar ofTriangles = 1e-6;
+    static constexpr scalar ofPolygons = 0.5;
+
     const polyMeshTopology& t = mesh.topology;
     const faceList faces(t.faces);
     const labelList owner(t.owner);
@@ -194,21 +250,10 @@ static std::string faultOf(const spaceRegions& all, const polyMeshParts& mesh)
     (
         certifyMesh
         (
-            cells, wallFaces(mesh), labelList(), bitSet(mesh.nCells, true)
+            cells, wallFaces(mesh, hasPolygons), labelList(),
+            bitSet(mesh.nCells, true)
         )
     );
-
-    // cell::mag adds the magnitudes of pyramids, too many in a concave cell
-    const auto volumeOf = [&](const label c)
-    {
-        scalar volume = 0;
-        for (const label f : cells.cellFaces(c))
-        {
-            volume += cells.pyramidVolume(f, c, cells.centre(c));
-        }
-
-        return volume;
-    };
 
     std::ostringstream fault;
     if (certificate.invalidCells.size())
@@ -217,7 +262,7 @@ static std::string faultOf(const spaceRegions& all, const polyMeshParts& mesh)
         fault<< certificate.invalidCells.size() << " cells are not positive,"
             << " the first is a "
             << meshCellShapeName[certificate.invalidShapes[0]] << " of volume "
-            << volumeOf(c) << " at x = " << cells.centre(c).x() << ' ';
+            << volumeOf(cells, c) << " at x = " << cells.centre(c).x() << ' ';
     }
     if (certificate.doubleFaces.size() || !certificate.fillsBoundary())
     {
@@ -225,21 +270,10 @@ static std::string faultOf(const spaceRegions& all, const polyMeshParts& mesh)
             << " faces twice, volume " << certificate.cellVolume
             << ", inside of the boundary " << certificate.boundaryVolume << ' ';
     }
-    forAll(all.regions, r)
-    {
-        scalar volume = 0;
-        for (const label c : mesh.cellZones[r].cells)
-        {
-            volume += volumeOf(c);
-        }
-
-        // Sides in single precision are put into planes, which they are not
-        if (mag(volume - all.regions[r].volume) > 1e-6*volume)
-        {
-            fault<< "region " << r << " has the volume " << volume
-                << " in place of " << all.regions[r].volume << ' ';
-        }
-    }
+    fault<< volumeFault
+    (
+        all, mesh, cells, hasPolygons ? ofPolygons : ofTriangles
+    );
 
     return fault.str();
 }
@@ -265,6 +299,23 @@ static bool isRefusal(const Foam::error& e)
 }
 
 
+//- Works. Returns false if the work fails, and tells why.
+template<class Work>
+static bool isDone(const Work& work, const listener& tell)
+{
+    try
+    {
+        work();
+        return true;
+    }
+    catch (const Foam::error& e)
+    {
+        tell(isRefusal(e) ? "skipped" : "failed", oneLine(e.message()));
+        return false;
+    }
+}
+
+
 static prismLayerControls controlsOf(const wallSurface& surface, Random& random)
 {
     prismLayerControls controls;
@@ -286,6 +337,83 @@ static prismLayerControls controlsOf(const wallSurface& surface, Random& random)
 }
 
 
+//- Makes the mesh of all regions. Returns what is wrong with it; empty if
+//  nothing is, or if somebody was told.
+static std::string faultOfTriangles
+(
+    spaceRegions& all,
+    const prismLayerControls& controls,
+    const boolList& hasLayers,
+    const listener& tell
+)
+{
+    List<polyMeshParts> meshes;
+    forAll(all.regions, r)
+    {
+        regionParts made;
+        const bool isMade = isDone
+        (
+            [&]()
+            {
+                made = partsOf(all, r, controls, hasLayers[r], tell);
+                meshes.append(makePrismMeshParts(made.layers, made.farField));
+                closeRegion(all, r, meshes.last());
+            },
+            tell
+        );
+        if (!isMade || meshes.last().nCells == 0)
+        {
+            return "";
+        }
+    }
+    tell("stage", "joining");
+
+    return faultOf
+    (
+        all, joinRegions(all, meshes, List<labelList>(meshes.size())), false
+    );
+}
+
+
+//- The same with polygons
+static std::string faultOfPolygons
+(
+    spaceRegions& all,
+    const prismLayerControls& controls,
+    const boolList& hasLayers,
+    const listener& tell
+)
+{
+    std::vector<regionParts> regions(all.regions.size());
+    forAll(all.regions, r)
+    {
+        const bool isMade = isDone
+        (
+            [&]()
+            {
+                regions[r] = partsOf(all, r, controls, hasLayers[r], tell);
+            },
+            tell
+        );
+        if (!isMade || regions[r].farField.empty())
+        {
+            return "";
+        }
+    }
+    tell("stage", "polygons");
+    List<polyMeshParts> meshes;
+    List<labelList> polygons;
+    for (polygonMesh& made : makePolygonRegions(all, regions))
+    {
+        meshes.append(std::move(made.mesh));
+        polygons.append(made.commonPolygons);
+    }
+    tell("stage", "joining");
+
+    return faultOf(all, joinRegions(all, meshes, polygons), true);
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 void meshRegionsCase(const fuzzCase& one, const listener& tell)
@@ -295,7 +423,8 @@ void meshRegionsCase(const fuzzCase& one, const listener& tell)
     tell("stage", "surface");
     const wallSurface surface(one.make(untold));
     Random random(one.index + 1);
-    const prismLayerControls controls(controlsOf(surface, random));
+    prismLayerControls controls(controlsOf(surface, random));
+    controls.farField.forPolygons = one.hasPolygons;
     spaceRegions all;
     tell("stage", "regions");
     try
@@ -323,26 +452,12 @@ void meshRegionsCase(const fuzzCase& one, const listener& tell)
         tell("skipped", oneLine(e.message()));
         return;
     }
-    List<polyMeshParts> meshes;
-    forAll(all.regions, r)
-    {
-        try
-        {
-            meshes.append(meshOf(all, r, controls, hasLayers[r], tell));
-            closeRegion(all, r, meshes.last());
-        }
-        catch (const Foam::error& e)
-        {
-            tell(isRefusal(e) ? "skipped" : "failed", oneLine(e.message()));
-            return;
-        }
-        if (meshes.last().nCells == 0)
-        {
-            return;
-        }
-    }
-    tell("stage", "joining");
-    const std::string fault(faultOf(all, joinRegions(all, meshes)));
+    const std::string fault
+    (
+        one.hasPolygons
+      ? faultOfPolygons(all, controls, hasLayers, tell)
+      : faultOfTriangles(all, controls, hasLayers, tell)
+    );
     if (fault.size())
     {
         tell("failed", fault);

@@ -45,7 +45,8 @@ Usage
         reasons, and what faces at the cuts are like.
 
       - \par -polygons
-        As -farField, and meshes of polygons are made of layers and far fields
+        As -farField, and meshes of polygons are made of layers and far
+        fields; with -regions or -sheets the regions have polygons
 
       - \par -sides
         One to three bodies that the sides of a far field's box cut, touch, or
@@ -114,7 +115,7 @@ static void addOptions()
     );
     argList::addBoolOption
     (
-        "polygons", "As farField, and meshes of polygons of all"
+        "polygons", "As farField, with polygons; or regions, with polygons"
     );
     argList::addBoolOption
     (

@@ -7,6 +7,7 @@
 #include "boundBox.H"
 #include "layerStages.H"
 #include "OFstream.H"
+#include "polygonReport.H"
 #include "prepareWall.H"
 #include "prismPolyMesh.H"
 #include "readRegionControls.H"
@@ -26,11 +27,21 @@ namespace Foam
 namespace
 {
 
-//- The mesh of a region, and the entries of its report
-struct madeRegion
+//- The reports of a region: its layers, its far field, and the entries of both
+struct regionReport
 {
-    polyMeshParts mesh;
-    dictionary report;
+    layerReport layers;
+    farFieldReport farField;
+    dictionary entries;
+};
+
+
+//- The meshes of regions. By region and face the common polygon, see
+//  polygonMesh; empty lists if the meshes have triangles.
+struct regionMeshes
+{
+    List<polyMeshParts> meshes;
+    List<labelList> polygons;
 };
 
 } // End anonymous namespace
@@ -283,8 +294,8 @@ static farFieldDomain readDomain
 }
 
 
-//- Makes the mesh of a region
-static madeRegion makeRegion
+//- Makes layers and far field of a region
+static regionParts makeParts
 (
     const prismCase& files,
     const parallelRun& parallel,
@@ -292,6 +303,7 @@ static madeRegion makeRegion
     const label regioni,
     const regionsControls& allControls,
     const Time& time,
+    regionReport& reports,
     stageLog& log
 )
 {
@@ -306,8 +318,9 @@ static madeRegion makeRegion
         readDomain(files, walls, allControls, time, controls, log)
     );
 
-    prismLayers layers;
-    layerReport report;
+    regionParts made;
+    prismLayers& layers = made.layers;
+    layerReport& report = reports.layers;
     if (asked.hasLayers)
     {
         const localHeights local(readLocal(files, wall, controls, time, log));
@@ -323,26 +336,129 @@ static madeRegion makeRegion
         layers = wallWithoutLayers(wall);
     }
 
-    farFieldMesh farField(makeFarField
+    made.common = commonTrianglesOf(all, regioni, wall);
+    made.farField = makeFarField
     (
         layers, std::move(domain), controls.farField, log.observer()
-    ));
-    const farFieldReport far
-    (
-        makeFarFieldReport(layers, farField, controls.quality)
     );
+    reports.farField =
+        makeFarFieldReport(layers, made.farField, controls.quality);
     report.stages = SubList<stageCost>
     (
         log.costs(), log.costs().size() - nStages, nStages
     );
 
-    madeRegion made;
-    made.report = reportEntries(asked.hasLayers ? &report : nullptr, &far);
-    made.mesh = makePrismMeshParts(layers, farField);
-    closeRegion(all, regioni, made.mesh);
-    returnMemory();
+    return made;
+}
+
+
+//- Sets the entries of the report of a region, and writes the report to the log
+static void setEntries(const bool hasLayers, regionReport& report)
+{
+    report.entries = reportEntries
+    (
+        hasLayers ? &report.layers : nullptr, &report.farField
+    );
+}
+
+
+//- Makes the mesh of a region
+static polyMeshParts makeMesh
+(
+    spaceRegions& all,
+    const label regioni,
+    regionParts&& region
+)
+{
+    const prismLayers layers(std::move(region.layers));
+    farFieldMesh farField(std::move(region.farField));
+    polyMeshParts mesh(makePrismMeshParts(layers, farField));
+    closeRegion(all, regioni, mesh);
+
+    return mesh;
+}
+
+
+//- Makes the meshes of polygons of all regions, and sets their reports
+static regionMeshes makePolygons
+(
+    const regionsControls& controls,
+    spaceRegions& all,
+    std::vector<regionParts>& regions,
+    List<regionReport>& reports,
+    stageLog& log
+)
+{
+    log.begin("polygonCells");
+    List<polygonMesh> polygons(makePolygonRegions(all, regions));
+    regions.clear();
+    string text;
+    forAll(polygons, r)
+    {
+        text +=
+            '\n' + all.regions[r].name + ": " + textOf(polygons[r].counts);
+    }
+    log.end(text);
+
+    regionMeshes made;
+    forAll(polygons, r)
+    {
+        const regionControls& asked = controls.regions[r];
+        reportPolygons
+        (
+            polygons[r], asked.controls.quality, reports[r].layers,
+            reports[r].farField
+        );
+        Info<< nl << "Region " << all.regions[r].name << nl << endl;
+        setEntries(asked.hasLayers, reports[r]);
+        reports[r].entries.add("polygons", toDictionary(polygons[r].counts));
+        made.meshes.append(std::move(polygons[r].mesh));
+        made.polygons.append(polygons[r].commonPolygons);
+    }
 
     return made;
+}
+
+
+//- Makes the meshes of all regions, and sets their reports
+static regionMeshes makeMeshes
+(
+    const prismCase& files,
+    const parallelRun& parallel,
+    const regionsControls& controls,
+    const Time& time,
+    spaceRegions& all,
+    List<regionReport>& reports,
+    stageLog& log
+)
+{
+    const bool arePolygons = controls.regions[0].controls.polygons;
+    std::vector<regionParts> regions;
+    regionMeshes made;
+    forAll(all.regions, r)
+    {
+        const prismCase regionFiles(files, all.regions[r].name);
+        regionParts region
+        (
+            makeParts
+            (
+                regionFiles, parallel, all, r, controls, time, reports[r], log
+            )
+        );
+        if (arePolygons)
+        {
+            regions.push_back(std::move(region));
+            continue;
+        }
+        setEntries(controls.regions[r].hasLayers, reports[r]);
+        made.meshes.append(makeMesh(all, r, std::move(region)));
+        made.polygons.append(labelList());
+        returnMemory();
+    }
+
+    return
+        arePolygons
+      ? makePolygons(controls, all, regions, reports, log) : made;
 }
 
 
@@ -387,22 +503,25 @@ static void writeMeshes
     const spaceRegions& all,
     const regionsControls& controls,
     const bool areApart,
-    List<polyMeshParts>& meshes,
+    regionMeshes& made,
     replacedFiles& replaced
 )
 {
     if (!areApart)
     {
-        writer.writeMesh(files, joinRegions(all, meshes), replaced);
+        writer.writeMesh
+        (
+            files, joinRegions(all, made.meshes, made.polygons), replaced
+        );
         return;
     }
 
-    separateRegions(all, meshes);
-    forAll(meshes, r)
+    separateRegions(all, made.meshes, made.polygons);
+    forAll(made.meshes, r)
     {
         writer.writeMesh
         (
-            prismCase(files, all.regions[r].name), std::move(meshes[r]),
+            prismCase(files, all.regions[r].name), std::move(made.meshes[r]),
             replaced
         );
     }
@@ -417,12 +536,12 @@ static void writeReports
 (
     const prismCase& files,
     const spaceRegions& all,
-    const List<dictionary>& reports,
+    const List<regionReport>& reports,
     replacedFiles& replaced
 )
 {
     IOstream::defaultPrecision(6);
-    forAll(reports, r)
+    forAll(all.regions, r)
     {
         const fileName file
         (
@@ -430,7 +549,7 @@ static void writeReports
         );
         writeReport
         (
-            replaced.scratch(file, file.name())/file.name(), reports[r]
+            replaced.scratch(file, file.name())/file.name(), reports[r].entries
         );
     }
 }
@@ -484,25 +603,18 @@ void meshRegions
     }
 
     spaceRegions all(makeRegions(files, controls, log));
-    List<polyMeshParts> meshes(all.regions.size());
-    List<dictionary> reports(all.regions.size());
-    forAll(all.regions, r)
-    {
-        const prismCase regionFiles(files, all.regions[r].name);
-        madeRegion made
-        (
-            makeRegion(regionFiles, parallel, all, r, controls, time, log)
-        );
-        meshes[r] = std::move(made.mesh);
-        reports[r] = made.report;
-    }
+    List<regionReport> reports(all.regions.size());
+    regionMeshes made
+    (
+        makeMeshes(files, parallel, controls, time, all, reports, log)
+    );
 
     log.begin("regionMeshes");
     replaceFiles([&](replacedFiles& replaced)
     {
         writeMeshes
         (
-            files, writer, all, controls, areApart, meshes, replaced
+            files, writer, all, controls, areApart, made, replaced
         );
         writeReports(files, all, reports, replaced);
     });

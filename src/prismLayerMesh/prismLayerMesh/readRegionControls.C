@@ -29,7 +29,7 @@ static void refuseEntries(const dictionary& dict)
         }
     };
 
-    refuse(dict, {"twoDimensional", "cells"});
+    refuse(dict, {"twoDimensional"});
     refuse
     (
         optionalDict(dict, "surface"),

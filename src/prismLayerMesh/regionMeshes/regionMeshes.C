@@ -24,6 +24,18 @@ static word nameBetween(const spaceRegions& all, const label a, const label b)
 }
 
 
+//- Whether two regions are on both sides of a face of the surface. Both sides
+//  of a sheet are in one region.
+static bool isBetweenRegions(const spaceRegions& all, const label facei)
+{
+    const labelPair& both = all.regionsOfFace[facei];
+
+    return
+        both.first() >= 0 && both.second() >= 0
+     && both.first() != both.second();
+}
+
+
 namespace
 {
 
@@ -32,22 +44,47 @@ class commonFaces
 {
     const spaceRegion& region_;
 
-    //- Label in the surface of all regions of each face of the mesh; -1 if the
-    //  face is not between two regions
-    labelList surfaceFaces_;
+    //- For each face of the mesh the common polygon that it is, see
+    //  commonWall.H; -1 if the face is not between two regions. The triangles
+    //  are those of the surface of all regions.
+    labelList polygons_;
 
 public:
 
-    //- Errors: FatalError with the place of a face that the mesh does not have
+    //- given: the common polygons of the faces; empty if they are triangles
+    //  Errors: FatalError with the place of a face that the mesh does not have
     commonFaces
+    (
+        const spaceRegions& all,
+        const label regioni,
+        const polyMeshParts& mesh,
+        const labelUList& given
+    )
+    :
+        region_(all.regions[regioni]),
+        polygons_(mesh.topology.faces.size(), -1)
+    {
+        if (given.empty())
+        {
+            findTriangles(all, regioni, mesh);
+            return;
+        }
+        forAll(given, f)
+        {
+            const label polygon = given[f];
+            const bool isBetween =
+                polygon >= 0
+             && isBetweenRegions(all, commonPolygons::triangle(polygon));
+            polygons_[f] = isBetween ? polygon : -1;
+        }
+    }
+
+    void findTriangles
     (
         const spaceRegions& all,
         const label regioni,
         const polyMeshParts& mesh
     )
-    :
-        region_(all.regions[regioni]),
-        surfaceFaces_(mesh.topology.faces.size(), -1)
     {
         // Points that have one place are one, and sheets are not common
         equalPoints places;
@@ -76,8 +113,9 @@ public:
             }
             if (whole.size() == 3 && min(whole) >= 0)
             {
-                surfaceFaces_[f] = index.lookup(triFace(whole), -1);
-                nFound += surfaceFaces_[f] >= 0;
+                const label found = index.lookup(triFace(whole), -1);
+                polygons_[f] = found < 0 ? -1 : 3*found;
+                nFound += found >= 0;
             }
         }
         requireAll(all, regioni, nFound);
@@ -91,11 +129,11 @@ public:
     ) const
     {
         bitSet isFound(all.surface.faces.size());
-        for (const label f : surfaceFaces_)
+        for (const label polygon : polygons_)
         {
-            if (f >= 0)
+            if (polygon >= 0)
             {
-                isFound.set(f);
+                isFound.set(commonPolygons::triangle(polygon));
             }
         }
         label n = 0;
@@ -125,9 +163,15 @@ public:
         }
     }
 
-    label surfaceFace(const label f) const { return surfaceFaces_[f]; }
+    label polygon(const label f) const { return polygons_[f]; }
 
-    bool isCommon(const label f) const { return surfaceFaces_[f] >= 0; }
+    //- Returns a face of the surface of all regions that a common face is on
+    label surfaceFace(const label f) const
+    {
+        return commonPolygons::triangle(polygons_[f]);
+    }
+
+    bool isCommon(const label f) const { return polygons_[f] >= 0; }
 };
 
 
@@ -157,14 +201,15 @@ class regionJoiner
 {
     const spaceRegions& all_;
     List<polyMeshParts>& meshes_;
+    const UList<labelList>& polygons_;
     std::vector<commonFaces> common_;
 
     //- First cell and first point of each mesh in the list of all
     labelList firstCell_;
     labelList firstPoint_;
 
-    //- For each face of the surface: the face of the mesh of the first region,
-    //  and that region
+    //- For each common polygon: the face of the mesh of the first region, and
+    //  that region
     Map<labelPair> firstOf_;
 
     labelList pointLabels_;
@@ -176,7 +221,7 @@ class regionJoiner
         label nPoints = 0;
         forAll(meshes_, r)
         {
-            common_.emplace_back(all_, r, meshes_[r]);
+            common_.emplace_back(all_, r, meshes_[r], polygons_[r]);
             firstCell_.append(nCells);
             firstPoint_.append(nPoints);
             nCells += meshes_[r].nCells;
@@ -200,7 +245,7 @@ class regionJoiner
             const label n = meshes_[r].topology.faces.size();
             for (label f = 0; f < n; ++f)
             {
-                const label key = common_[r].surfaceFace(f);
+                const label key = common_[r].polygon(f);
                 if (key < 0)
                 {
                     continue;
@@ -287,7 +332,7 @@ class regionJoiner
             }
             for (label f = t.neighbour.size(); f < t.faces.size(); ++f)
             {
-                const label key = common_[r].surfaceFace(f);
+                const label key = common_[r].polygon(f);
                 if (key >= 0 && firstOf_[key] != labelPair(r, f))
                 {
                     const labelPair& first = firstOf_[key];
@@ -316,10 +361,11 @@ class regionJoiner
         HashTable<DynamicList<label>> zones;
         for (const joinedFace& f : internalFaces())
         {
-            const label key = common_[f.regioni].surfaceFace(f.facei);
-            if (key >= 0)
+            const commonFaces& common = common_[f.regioni];
+            if (common.isCommon(f.facei))
             {
-                const labelPair& both = all_.regionsOfFace[key];
+                const labelPair& both =
+                    all_.regionsOfFace[common.surfaceFace(f.facei)];
                 const word name
                 (
                     nameBetween
@@ -426,10 +472,16 @@ class regionJoiner
 
 public:
 
-    regionJoiner(const spaceRegions& all, List<polyMeshParts>& meshes)
+    regionJoiner
+    (
+        const spaceRegions& all,
+        List<polyMeshParts>& meshes,
+        const UList<labelList>& polygons
+    )
     :
         all_(all),
-        meshes_(meshes)
+        meshes_(meshes),
+        polygons_(polygons)
     {}
 
     polyMeshParts join()
@@ -484,10 +536,11 @@ std::vector<newPatch> separatePatches
 (
     const spaceRegions& all,
     const label a,
-    const polyMeshParts& mesh
+    const polyMeshParts& mesh,
+    const labelUList& polygons
 )
 {
-    const commonFaces common(all, a, mesh);
+    const commonFaces common(all, a, mesh, polygons);
     std::vector<newPatch> made;
     std::vector<newPatch> between(all.regions.size());
     forAll(mesh.patches.names, patchi)
@@ -527,7 +580,7 @@ std::vector<newPatch> separatePatches
             patch.faces.begin(), patch.faces.end(),
             [&](const label f, const label g)
             {
-                return common.surfaceFace(f) < common.surfaceFace(g);
+                return common.polygon(f) < common.polygon(g);
             }
         );
         patch.name = nameBetween(all, a, b);
@@ -546,10 +599,14 @@ static void separateRegion
 (
     const spaceRegions& all,
     const label a,
+    const labelUList& polygons,
     polyMeshParts& mesh
 )
 {
-    const std::vector<newPatch> patches(separatePatches(all, a, mesh));
+    const std::vector<newPatch> patches
+    (
+        separatePatches(all, a, mesh, polygons)
+    );
     DynamicList<labelList> facesOf;
     mesh.patches = meshPatches();
     for (const newPatch& patch : patches)
@@ -570,18 +627,24 @@ static void separateRegion
 polyMeshParts joinRegions
 (
     const spaceRegions& all,
-    List<polyMeshParts>& meshes
+    List<polyMeshParts>& meshes,
+    const UList<labelList>& polygons
 )
 {
-    return regionJoiner(all, meshes).join();
+    return regionJoiner(all, meshes, polygons).join();
 }
 
 
-void separateRegions(const spaceRegions& all, List<polyMeshParts>& meshes)
+void separateRegions
+(
+    const spaceRegions& all,
+    List<polyMeshParts>& meshes,
+    const UList<labelList>& polygons
+)
 {
     forAll(meshes, a)
     {
-        separateRegion(all, a, meshes[a]);
+        separateRegion(all, a, polygons[a], meshes[a]);
     }
 }
 

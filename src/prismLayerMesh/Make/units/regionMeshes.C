@@ -5,5 +5,6 @@
 
 #include "regionMeshes/regionMeshes.C"
 #include "regionMeshes/closeRegion.C"
+#include "regionMeshes/regionPolygons.C"
 
 // ************************************************************************* //
