@@ -76,6 +76,7 @@ void Foam::caseLayers::takeLayers
 (
     const wallSurface& wall,
     const bool hasFarField,
+    const bool hasPolygons,
     prismLayerMesh& mesh
 )
 {
@@ -84,7 +85,7 @@ void Foam::caseLayers::takeLayers
     layers_ = std::move(mesh.made.layers);
     const bool hasSides = !hasFarField && endOnParts(layers_);
 
-    if (!isAlone && (hasFarField || hasSides))
+    if (!isAlone && (hasFarField || hasPolygons || hasSides))
     {
         whole_ = layersOnMaster(layers_, mesh.share, wall, team);
     }
@@ -101,7 +102,7 @@ void Foam::caseLayers::takeLayers
     {
         surfaces_.outer = outerOnMaster(layers_, mesh.share, wall, team);
     }
-    if (!hasFarField)
+    if (!hasFarField && !hasPolygons)
     {
         whole_ = prismLayers();
     }
@@ -153,7 +154,10 @@ Foam::caseLayers::caseLayers
         {
             view(mesh);
         }
-        takeLayers(wall, controls.farField.isWanted(), mesh);
+        takeLayers
+        (
+            wall, controls.farField.isWanted(), controls.polygons, mesh
+        );
 
         return true;
     });
@@ -171,6 +175,29 @@ Foam::meshPiece Foam::caseLayers::makePiece(farFieldMesh& farField)
         meshPiece piece(makeMeshPiece
         (
             own, columnTeam(labels_, parallel_.team()), whole, farField,
+            [&](const meshParts& parts) { return parallel_.divide(parts); }
+        ));
+        setCosts();
+
+        return piece;
+    });
+}
+
+
+Foam::meshPiece Foam::caseLayers::makePiece(polygonMesh&& polygons)
+{
+    return inTeam(parallel_, [&]()
+    {
+        const label nLayers = layers_.nLayers;
+        layers_ = prismLayers();
+        whole_ = prismLayers();
+        meshPiece piece(makeMeshPiece
+        (
+            stackedMesh
+            {
+                std::move(polygons.mesh), polygons.counts.nLayerCells, nLayers
+            },
+            parallel_.team(),
             [&](const meshParts& parts) { return parallel_.divide(parts); }
         ));
         setCosts();
@@ -213,13 +240,15 @@ Foam::meshPiece Foam::makePieceForMaster(const parallelRun& parallel)
         parallel, wallSurface(), controls, localHeights(), silent, nullptr
     );
 
-    if (controls.farField.isWanted())
+    if (controls.farField.isWanted() || controls.polygons)
     {
         parallel.begin();
     }
     farFieldMesh noFarField;
 
-    return layers.makePiece(noFarField);
+    return
+        controls.polygons
+      ? layers.makePiece(polygonMesh()) : layers.makePiece(noFarField);
 }
 
 

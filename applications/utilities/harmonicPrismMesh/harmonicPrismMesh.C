@@ -236,13 +236,6 @@ static void meshOneRegion
         parallel, checkOnly || prepareOnly || args.found("writeFields")
     );
     prismLayerControls controls(readPrismLayerControls(files.dict()));
-    if (controls.polygons && parallel.isParallel())
-    {
-        FatalErrorInFunction
-            << "cells polygons is not possible with -parallel" << nl
-            << "Make the mesh in one process, and decompose it then"
-            << exit(FatalError);
-    }
     const fileNameList surfaces(files.surfaceFiles(controls.surface));
     const fileName preparedFile(files.preparedFile(surfaces));
     requireNoMesh(args, files, parallel, surfaces, controls.farField);

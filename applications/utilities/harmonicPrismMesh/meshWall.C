@@ -182,6 +182,16 @@ static string writeMesh
     replacedFiles& replaced
 )
 {
+    if (polygons.mesh.nCells && parallel.isParallel())
+    {
+        parallel.begin();
+        const meshPiece piece(made->makePiece(std::move(polygons)));
+        processes = made->costs();
+        made.clear();
+        writer.writeOwn(piece, replaced);
+
+        return "in parts for all processes";
+    }
     if (polygons.mesh.nCells)
     {
         made.clear();

@@ -299,24 +299,31 @@ static labelList cellsOf(const prismLayers& layers, const cellZoneParts& zone)
 }
 
 
-//- Adds the zones of a mesh with a far field
+//- Adds the zones of a mesh with a far field.
+//  hasLayers: whether the whole mesh has stacks of layers
 static void addZones
 (
     const prismLayers& layers,
     const farFieldMesh& far,
     const meshOrder& order,
+    const bool hasLayers,
     polyMesh& mesh
 )
 {
-    List<cellZone*> cells
-    ({
-        new cellZone
-        (
-            boundaryLayerName, identity(layers.faces.size()*layers.nLayers), 0,
-            mesh.cellZones()
-        )
-    });
+    List<cellZone*> cells;
     List<faceZone*> faces;
+    if (hasLayers)
+    {
+        cells.append
+        (
+            new cellZone
+            (
+                boundaryLayerName,
+                identity(layers.faces.size()*layers.nLayers), 0,
+                mesh.cellZones()
+            )
+        );
+    }
 
     for (const cellZoneParts& zone : far.cellZones)
     {
@@ -416,6 +423,7 @@ struct prismMesh
     meshPatches patches;
     meshOrder order;
     const label process = 0;
+    const bool hasLayers = true;
 
     prismMesh(const prismLayers& l, farFieldMesh& f)
     :
@@ -437,7 +445,8 @@ struct prismMesh
         far(piece.far),
         patches(piece.patches),
         order(piece),
-        process(piece.process)
+        process(piece.process),
+        hasLayers(piece.nStacks > 0)
     {}
 
     //- Makes the mesh with patches and zones.
@@ -458,7 +467,7 @@ struct prismMesh
         addPatches(order, patches, process, isWhole, mesh());
         if (far.topology.patchSizes.size())
         {
-            addZones(layers, far, order, mesh());
+            addZones(layers, far, order, hasLayers, mesh());
         }
 
         return mesh;

@@ -33,20 +33,7 @@ static void expectPiecesOfTheMesh
         const listedPiece own(divided.inLists(i));
 
         ASSERT_GT(whole.cellAddressing.size(), 0);
-        EXPECT_EQ(own.points, whole.points);
-        EXPECT_EQ(own.faces, whole.faces);
-        EXPECT_EQ(own.owner, whole.owner);
-        EXPECT_EQ(own.neighbour, whole.neighbour);
-        EXPECT_EQ(own.patchNames, whole.patchNames);
-        EXPECT_EQ(own.patchTypes, whole.patchTypes);
-        EXPECT_EQ(own.patchSizes, whole.patchSizes);
-        EXPECT_EQ(own.processors, whole.processors);
-        EXPECT_EQ(own.processorSizes, whole.processorSizes);
-        EXPECT_EQ(own.zoneNames, whole.zoneNames);
-        EXPECT_EQ(own.zones, whole.zones);
-        EXPECT_EQ(own.cellAddressing, whole.cellAddressing);
-        EXPECT_EQ(own.pointAddressing, whole.pointAddressing);
-        EXPECT_EQ(own.faceAddressing, whole.faceAddressing);
+        expectSamePiece(own, whole);
     }
 }
 

@@ -11,6 +11,7 @@
 #include "prismPolyMesh/prismPolyMesh.C"
 #include "prismPolyMesh/wedgeMesh.C"
 #include "prismPolyMesh/divideFarField.C"
+#include "prismPolyMesh/divideStacks.C"
 #include "prismPolyMesh/assemblePiece.C"
 #include "prismPolyMesh/divideMesh.C"
 
