@@ -237,7 +237,12 @@ void farFieldStage::checkPolygons(farFieldMesh far) const
 {
     tell_("stage", "polygons");
     const prismLayers& layers = layered_.made.layers;
-    polygonMesh polygons(makePolygonCells(layers, far));
+    List<sidePatch> sides(layers.border.sides);
+    if (!far.empty())
+    {
+        sides = cyclicSides(asked_.controls.boundary, sides);
+    }
+    polygonMesh polygons(makePolygonCells(layers, far, sides));
     if
     (
         polygons.counts.nLayerCells
@@ -264,6 +269,7 @@ void farFieldStage::checkPolygons(farFieldMesh far) const
     const std::string fault
     (
         findPolygonFault(*mesh, layers.patchNames.size(), layers.nLayers)
+      + findCyclicFault(*mesh)
     );
     if (fault.size())
     {

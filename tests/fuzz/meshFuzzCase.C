@@ -65,6 +65,7 @@ static void meshAtSides
 (
     const fuzzWall& made,
     const prismLayerMesh& m,
+    const bool hasPolygons,
     const listener& tell
 )
 {
@@ -81,7 +82,8 @@ static void meshAtSides
      && (made.controls.surface.fluidOutside || ends.size())
     )
     {
-        const fuzzFarField asked(fuzzFarFieldOf(made.wall, made.controls));
+        fuzzFarField asked(fuzzFarFieldOf(made.wall, made.controls));
+        asked.hasPolygons = hasPolygons;
         meshFarField(made.wall, m, asked, tell);
     }
 }
@@ -144,7 +146,7 @@ static void mesh
     }
     else if (one.isAtSides)
     {
-        meshAtSides(made, m, tell);
+        meshAtSides(made, m, one.hasPolygons, tell);
     }
 }
 

@@ -46,7 +46,7 @@ Usage
 
       - \par -polygons
         As -farField, and meshes of polygons are made of layers and far
-        fields; with -regions or -sheets the regions have polygons
+        fields; with -sides, -cyclic, -regions or -sheets of those
 
       - \par -sides
         One to three bodies that the sides of a far field's box cut, touch, or
@@ -115,7 +115,7 @@ static void addOptions()
     );
     argList::addBoolOption
     (
-        "polygons", "As farField, with polygons; or regions, with polygons"
+        "polygons", "As farField, or sides, cyclic, regions, with polygons"
     );
     argList::addBoolOption
     (
@@ -193,11 +193,13 @@ static fuzzCase caseOf(const argList& args, const label index)
     one.hasNeedles = args.found("needles");
     one.isRemeshed = args.found("remesh");
     one.hasPolygons = args.found("polygons");
-    one.hasFarField = one.hasPolygons || args.found("farField");
     one.isPeriodic = args.found("cyclic");
     one.isAtSides = one.isPeriodic || args.found("sides");
     one.hasSheets = args.found("sheets");
     one.hasRegions = one.hasSheets || args.found("regions");
+    one.hasFarField =
+        args.found("farField")
+     || (one.hasPolygons && !one.isAtSides && !one.hasRegions);
     one.isAssembly = args.found("assemblies");
     if (one.isAssembly)
     {

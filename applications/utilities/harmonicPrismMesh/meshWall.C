@@ -184,6 +184,7 @@ static string writeMesh
 {
     if (polygons.mesh.nCells && parallel.isParallel())
     {
+        writer.requireDivisible(farField);
         parallel.begin();
         const meshPiece piece(made->makePiece(std::move(polygons)));
         processes = made->costs();
@@ -452,20 +453,32 @@ static void logFiles(const prismCase& files, const fileName& surface)
 }
 
 
-//- Makes the mesh of polygons; without cells if it is not wanted
-static polygonMesh makePolygons
+//- Makes the far field if it is wanted. Returns the mesh of polygons, without
+//  cells if it is not wanted.
+static polygonMesh makeCells
 (
     const caseLayers& made,
-    farFieldMesh& farField,
+    farFieldDomain&& domain,
     const prismLayerControls& controls,
+    farFieldMesh& farField,
     stageLog& log
 )
 {
+    const prismLayers& layers = made.wholeLayers();
+    List<sidePatch> sides(layers.border.sides);
+    if (controls.farField.isWanted())
+    {
+        sides = domain.boundary.cyclicSides;
+        farField = makeFarField
+        (
+            layers, std::move(domain), controls.farField, log.observer()
+        );
+    }
     polygonMesh polygons;
     if (controls.polygons)
     {
         log.begin("polygonCells");
-        polygons = makePolygonCells(made.wholeLayers(), farField);
+        polygons = makePolygonCells(layers, farField, sides);
         log.end(textOf(polygons.counts));
     }
 
@@ -506,16 +519,10 @@ void meshWall
         makeLayers(files, parallel, wall, controls, local, pictures, log)
     );
     farFieldMesh farField;
-    if (controls.farField.isWanted())
-    {
-        farField = makeFarField
-        (
-            made->wholeLayers(), std::move(domain), controls.farField,
-            log.observer()
-        );
-    }
-
-    polygonMesh polygons(makePolygons(*made, farField, controls, log));
+    polygonMesh polygons
+    (
+        makeCells(*made, std::move(domain), controls, farField, log)
+    );
     log.begin("prismPolyMesh");
     replaceFiles([&](replacedFiles& replaced)
     {

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "farTets.H"
+#include "makeFarFieldMesh.H"
 
 namespace Foam
 {
@@ -11,6 +12,22 @@ namespace Foam
 // * * * * * * * * * * * * * * * * Static Data * * * * * * * * * * * * * * * //
 
 constexpr label farTets::edgeEnds[6][4];
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+label nTetsOf(const farFieldMesh& far)
+{
+    for (const cellZoneParts& zone : far.cellZones)
+    {
+        if (zone.name == farFieldName)
+        {
+            return zone.cells.size();
+        }
+    }
+
+    return 0;
+}
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //

@@ -119,6 +119,36 @@ void keepNeighbours
     }
 }
 
+
+labelList withoutKept
+(
+    const labelUList& cells,
+    const prismLayers& layers,
+    const frontGroups& front,
+    const bitSet& whole,
+    const scalarField& volumes
+)
+{
+    bitSet isKept(front.nGroups);
+    for (const label facei : whole)
+    {
+        isKept.set(front.of(facei, 0));
+    }
+    DynamicList<label> others;
+    for (const label celli : cells)
+    {
+        const label group = celli/max(layers.nLayers, label(1));
+        const bool stays =
+            group < front.nGroups && volumes[celli] > 0 && isKept.test(group);
+        if (!stays)
+        {
+            others.append(celli);
+        }
+    }
+
+    return labelList(std::move(others));
+}
+
 } // End namespace Foam
 
 // ************************************************************************* //

@@ -105,12 +105,13 @@ polygonMesh makePolygonCells
 (
     const prismLayers& layers,
     farFieldMesh& far,
+    const UList<sidePatch>& sides,
     const polygonControls& controls
 )
 {
     const commonTriangles none;
     PtrList<polygonMaker> makers(1);
-    makers.set(0, new polygonMaker(layers, far, none, controls));
+    makers.set(0, new polygonMaker(layers, far, none, sides, controls));
     makeValid(0, makers);
 
     return makers[0].take();
@@ -132,7 +133,8 @@ List<polygonMesh> makePolygonCells
             i,
             new polygonMaker
             (
-                meshes[i].layers, meshes[i].far, meshes[i].common, controls
+                meshes[i].layers, meshes[i].far, meshes[i].common,
+                List<sidePatch>(), controls
             )
         );
     }

@@ -6,7 +6,6 @@
 #include "polygonMaker.H"
 
 #include "keptParts.H"
-#include "makeFarFieldMesh.H"
 #include "meshCertificate.H"
 #include "movePolygonPoints.H"
 #include "prismFaces.H"
@@ -16,20 +15,6 @@ namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-static label nTetsOf(const farFieldMesh& far)
-{
-    for (const cellZoneParts& zone : far.cellZones)
-    {
-        if (zone.name == farFieldName)
-        {
-            return zone.cells.size();
-        }
-    }
-
-    return 0;
-}
-
 
 //- Returns the cells that have no certificate, see meshCertificate.H, and, of
 //  layers alone, the cells on faces of wall and outer surface that intersect.
@@ -112,40 +97,6 @@ static List<cellZoneParts> zonesOf
 }
 
 
-//- Returns the cells of some that are no prism or hexahedron that stays: these
-//  have the certificate of the layers.
-//  whole: front faces that stay
-//  volumes: of the cells; they must be positive all the same
-static labelList withoutKept
-(
-    const labelUList& cells,
-    const prismLayers& layers,
-    const frontGroups& front,
-    const bitSet& whole,
-    const scalarField& volumes
-)
-{
-    bitSet isKept(front.nGroups);
-    for (const label facei : whole)
-    {
-        isKept.set(front.of(facei, 0));
-    }
-    DynamicList<label> others;
-    for (const label celli : cells)
-    {
-        const label group = celli/max(layers.nLayers, label(1));
-        const bool stays =
-            group < front.nGroups && volumes[celli] > 0 && isKept.test(group);
-        if (!stays)
-        {
-            others.append(celli);
-        }
-    }
-
-    return labelList(std::move(others));
-}
-
-
 //- Sets a corner apart, or, if it is apart, its face or tetrahedron whole.
 //  Returns whether that is new.
 static bool except
@@ -210,6 +161,43 @@ void polygonMaker::setPatches()
             farFaces_[far_.frontFaces[k]] = far_.topology.patchStarts[0] + k;
         }
     }
+}
+
+
+void polygonMaker::setPairs(const UList<sidePatch>& sides)
+{
+    pairs_ = cyclicFaces(sides, patches_);
+    if (pairs_.empty())
+    {
+        return;
+    }
+    facesOnPairs_.resize(layers_.faces.size());
+    tetsOnPairs_.resize(tets_.size());
+    columnsOnPairs_.resize(layers_.nColumns());
+    pointsOnPairs_.resize(far_.points.size());
+    label corner = 0;
+    forAll(layers_.faces, facei)
+    {
+        const face& f = layers_.faces[facei];
+        forAll(f, k)
+        {
+            if (pairs_.has(sidePatches_[corner++]))
+            {
+                columnsOnPairs_.set(f.faceEdge(k));
+                facesOnPairs_.set(facei);
+            }
+        }
+    }
+    const polyMeshTopology& t = far_.topology;
+    forAll(farPatches_, i)
+    {
+        const label n = pairs_.has(farPatches_[i]) ? t.patchSizes[i] : 0;
+        for (label k = 0; k < n; ++k)
+        {
+            pointsOnPairs_.set(t.faces[t.patchStarts[i] + k]);
+        }
+    }
+    keepAt(pointsOnPairs_, tets_.points(), tetsOnPairs_);
 }
 
 
@@ -284,14 +272,6 @@ void polygonMaker::visitCorners
 
 labelList polygonMaker::divide(const labelUList& cells)
 {
-    // The groups of the front come first; those of the far field follow
-    const auto groupOf = [&](const label celli)
-    {
-        return
-            celli < nLayerCells()
-          ? celli/layers_.nLayers
-          : front_.nGroups + celli - nLayerCells();
-    };
     bitSet isWanted(front_.nGroups + groups_.nGroups);
     bitSet isChanged(isWanted.size());
     for (const label celli : cells)
@@ -349,6 +329,45 @@ bool polygonMaker::keepAround(const labelUList& cells)
 }
 
 
+bool polygonMaker::keepOnPairs(const labelUList& cells)
+{
+    bitSet isWanted(front_.nGroups + groups_.nGroups);
+    for (const label celli : cells)
+    {
+        isWanted.set(groupOf(celli));
+    }
+    bool isNew = false;
+    visitCorners
+    (
+        [&](const label g, const label facei, label)
+        {
+            if (isWanted.test(g) && facesOnPairs_.test(facei))
+            {
+                isNew = onFront_.whole.set(facei) || isNew;
+            }
+        },
+        [&](const label g, const label t, label)
+        {
+            if (isWanted.test(front_.nGroups + g) && tetsOnPairs_.test(t))
+            {
+                isNew = inFar_.whole.set(t) || isNew;
+            }
+        }
+    );
+    if (isNew)
+    {
+        return true;
+    }
+    givenPoints at(points_, labels_, made_.mesh, cells);
+    at.columns &= columnsOnPairs_;
+    at.farPoints &= pointsOnPairs_;
+
+    return
+        keepAt(at.columns, layers_.faces, onFront_.whole)
+      + keepAt(at.farPoints, tets_.points(), inFar_.whole);
+}
+
+
 labelList polygonMaker::invalidIn(const polygonGeometry& geometry) const
 {
     labelList invalid
@@ -373,48 +392,6 @@ labelList polygonMaker::invalidIn(const polygonGeometry& geometry) const
 }
 
 
-void polygonMaker::compareWalls(const polygonGeometry& geometry)
-{
-    const polyMeshParts& mesh = made_.mesh;
-    const labelList cells(wall().cells);
-    labelList columnOf(mesh.nCells, -1);
-    scalar area = 0;
-    for (label facei = 0; facei < layers_.nWallFaces(); ++facei)
-    {
-        const face& f = layers_.faces[facei];
-        pointField x(f.size());
-        forAll(f, k)
-        {
-            columnOf[cells[front_.starts[facei] + k]] = f[k];
-            x[k] = layers_(f[k], 0);
-        }
-        area += face(identity(f.size())).mag(x);
-    }
-    scalar polygons = 0;
-    polygonCounts& counts = made_.counts;
-    for (label patchi = 0; patchi < layers_.patchNames.size(); ++patchi)
-    {
-        const label start = mesh.topology.patchStarts[patchi];
-        for (label i = 0; i < mesh.topology.patchSizes[patchi]; ++i)
-        {
-            const label own = mesh.topology.owner[start + i];
-            const vector& normal = geometry.faceAreas[start + i];
-            const vector off
-            (
-                layers_(columnOf[own], 0) - geometry.faceCentres[start + i]
-            );
-            polygons += mag(normal);
-            counts.wallDistance = max
-            (
-                counts.wallDistance,
-                mag(off & normal)/max(mag(normal), VSMALL)
-            );
-        }
-    }
-    counts.wallAreaRatio = polygons/area;
-}
-
-
 void polygonMaker::setCommonPolygons()
 {
     const polyMeshTopology& t = made_.mesh.topology;
@@ -429,6 +406,27 @@ void polygonMaker::setCommonPolygons()
 }
 
 
+void polygonMaker::setCounts(const polygonGeometry& geometry)
+{
+    polygonCounts& counts = made_.counts;
+    const finiteVolumes volumes(geometry.volumes(made_.mesh));
+    counts.grade = gradeOf(volumes, explicitGains(volumes));
+    compareWalls
+    (
+        wall(), made_.mesh, geometry, counts.wallDistance,
+        counts.wallAreaRatio
+    );
+    counts.nColumns = layers_.nLayers ? front_.nGroups : 0;
+    counts.nLayerCells = nLayerCells();
+    counts.nOthers = groups_.ofOthers.size();
+    counts.nPolyhedra = groups_.nGroups - counts.nOthers;
+    counts.nCornersOfColumns = onFront_.apart.count();
+    counts.nCornersOfTets = inFar_.apart.count();
+    counts.nKeptFaces = onFront_.whole.count();
+    counts.nKeptTets = inFar_.whole.count();
+}
+
+
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
 polygonMaker::polygonMaker
@@ -436,6 +434,7 @@ polygonMaker::polygonMaker
     const prismLayers& layers,
     farFieldMesh& far,
     const commonTriangles& common,
+    const UList<sidePatch>& sides,
     const polygonControls& controls
 )
 :
@@ -448,6 +447,7 @@ polygonMaker::polygonMaker
     points_(layers, far, tets_, common, controls)
 {
     setPatches();
+    setPairs(sides);
 }
 
 
@@ -566,11 +566,22 @@ void polygonMaker::makeMesh(const commonPolygons& polygons)
         movePoints(geometry);
     }
     const labelList invalid(invalidIn(geometry));
-    if (invalid.empty())
+    const labelList alone
+    (
+        invalid.empty() ? pairs_.withoutImage(mesh) : labelList()
+    );
+    if (alone.size())
     {
-        const finiteVolumes volumes(geometry.volumes(mesh));
-        made_.counts.grade = gradeOf(volumes, explicitGains(volumes));
-        compareWalls(geometry);
+        const labelList cells
+        (
+            UIndirectList<label>(mesh.topology.owner, alone)
+        );
+        hasChanged_ = keepOnPairs(cells);
+        place_ = geometry.faceCentres[alone[0]];
+    }
+    else if (invalid.empty())
+    {
+        setCounts(geometry);
     }
     else
     {
@@ -580,7 +591,7 @@ void polygonMaker::makeMesh(const commonPolygons& polygons)
         hasChanged_ = areKept || stuck.size() < invalid.size();
         place_ = geometry.cellCentres[invalid[0]];
     }
-    isValid_ = invalid.empty();
+    isValid_ = invalid.empty() && alone.empty();
 }
 
 
@@ -588,7 +599,8 @@ void polygonMaker::refuse() const
 {
     FatalErrorInFunction
         << "No valid polygons were found: a cell is not positive,"
-        << " or intersects others, at " << place_ << nl
+        << " intersects others, or has no image on a cyclic side, at "
+        << place_ << nl
         << "Use cells triangles" << exit(FatalError);
 }
 
@@ -599,15 +611,7 @@ polygonMesh polygonMaker::take()
     {
         made_.mesh.cellZones = zonesOf(far_, groups_, nLayerCells());
     }
-    polygonCounts& counts = made_.counts;
-    counts.nColumns = layers_.nLayers ? front_.nGroups : 0;
-    counts.nLayerCells = nLayerCells();
-    counts.nOthers = groups_.ofOthers.size();
-    counts.nPolyhedra = groups_.nGroups - counts.nOthers;
-    counts.nCornersOfColumns = onFront_.apart.count();
-    counts.nCornersOfTets = inFar_.apart.count();
-    counts.nKeptFaces = onFront_.whole.count();
-    counts.nKeptTets = inFar_.whole.count();
+    pairs_.align(made_.mesh);
 
     return std::move(made_);
 }

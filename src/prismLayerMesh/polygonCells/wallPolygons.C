@@ -277,6 +277,53 @@ labelList pinchedCells
 }
 
 
+void compareWalls
+(
+    const wallCorners& wall,
+    const polyMeshParts& mesh,
+    const polygonGeometry& geometry,
+    scalar& distance,
+    scalar& areaRatio
+)
+{
+    const prismLayers& layers = wall.layers;
+    labelList columnOf(mesh.nCells, -1);
+    scalar area = 0;
+    for (label facei = 0; facei < layers.nWallFaces(); ++facei)
+    {
+        const face& f = layers.faces[facei];
+        pointField x(f.size());
+        forAll(f, k)
+        {
+            columnOf[wall.cells[wall.corner(facei, k)]] = f[k];
+            x[k] = layers(f[k], 0);
+        }
+        area += face(identity(f.size())).mag(x);
+    }
+    scalar polygons = 0;
+    distance = 0;
+    for (label patchi = 0; patchi < layers.patchNames.size(); ++patchi)
+    {
+        const label start = mesh.topology.patchStarts[patchi];
+        for (label i = 0; i < mesh.topology.patchSizes[patchi]; ++i)
+        {
+            const label own = mesh.topology.owner[start + i];
+            const vector& normal = geometry.faceAreas[start + i];
+            const vector off
+            (
+                layers(columnOf[own], 0) - geometry.faceCentres[start + i]
+            );
+            polygons += mag(normal);
+            distance = max
+            (
+                distance, mag(off & normal)/max(mag(normal), VSMALL)
+            );
+        }
+    }
+    areaRatio = polygons/area;
+}
+
+
 void appendWallFaces
 (
     const wallCorners& wall,

@@ -334,10 +334,6 @@ static void readCells(const dictionary& dict, prismLayerControls& controls)
                 << ": use cells triangles" << exit(FatalIOError);
         }
     };
-    const auto isCyclic = [](const auto& entry)
-    {
-        return entry.type == "cyclic";
-    };
     const farFieldControls& far = controls.farField;
     refuse(controls.surface.planar.isWanted(), "twoDimensional");
     refuse
@@ -345,14 +341,6 @@ static void readCells(const dictionary& dict, prismLayerControls& controls)
         far.type == farFieldType::mesh,
         "farField.type mesh, whose cells stay as they are"
     );
-    refuse
-    (
-        anyOf(controls.surface.sidePlanes, isCyclic)
-     || anyOf(controls.layers.patches, isCyclic)
-     || anyOf(far.boundary.patches, isCyclic),
-        "side patches of type cyclic"
-    );
-
     controls.farField.forPolygons = true;
 }
 

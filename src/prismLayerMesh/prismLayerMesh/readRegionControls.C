@@ -102,6 +102,15 @@ static regionControls readRegion
     }
 
     result.controls = readPrismLayerControls(dict);
+    for (const patchLayers& patch : result.controls.layers.patches)
+    {
+        if (result.controls.polygons && patch.type == "cyclic")
+        {
+            entryError(dict, "cells")
+                << "There are regions, and cyclic patches. cells cannot be"
+                << " polygons then" << exit(FatalIOError);
+        }
+    }
     if (result.controls.layers.fromRun.isGiven())
     {
         const dictionary& yPlus = dict.subDict("layers").subDict("yPlus");

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "polygonCells/commonWall.C"
+#include "polygonCells/cyclicFaces.C"
 #include "polygonCells/outlines.C"
 #include "polygonCells/farTets.C"
 #include "polygonCells/cornerPoints.C"

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "polygonCells/commonWallTest.C"
+#include "polygonCells/cyclicFacesTest.C"
 #include "polygonCells/outlinesTest.C"
 #include "polygonCells/keptPartsTest.C"
 #include "polygonCells/polygonCellsTest.C"
