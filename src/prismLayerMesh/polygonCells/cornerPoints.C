@@ -140,7 +140,7 @@ void cornerPoints::setWeights(const label facei)
 {
     const face& f = layers_.faces[facei];
     const label n = layers_.nLayers;
-    SubList<scalar> weights(weights_, f.size(), starts_[facei]);
+    SubList<scalar> weights(places_.weights, f.size(), starts_[facei]);
     weights = 1.0/f.size();
     if (f.size() != 3)
     {
@@ -242,7 +242,7 @@ void cornerPoints::setDiagonal
     const face& f = layers_.faces[facei];
     if (f.size() == 4)
     {
-        SubList<scalar> weights(weights_, f.size(), starts_[facei]);
+        SubList<scalar> weights(places_.weights, f.size(), starts_[facei]);
         forAll(f, k)
         {
             weights[k] = f[k] == a || f[k] == b ? 0.5 : 0;
@@ -342,13 +342,8 @@ point cornerPoints::positionOnLevel(const label i, const label k) const
     {
         return positionOnCommon(facei);
     }
-    const face& f = layers_.faces[facei];
 
-    return meanOf
-    (
-        levelPoints{layers_, f, k},
-        SubList<scalar>(weights_, f.size(), starts_[facei])
-    );
+    return inFace(facei, k);
 }
 
 
@@ -381,7 +376,7 @@ cornerPoints::cornerPoints
         }
     }
     edges_ = numberedEdges(ends);
-    weights_.setSize(starts_.last());
+    places_.weights.setSize(starts_.last());
     forAll(layers.faces, facei)
     {
         setWeights(facei);
@@ -433,19 +428,45 @@ bool cornerPoints::isGiven(const label i) const
 }
 
 
+label cornerPoints::wallFaceOf(const label i) const
+{
+    const label facei = i % perLevel() - layers_.nColumns() - edges_.size();
+
+    const bool isOnWall =
+        i < firstFarPoint() && facei >= 0 && facei < layers_.nWallFaces();
+
+    return isOnWall && !common_.isCommon.test(facei) ? facei : -1;
+}
+
+
+void cornerPoints::setWeights(const label facei, const UList<scalar>& weights)
+{
+    SubList<scalar>(places_.weights, weights.size(), starts_[facei]) = weights;
+}
+
+
+point cornerPoints::inFace(const label facei, const label level) const
+{
+    return meanOf
+    (
+        levelPoints{layers_, layers_.faces[facei], level}, weights(facei)
+    );
+}
+
+
 void cornerPoints::fixTet(const label t)
 {
     visitInner(t, [&](const label i)
     {
-        moved_.erase(i);
-        fixed_.insert(i);
+        places_.moved.erase(i);
+        places_.fixed.insert(i);
     });
 }
 
 
 bool cornerPoints::isFree(const label i) const
 {
-    if (fixed_.found(i))
+    if (places_.fixed.found(i))
     {
         return false;
     }
@@ -483,7 +504,7 @@ point cornerPoints::position(const label i) const
     {
         return far_.points[i - firstFarPoint()];
     }
-    const auto moved = moved_.cfind(i);
+    const auto moved = places_.moved.cfind(i);
     if (moved.good())
     {
         return moved.val();

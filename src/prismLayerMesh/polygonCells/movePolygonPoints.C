@@ -6,8 +6,6 @@
 #include "movePolygonPoints.H"
 
 #include "CompactListList.H"
-#include "faceQuality.H"
-#include "unitConversion.H"
 
 #include <algorithm>
 
@@ -22,10 +20,9 @@ namespace
 //- A mesh whose points move one by one
 class movingPoints
 {
-    const pointMoveControls& controls_;
     polyMeshParts& mesh_;
     polygonGeometry& geometry_;
-    const scalar leastCosine_;
+    polygonPoorness poorness_;
 
     //- Poorness of each cell with points that may move, and the cells of which
     //  the poorness is out of date
@@ -38,91 +35,11 @@ class movingPoints
         DynamicList<label> cells_;
         DynamicList<scalar> now_;
 
-        DynamicList<schemeFace> seen_;
-
     const polyMeshTopology& topology() const { return mesh_.topology; }
 
     bool isInternal(const label facei) const
     {
         return facei < topology().neighbour.size();
-    }
-
-    //- The area of the triangles from the centre of a face to its edges that a
-    //  point does not see, as share of the face
-    scalar hidden
-    (
-        const label facei,
-        const scalar way,
-        const point& from
-    ) const
-    {
-        const face& f = topology().faces[facei];
-        if (f.size() == 3)
-        {
-            return 0;
-        }
-        const point& centre = geometry_.faceCentres[facei];
-        const vector to(way*(centre - from));
-        scalar sum = 0;
-        vector last(mesh_.points[f.last()] - centre);
-        for (const label p : f)
-        {
-            const vector next(mesh_.points[p] - centre);
-            const vector area(0.5*(last ^ next));
-            sum += (area & to) > 0 ? 0 : mag(area);
-            last = next;
-        }
-        const scalar whole = max(mag(geometry_.faceAreas[facei]), sum);
-
-        return sum > 0 ? 0.3 + sum/whole : 0;
-    }
-
-    //- How poor the angle and the skewness of a face between cells are
-    scalar poornessBetween(const label facei) const
-    {
-        const polyMeshTopology& t = topology();
-        const point& own = geometry_.cellCentres[t.owner[facei]];
-        const point& other = geometry_.cellCentres[t.neighbour[facei]];
-        const faceGeometry f(geometry_.faceAt(facei));
-        const scalar most = controls_.maxSkewness;
-        const scalar skewness =
-            (f.area & (other - own)) <= 0 ? most + 5
-          : skewnessAbove
-            (
-                f, UIndirectList<point>(mesh_.points, t.faces[facei]), own,
-                other, most
-            );
-
-        return
-            controls_.faceWeight
-           *nonOrthoViolation(f.area, other - own, leastCosine_)
-          + min(max(skewness - most, scalar(0)), scalar(5));
-    }
-
-    //- Returns how poor a cell is, or less if that is more than a bound
-    scalar poorness(const label celli, const scalar bound)
-    {
-        const point& centre = geometry_.cellCentres[celli];
-        const scalar size = ::cbrt(mag(geometry_.cellVolumes[celli]));
-        scalar sum = 0;
-        for (const label facei : geometry_.cells[celli])
-        {
-            const vector& area = geometry_.faceAreas[facei];
-            const scalar way = topology().owner[facei] == celli ? 1 : -1;
-            const scalar depth =
-                way*(area & (geometry_.faceCentres[facei] - centre))
-               /max(mag(area)*size, VSMALL);
-            sum += depth > 0 ? 0 : 5 - 5*max(depth, scalar(-1));
-            sum += hidden(facei, way, centre);
-            sum += isInternal(facei) ? poornessBetween(facei) : 0;
-            if (sum > bound)
-            {
-                return sum;
-            }
-        }
-        const scalar gain = gainOf(geometry_.volumes(mesh_), celli, seen_);
-
-        return sum + sqr(min(max(gain - controls_.gain, scalar(0)), scalar(2)));
     }
 
     //- Sets cells_, with their poorness, and returns the sum
@@ -150,7 +67,7 @@ class movingPoints
         {
             if (isOld_.unset(celli))
             {
-                poor_[celli] = poorness(celli, GREAT);
+                poor_[celli] = poorness_(celli, GREAT);
             }
             sum += poor_[celli];
         }
@@ -173,7 +90,7 @@ class movingPoints
         now_.clear();
         for (const label celli : cells_)
         {
-            now_.append(poorness(celli, bound - sum));
+            now_.append(poorness_(celli, bound - sum));
             sum += now_.last();
             if (sum >= bound)
             {
@@ -184,9 +101,9 @@ class movingPoints
         return sum;
     }
 
-    void setPoint(const label p, const point& x, const labelUList& faces)
+    //- Brings the geometry up to date
+    void update(const labelUList& faces)
     {
-        mesh_.points[p] = x;
         for (const label facei : faces)
         {
             geometry_.setFace(mesh_, facei);
@@ -219,15 +136,15 @@ public:
     movingPoints
     (
         const bitSet& isFixed,
-        const pointMoveControls& controls,
+        const poornessControls& controls,
+        const label nLayerCells,
         polyMeshParts& mesh,
         polygonGeometry& geometry
     )
     :
-        controls_(controls),
         mesh_(mesh),
         geometry_(geometry),
-        leastCosine_(Foam::cos(degToRad(controls.maxNonOrtho))),
+        poorness_(controls, nLayerCells, mesh, geometry),
         poor_(mesh.nCells, 0),
         isOld_(mesh.nCells)
     {
@@ -250,18 +167,19 @@ public:
         }
         for (const label celli : isOld_)
         {
-            poor_[celli] = poorness(celli, GREAT);
+            poor_[celli] = poorness_(celli, GREAT);
         }
         isOld_.reset();
     }
 
-    //- Returns the points of poor cells
-    bitSet pointsOfPoor() const
+    //- Returns the points of poor cells, or only of those with poor faces
+    bitSet pointsOfPoor(const bool byFaces) const
     {
         bitSet points(mesh_.points.size());
         forAll(poor_, celli)
         {
-            if (poor_[celli] > 0)
+            if (poor_[celli] > 0
+             && (!byFaces || poorness_.ofFaces(celli, 0) > 0))
             {
                 for (const label facei : geometry_.cells[celli])
                 {
@@ -273,32 +191,43 @@ public:
         return points;
     }
 
-    //- Moves a point by steps along the axes while that helps; halves the step
-    //  if none does. Returns whether the point has moved.
-    bool move(const label p, const labelUList& faces, scalar& step)
+    //- Moves points by steps while that helps; halves the step if none does.
+    //  Returns whether points have moved.
+    //  faces: with the points
+    //  nWays: number of ways to go
+    //  go(way, step): moves the points one way from where they were best
+    //  keep(): makes where the points are the best
+    template<class Go, class Keep>
+    bool move
+    (
+        const labelUList& faces,
+        const label nWays,
+        const Go& go,
+        const Keep& keep,
+        scalar& step
+    )
     {
         scalar least = setCells(faces);
-        point best(mesh_.points[p]);
         bool hasMoved = false;
         bool isBest = true;
-        for (label i = 0; i < 6 && least > 0; ++i)
+        for (label way = 0; way < nWays && least > 0; ++way)
         {
-            vector way(Zero);
-            way[i/2] = (i % 2 ? -step : step);
-            setPoint(p, best + way, faces);
+            go(way, step);
+            update(faces);
             const scalar now = sumNow(0.999*least);
             isBest = now < 0.999*least;
             if (isBest)
             {
                 least = now;
-                best = mesh_.points[p];
+                keep();
                 UIndirectList<scalar>(poor_, cells_) = now_;
                 hasMoved = true;
             }
         }
         if (!isBest)
         {
-            setPoint(p, best, faces);
+            go(0, 0);
+            update(faces);
         }
         if (hasMoved)
         {
@@ -338,49 +267,224 @@ CompactListList<label> facesAt(const bitSet& points, const faceList& faces)
     return at;
 }
 
+
+//- A point that may be anywhere
+class freePoint
+{
+    const label p_;
+    const UList<label> faces_;
+    scalar step_ = 0;
+
+public:
+
+    //- step: as share of the mean distance to the points beside
+    freePoint
+    (
+        const label p,
+        const UList<label>& faces,
+        const scalar step,
+        const polyMeshParts& mesh
+    )
+    :
+        p_(p),
+        faces_(faces)
+    {
+        for (const label facei : faces)
+        {
+            const face& f = mesh.topology.faces[facei];
+            const point& next = mesh.points[f.nextLabel(f.find(p))];
+            step_ += step/faces.size()*mag(next - mesh.points[p]);
+        }
+    }
+
+    bool move(movingPoints& moving, pointField& x)
+    {
+        point best(x[p_]);
+
+        return moving.move
+        (
+            faces_, 6,
+            [&](const label way, const scalar step)
+            {
+                x[p_] = best;
+                x[p_][way/2] += way % 2 ? -step : step;
+            },
+            [&] { best = x[p_]; },
+            step_
+        );
+    }
+};
+
+
+//- The points inside of a front face on all levels
+class facePoints
+{
+    const label facei_;
+
+    //- Points of the mesh, their levels, and the faces there
+    labelList points_;
+    DynamicList<label> levels_;
+    labelList faces_;
+
+    //- As share of the way to a corner
+    scalar step_;
+
+public:
+
+    facePoints
+    (
+        const label facei,
+        const labelUList& pointsInFace,
+        const labelUList& labels,
+        const cornerPoints& points,
+        const CompactListList<label>& facesAt,
+        const scalar step
+    )
+    :
+        facei_(facei),
+        points_(pointsInFace),
+        step_(step)
+    {
+        labelHashSet all;
+        for (const label p : points_)
+        {
+            levels_.append(points.levelOf(labels[p]));
+            all.insert(facesAt[p]);
+        }
+        faces_ = all.sortedToc();
+    }
+
+    //- Corners of the face that have no weight stay without one
+    bool move
+    (
+        movingPoints& moving,
+        const scalar leastWeight,
+        cornerPoints& points,
+        pointField& x
+    )
+    {
+        scalarList best(points.weights(facei_));
+        scalarList now(best);
+
+        return moving.move
+        (
+            faces_, 2*best.size(),
+            [&](const label way, const scalar step)
+            {
+                const label k = way/2;
+                const scalar share = way % 2 ? -step : step;
+                bool isInside = best[k] > 0;
+                forAll(best, i)
+                {
+                    now[i] = (1 - share)*best[i] + (i == k ? share : 0);
+                    isInside = isInside
+                     && (best[i] == 0 || now[i] >= leastWeight);
+                }
+                points.setWeights(facei_, isInside ? now : best);
+                now = points.weights(facei_);
+                forAll(points_, i)
+                {
+                    x[points_[i]] = points.inFace(facei_, levels_[i]);
+                }
+            },
+            [&] { best = now; },
+            step_
+        );
+    }
+};
+
+//- The points of the mesh inside of some front faces, by face
+Map<DynamicList<label>> pointsInFaces
+(
+    const bitSet& wanted,
+    const labelUList& labels,
+    const cornerPoints& points
+)
+{
+    Map<DynamicList<label>> inFaces;
+    for (const label p : wanted)
+    {
+        const label facei = points.wallFaceOf(labels[p]);
+        if (facei >= 0)
+        {
+            inFaces.insert(facei, DynamicList<label>());
+        }
+    }
+    forAll(labels, p)
+    {
+        auto found = inFaces.find(points.wallFaceOf(labels[p]));
+        if (found.good())
+        {
+            found.val().append(p);
+        }
+    }
+
+    return inFaces;
+}
+
 } // End anonymous namespace
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-bitSet movePolygonPoints
+void movePolygonPoints
 (
     const bitSet& isFixed,
     const pointMoveControls& controls,
+    const label nLayerCells,
+    const labelUList& labels,
+    cornerPoints& points,
     polyMeshParts& mesh,
     polygonGeometry& geometry
 )
 {
-    const faceList& faces = mesh.topology.faces;
-    bitSet hasMoved(mesh.points.size());
-    movingPoints moving(isFixed, controls, mesh, geometry);
-    const bitSet isWanted(moving.pointsOfPoor() - isFixed);
-    const CompactListList<label> at(facesAt(isWanted, faces));
-
-    // Mean distances to the points beside
-    scalarField steps(mesh.points.size(), 0);
-    for (const label p : isWanted)
+    movingPoints moving(isFixed, controls, nLayerCells, mesh, geometry);
+    const Map<DynamicList<label>> inFaces
+    (
+        pointsInFaces(moving.pointsOfPoor(true) - isFixed, labels, points)
+    );
+    bitSet singles(moving.pointsOfPoor(false) - isFixed);
+    forAll(labels, p)
     {
-        for (const label facei : at[p])
+        if (points.wallFaceOf(labels[p]) >= 0)
         {
-            const face& f = faces[facei];
-            steps[p] +=
-                controls.step/at[p].size()
-               *mag(mesh.points[f.nextLabel(f.find(p))] - mesh.points[p]);
+            singles.unset(p);
         }
+    }
+    bitSet all(singles);
+    forAllConstIters(inFaces, iter)
+    {
+        all.set(iter.val());
+    }
+    const CompactListList<label> at(facesAt(all, mesh.topology.faces));
+    std::vector<facePoints> stacks;
+    for (const label facei : inFaces.sortedToc())
+    {
+        stacks.emplace_back
+        (
+            facei, inFaces[facei], labels, points, at, controls.step
+        );
+    }
+    std::vector<freePoint> free;
+    for (const label p : singles)
+    {
+        free.emplace_back(p, at[p], controls.step, mesh);
     }
     for (label round = 0; round < controls.nRounds; ++round)
     {
-        for (const label p : isWanted)
+        for (facePoints& stack : stacks)
         {
-            if (moving.move(p, at[p], steps[p]))
-            {
-                hasMoved.set(p);
-            }
+            stack.move(moving, controls.leastWeight, points, mesh.points);
+        }
+        for (freePoint& single : free)
+        {
+            single.move(moving, mesh.points);
         }
     }
-
-    return hasMoved;
+    for (const label p : singles)
+    {
+        points.move(labels[p], mesh.points[p]);
+    }
 }
 
 } // End namespace Foam

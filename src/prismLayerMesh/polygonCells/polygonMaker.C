@@ -227,21 +227,22 @@ wallCorners polygonMaker::wall() const
 void polygonMaker::movePoints(polygonGeometry& geometry)
 {
     // The others are where they are best
-    polyMeshParts& mesh = made_.mesh;
     bitSet isFixed(labels_.size());
     forAll(labels_, p)
     {
-        const bool isNew = divided_.empty() || divided_.found(labels_[p]);
-        isFixed.set(p, !isNew || !points_.isFree(labels_[p]));
+        const label i = labels_[p];
+        const label facei = points_.wallFaceOf(i);
+        const bool mayMove =
+            facei < 0 ? points_.isFree(i) : !onFront_.whole.test(facei);
+        const label known = facei < 0 ? i : points_.ofFace(facei, 0);
+        const bool isNew = divided_.empty() || divided_.found(known);
+        isFixed.set(p, !isNew || !mayMove);
     }
-    const pointMoveControls moves;
-    for
+    movePolygonPoints
     (
-        const label p : movePolygonPoints(isFixed, moves, mesh, geometry)
-    )
-    {
-        points_.move(labels_[p], mesh.points[p]);
-    }
+        isFixed, pointMoveControls(), nLayerCells(), labels_, points_,
+        made_.mesh, geometry
+    );
     mayMove_ = false;
 }
 
@@ -291,6 +292,7 @@ labelList polygonMaker::divide(const labelUList& cells)
             {
                 const label corner = front_.starts[facei] + k;
                 setIf(g, except(corner, facei, onFront_));
+                divided_.insert(points_.ofFace(facei, 0));
             }
         },
         [&](const label farGroup, const label t, const label k)
@@ -561,7 +563,7 @@ void polygonMaker::makeMesh(const commonPolygons& polygons)
     setCommonPolygons();
 
     polygonGeometry geometry(mesh);
-    if (!far_.empty() && mayMove_)
+    if (mayMove_)
     {
         movePoints(geometry);
     }

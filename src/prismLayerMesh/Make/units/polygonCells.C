@@ -14,6 +14,7 @@
 #include "polygonCells/farGroups.C"
 #include "polygonCells/farPolygons.C"
 #include "polygonCells/polygonGeometry.C"
+#include "polygonCells/polygonPoorness.C"
 #include "polygonCells/movePolygonPoints.C"
 #include "polygonCells/keptParts.C"
 #include "polygonCells/polygonMaker.C"
