@@ -13,93 +13,6 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- The weights of the circumcentre of a triangle, or zeros if it has no area
-static FixedList<scalar, 3> circumWeights(const FixedList<point, 3>& p)
-{
-    const scalar aa = magSqr(p[2] - p[1]);
-    const scalar bb = magSqr(p[0] - p[2]);
-    const scalar cc = magSqr(p[1] - p[0]);
-    FixedList<scalar, 3> w
-    ({
-        aa*(bb + cc - aa), bb*(cc + aa - bb), cc*(aa + bb - cc)
-    });
-    const scalar total = w[0] + w[1] + w[2];
-    for (scalar& x : w)
-    {
-        x = total > VSMALL ? x/total : 0;
-    }
-
-    return w;
-}
-
-
-//- The weights of the circumcentre of a tetrahedron, or zeros if it has no
-//  volume
-static FixedList<scalar, 4> circumWeights(const FixedList<point, 4>& p)
-{
-    const vector u(p[1] - p[0]), v(p[2] - p[0]), w(p[3] - p[0]);
-    const scalar det = u & (v ^ w);
-    if (mag(det) < VSMALL)
-    {
-        return FixedList<scalar, 4>(Zero);
-    }
-    const vector x
-    (
-        (magSqr(u)*(v ^ w) + magSqr(v)*(w ^ u) + magSqr(w)*(u ^ v))/(2*det)
-    );
-    const scalar a = (x & (v ^ w))/det;
-    const scalar b = (x & (w ^ u))/det;
-    const scalar c = (x & (u ^ v))/det;
-
-    return FixedList<scalar, 4>({1 - a - b - c, a, b, c});
-}
-
-
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
-template<unsigned n>
-FixedList<scalar, n> innerWeights
-(
-    const FixedList<point, n>& corners,
-    const scalar leastShare
-)
-{
-    FixedList<scalar, n> weights(circumWeights(corners));
-    scalar way = 1;
-    bool isCentral = true;
-    for (const scalar x : weights)
-    {
-        isCentral = isCentral && x == 0;
-        if (n*x < leastShare)
-        {
-            way = min(way, (1 - leastShare)/(1 - n*x));
-        }
-    }
-    for (scalar& x : weights)
-    {
-        x = 1.0/n + (isCentral ? 0 : way*(x - 1.0/n));
-    }
-
-    return weights;
-}
-
-
-template FixedList<scalar, 3> innerWeights(const FixedList<point, 3>&, scalar);
-template FixedList<scalar, 4> innerWeights(const FixedList<point, 4>&, scalar);
-
-
-face rootsOf(const prismLayers& layers, const label facei)
-{
-    face f(layers.faces[facei]);
-    for (label& c : f)
-    {
-        c = layers.root(c);
-    }
-
-    return f;
-}
-
-
 //- The mean of points. A coordinate that is the same in all points stays it,
 //  whatever rounding.
 template<class Points, class Weights>
@@ -136,54 +49,24 @@ FixedList<point, 3> cornerPoints::commonPlaces
 }
 
 
-void cornerPoints::setWeights(const label facei)
+scalarList cornerPoints::firstWeights(const label facei) const
 {
-    const face& f = layers_.faces[facei];
-    const label n = layers_.nLayers;
-    SubList<scalar> weights(places_.weights, f.size(), starts_[facei]);
-    weights = 1.0/f.size();
-    if (f.size() != 3)
+    if (!common_.isCommon.test(facei))
     {
-        return;
+        return innerWeights(layers_, facei, leastShare_);
     }
-    if (common_.isCommon.test(facei))
+    labelList positions(3);
+    const FixedList<scalar, 3> inner
+    (
+        innerWeights(commonPlaces(facei, positions), leastShare_)
+    );
+    scalarList weights(3);
+    forAll(positions, k)
     {
-        labelList positions(3);
-        const FixedList<scalar, 3> inner
-        (
-            innerWeights(commonPlaces(facei, positions), leastShare_)
-        );
-        forAll(positions, k)
-        {
-            weights[positions[k]] = inner[k];
-        }
-        return;
-    }
-    if (facei < layers_.nWallFaces())
-    {
-        FixedList<point, 3> corners;
-        forAll(corners, k)
-        {
-            corners[k] = 0.5*(layers_(f[k], 0) + layers_(f[k], n));
-        }
-        const FixedList<scalar, 3> inner(innerWeights(corners, leastShare_));
-        std::copy(inner.begin(), inner.end(), weights.begin());
-        return;
+        weights[positions[k]] = inner[k];
     }
 
-    // On the wall the point is inside of the edge to which the face shrinks
-    forAll(f, k)
-    {
-        const label root = layers_.root(f[k]);
-        const bool isAlone =
-            root != layers_.root(f[f.fcIndex(k)])
-         && root != layers_.root(f[f.rcIndex(k)]);
-        if (isAlone)
-        {
-            weights = 0.25;
-            weights[k] = 0.5;
-        }
-    }
+    return weights;
 }
 
 
@@ -317,7 +200,7 @@ point cornerPoints::positionOnCommon(const label facei) const
 {
     labelList positions(3);
     const FixedList<point, 3> places(commonPlaces(facei, positions));
-    const SubList<scalar> weights(weights_, 3, starts_[facei]);
+    const SubList<scalar> weights(places_.weights, 3, starts_[facei]);
 
     return meanOf(places, UIndirectList<scalar>(weights, positions));
 }
@@ -379,7 +262,7 @@ cornerPoints::cornerPoints
     places_.weights.setSize(starts_.last());
     forAll(layers.faces, facei)
     {
-        setWeights(facei);
+        setWeights(facei, firstWeights(facei));
     }
     setRoots();
     setFarEdges();

@@ -230,10 +230,12 @@ class farGrouper
     void setApart()
     {
         const label first = far_.points.size() + far_.nCells + nSplit_;
-        for (const label corner : exceptions_.apart)
+        forAllConstIters(exceptions_.parts(), iter)
         {
-            groups_.ofTets[corner/4][corner % 4] = first + nApart_++;
+            const label corner = iter.key();
+            groups_.ofTets[corner/4][corner % 4] = first + iter.val();
         }
+        nApart_ = exceptions_.nParts();
         for (const label t : exceptions_.whole)
         {
             groups_.ofTets[t] = first + nApart_++;

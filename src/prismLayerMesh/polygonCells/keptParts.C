@@ -30,7 +30,7 @@ static bool isDivided
     const label second = front.starts[beyond] + f.find(e.second());
 
     return
-        exceptions.apart.test(first) || exceptions.apart.test(second)
+        exceptions.part(first) >= 0 || exceptions.part(second) >= 0
      || front.groups[first] != front.groups[second];
 }
 

@@ -85,7 +85,7 @@ class frontJoiner
 
     void join(const label a, const label b)
     {
-        if (!exceptions_.apart.test(a) && !exceptions_.apart.test(b))
+        if (exceptions_.part(a) == exceptions_.part(b))
         {
             sets_.join(a, b);
         }
@@ -470,6 +470,18 @@ public:
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
+labelList cornerStarts(const prismLayers& layers)
+{
+    labelList starts(layers.faces.size() + 1, Zero);
+    forAll(layers.faces, facei)
+    {
+        starts[facei + 1] = starts[facei] + layers.faces[facei].size();
+    }
+
+    return starts;
+}
+
+
 frontGroups groupFront
 (
     const prismLayers& layers,
@@ -479,12 +491,7 @@ frontGroups groupFront
 )
 {
     frontGroups front;
-    front.starts = labelList(layers.faces.size() + 1, Zero);
-    forAll(layers.faces, facei)
-    {
-        front.starts[facei + 1] =
-            front.starts[facei] + layers.faces[facei].size();
-    }
+    front.starts = cornerStarts(layers);
 
     return frontJoiner
     (

@@ -67,8 +67,8 @@ dictionary toDictionary(const polygonCounts& counts)
     entries.add("layerCells", counts.nLayerCells);
     entries.add("polyhedra", counts.nPolyhedra);
     entries.add("otherCells", counts.nOthers);
-    entries.add("cornersOfColumns", counts.nCornersOfColumns);
-    entries.add("cornersOfTets", counts.nCornersOfTets);
+    entries.add("partsOfColumns", counts.nPartsOfColumns);
+    entries.add("partsOfPolyhedra", counts.nPartsOfPolyhedra);
     entries.add("keptFaces", counts.nKeptFaces);
     entries.add("keptTets", counts.nKeptTets);
     entries.add("wallDistance", counts.wallDistance);
@@ -85,11 +85,11 @@ string textOf(const polygonCounts& counts)
     OStringStream text;
     text<< counts.nColumns << " columns, " << counts.nLayerCells
         << " cells in layers, " << counts.nPolyhedra << " polyhedra";
-    if (counts.nCornersOfColumns || counts.nCornersOfTets)
+    if (counts.nPartsOfColumns || counts.nPartsOfPolyhedra)
     {
-        text<< "\ncolumns divided into " << counts.nCornersOfColumns
-            << " corners of prisms, polyhedra into " << counts.nCornersOfTets
-            << " corners of tetrahedra; " << counts.nKeptFaces
+        text<< "\ncolumns divided into " << counts.nPartsOfColumns
+            << " parts, polyhedra into " << counts.nPartsOfPolyhedra
+            << "; " << counts.nKeptFaces
             << " columns of prisms and " << counts.nKeptTets
             << " tetrahedra stay";
     }

@@ -5,7 +5,9 @@
 
 #include "polygonGeometry.H"
 
+#include "bitSet.H"
 #include "cellPredicates.H"
+#include "faceQuality.H"
 #include "primitiveMesh.H"
 #include "surfaceMeasures.H"
 #include "UIndirectList.H"
@@ -123,6 +125,33 @@ labelList polygonGeometry::invalidCells(const polyMeshParts& mesh) const
     }
 
     return labelList(std::move(invalid));
+}
+
+
+labelList polygonGeometry::skewCells
+(
+    const polyMeshParts& mesh,
+    const scalar maxSkewness
+) const
+{
+    const polyMeshTopology& t = mesh.topology;
+    bitSet skew(mesh.nCells);
+    forAll(t.neighbour, facei)
+    {
+        const label own = t.owner[facei], other = t.neighbour[facei];
+        const scalar skewness = skewnessAbove
+        (
+            faceAt(facei), UIndirectList<point>(mesh.points, t.faces[facei]),
+            cellCentres[own], cellCentres[other], maxSkewness
+        );
+        if (skewness > maxSkewness)
+        {
+            skew.set(own);
+            skew.set(other);
+        }
+    }
+
+    return skew.sortedToc();
 }
 
 } // End namespace Foam

@@ -5,6 +5,7 @@
 
 #include "polygonMaker.H"
 
+#include "divideGroups.H"
 #include "keptParts.H"
 #include "meshCertificate.H"
 #include "movePolygonPoints.H"
@@ -97,76 +98,11 @@ static List<cellZoneParts> zonesOf
 }
 
 
-//- Sets a corner apart, or, if it is apart, its face or tetrahedron whole.
-//  Returns whether that is new.
-static bool except
-(
-    const label corner,
-    const label i,
-    groupExceptions& exceptions
-)
-{
-    return exceptions.apart.set(corner) || exceptions.whole.set(i);
-}
-
-
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void polygonMaker::setPatches()
-{
-    const List<DynamicList<labelPair>> open
-    (
-        openEdges(layers_, neighbours_)
-    );
-    patches_ = patchesOfMesh(layers_, open.size(), far_);
-    const List<labelPair> parts
-    (
-        partsOfPatches(layers_, open.size(), far_)
-    );
-    labelList ofLayers
-    (
-        layers_.patchNames.size() + 1 + open.size(), label(-1)
-    );
-    farPatches_.setSize(far_.topology.patchStarts.size(), -1);
-    forAll(parts, patchi)
-    {
-        if (parts[patchi].first() >= 0)
-        {
-            ofLayers[parts[patchi].first()] = patchi;
-        }
-        if (parts[patchi].second() >= 0)
-        {
-            farPatches_[parts[patchi].second()] = patchi;
-        }
-    }
-    const frontGroups corners
-    (
-        groupFront(layers_, neighbours_, controls_, onFront_)
-    );
-    sidePatches_.setSize(corners.groups.size(), -1);
-    forAll(open, i)
-    {
-        for (const labelPair& e : open[i])
-        {
-            sidePatches_[corners.starts[e.first()] + e.second()] =
-                ofLayers[layers_.patchNames.size() + 1 + i];
-        }
-    }
-
-    if (layers_.nLayers == 0)
-    {
-        farFaces_.setSize(layers_.faces.size(), -1);
-        forAll(far_.frontFaces, k)
-        {
-            farFaces_[far_.frontFaces[k]] = far_.topology.patchStarts[0] + k;
-        }
-    }
-}
-
 
 void polygonMaker::setPairs(const UList<sidePatch>& sides)
 {
-    pairs_ = cyclicFaces(sides, patches_);
+    pairs_ = cyclicFaces(sides, patches_.all);
     if (pairs_.empty())
     {
         return;
@@ -181,7 +117,7 @@ void polygonMaker::setPairs(const UList<sidePatch>& sides)
         const face& f = layers_.faces[facei];
         forAll(f, k)
         {
-            if (pairs_.has(sidePatches_[corner++]))
+            if (pairs_.has(patches_.ofEdges[corner++]))
             {
                 columnsOnPairs_.set(f.faceEdge(k));
                 facesOnPairs_.set(facei);
@@ -189,9 +125,9 @@ void polygonMaker::setPairs(const UList<sidePatch>& sides)
         }
     }
     const polyMeshTopology& t = far_.topology;
-    forAll(farPatches_, i)
+    forAll(patches_.ofFar, i)
     {
-        const label n = pairs_.has(farPatches_[i]) ? t.patchSizes[i] : 0;
+        const label n = pairs_.has(patches_.ofFar[i]) ? t.patchSizes[i] : 0;
         for (label k = 0; k < n; ++k)
         {
             pointsOnPairs_.set(t.faces[t.patchStarts[i] + k]);
@@ -273,34 +209,33 @@ void polygonMaker::visitCorners
 
 labelList polygonMaker::divide(const labelUList& cells)
 {
-    bitSet isWanted(front_.nGroups + groups_.nGroups);
-    bitSet isChanged(isWanted.size());
+    bitSet onFront(front_.nGroups), inFar(groups_.nGroups);
     for (const label celli : cells)
     {
-        isWanted.set(groupOf(celli));
+        const label g = groupOf(celli);
+        if (g < front_.nGroups)
+        {
+            onFront.set(g);
+        }
+        else
+        {
+            inFar.set(g - front_.nGroups);
+        }
     }
-    const auto setIf = [&](const label g, const bool hasChanged)
-    {
-        isChanged.set(g, isChanged.test(g) || hasChanged);
-    };
     divided_.clear();
     visitCorners
     (
-        [&](const label g, const label facei, const label k)
+        [&](const label g, const label facei, label)
         {
-            if (isWanted.test(g))
+            if (onFront.test(g))
             {
-                const label corner = front_.starts[facei] + k;
-                setIf(g, except(corner, facei, onFront_));
                 divided_.insert(points_.ofFace(facei, 0));
             }
         },
-        [&](const label farGroup, const label t, const label k)
+        [&](const label g, const label t, label)
         {
-            const label g = front_.nGroups + farGroup;
-            if (isWanted.test(g))
+            if (inFar.test(g))
             {
-                setIf(g, except(4*t + k, t, inFar_));
                 points_.visitInner
                 (
                     t, [&](const label i) { divided_.insert(i); }
@@ -308,16 +243,87 @@ labelList polygonMaker::divide(const labelUList& cells)
             }
         }
     );
+    const bitSet frontChanged
+    (
+        divideFrontGroups(layers_, neighbours_, front_, onFront, onFront_)
+    );
+    const bitSet farChanged
+    (
+        divideFarGroups(far_, tets_, groups_, inFar, inFar_)
+    );
+    mayMove_ = true;
     DynamicList<label> stuck;
     for (const label celli : cells)
     {
-        if (!isChanged.test(groupOf(celli)))
+        const label g = groupOf(celli);
+        const bool isChanged =
+            g < front_.nGroups
+          ? frontChanged.test(g) : farChanged.test(g - front_.nGroups);
+        if (!isChanged)
         {
             stuck.append(celli);
         }
     }
 
     return labelList(std::move(stuck));
+}
+
+
+void polygonMaker::goBack()
+{
+    onFront_ = best_->onFront;
+    inFar_ = best_->inFar;
+    points_.setPlaces(best_->places);
+    mayMove_ = false;
+    isLast_ = true;
+    hasChanged_ = true;
+}
+
+
+bool polygonMaker::divideSkew(const polygonGeometry& geometry)
+{
+    if (isTouched() || isLast_)
+    {
+        return true;
+    }
+    const labelList skew
+    (
+        geometry.skewCells(made_.mesh, controls_.maxSkewness)
+    );
+    if (!best_ || skew.size() < best_->nSkew)
+    {
+        best_.reset
+        (
+            new validMesh{onFront_, inFar_, points_.places(), skew.size()}
+        );
+    }
+    const bool isStuck =
+        nSkewRounds_++ == controls_.nSkewRounds
+     || divide(skew).size() == skew.size();
+    hasChanged_ = !isStuck;
+    if (isStuck && skew.size() > best_->nSkew)
+    {
+        goBack();
+    }
+
+    return !hasChanged_;
+}
+
+
+void polygonMaker::divideInvalid
+(
+    const labelUList& invalid,
+    const polygonGeometry& geometry
+)
+{
+    const labelList stuck(divide(invalid));
+    const bool areKept = keepAround(stuck);
+    hasChanged_ = areKept || stuck.size() < invalid.size();
+    if (!hasChanged_ && best_)
+    {
+        goBack();
+    }
+    place_ = geometry.cellCentres[invalid[0]];
 }
 
 
@@ -422,8 +428,8 @@ void polygonMaker::setCounts(const polygonGeometry& geometry)
     counts.nLayerCells = nLayerCells();
     counts.nOthers = groups_.ofOthers.size();
     counts.nPolyhedra = groups_.nGroups - counts.nOthers;
-    counts.nCornersOfColumns = onFront_.apart.count();
-    counts.nCornersOfTets = inFar_.apart.count();
+    counts.nPartsOfColumns = onFront_.nPartsInUse();
+    counts.nPartsOfPolyhedra = inFar_.nPartsInUse();
     counts.nKeptFaces = onFront_.whole.count();
     counts.nKeptTets = inFar_.whole.count();
 }
@@ -446,9 +452,17 @@ polygonMaker::polygonMaker
     controls_(controls),
     neighbours_(findFaceNeighbours(layers)),
     tets_(far, nTetsOf(far)),
-    points_(layers, far, tets_, common, controls)
+    points_(layers, far, tets_, common, controls),
+    patches_(layers, neighbours_, far)
 {
-    setPatches();
+    if (layers_.nLayers == 0)
+    {
+        farFaces_.setSize(layers_.faces.size(), -1);
+        forAll(far_.frontFaces, k)
+        {
+            farFaces_[far_.frontFaces[k]] = far_.topology.patchStarts[0] + k;
+        }
+    }
     setPairs(sides);
 }
 
@@ -512,7 +526,7 @@ void polygonMaker::collectFaces(commonPolygons& polygons)
     }
     appendLayerFaces
     (
-        layers_, neighbours_, front_, points_, sidePatches_, !isTouched(),
+        layers_, neighbours_, front_, points_, patches_.ofEdges, !isTouched(),
         faces_
     );
     if (isTouched())
@@ -531,7 +545,7 @@ void polygonMaker::collectFaces(commonPolygons& polygons)
     {
         appendFarFaces
         (
-            {layers_, front_, far_, tets_, groups_, points_}, farPatches_,
+            {layers_, front_, far_, tets_, groups_, points_}, patches_.ofFar,
             controls_.sharpAngle, faces_
         );
     }
@@ -555,9 +569,9 @@ void polygonMaker::makeMesh(const commonPolygons& polygons)
     mesh = faces_.makeParts
     (
         points_, stays_, nLayerCells() + groups_.nGroups,
-        patches_.names.size(), labels_
+        patches_.all.names.size(), labels_
     );
-    mesh.patches = patches_;
+    mesh.patches = patches_.all;
     faces_ = polygonFaces();
     stays_.clear();
     setCommonPolygons();
@@ -567,11 +581,12 @@ void polygonMaker::makeMesh(const commonPolygons& polygons)
     {
         movePoints(geometry);
     }
-    const labelList invalid(invalidIn(geometry));
+    const labelList invalid(isLast_ ? labelList() : invalidIn(geometry));
     const labelList alone
     (
         invalid.empty() ? pairs_.withoutImage(mesh) : labelList()
     );
+    isValid_ = false;
     if (alone.size())
     {
         const labelList cells
@@ -581,19 +596,15 @@ void polygonMaker::makeMesh(const commonPolygons& polygons)
         hasChanged_ = keepOnPairs(cells);
         place_ = geometry.faceCentres[alone[0]];
     }
-    else if (invalid.empty())
+    else if (invalid.size())
+    {
+        divideInvalid(invalid, geometry);
+    }
+    else if (divideSkew(geometry))
     {
         setCounts(geometry);
+        isValid_ = true;
     }
-    else
-    {
-        mayMove_ = true;
-        const labelList stuck(divide(invalid));
-        const bool areKept = keepAround(stuck);
-        hasChanged_ = areKept || stuck.size() < invalid.size();
-        place_ = geometry.cellCentres[invalid[0]];
-    }
-    isValid_ = invalid.empty() && alone.empty();
 }
 
 

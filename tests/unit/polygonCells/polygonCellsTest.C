@@ -40,13 +40,14 @@ static polygonMesh polygonsAround
 (
     const wallSurface& wall,
     const farFieldType type,
-    const scalar thickness = 0.1
+    const scalar thickness = 0.1,
+    const polygonControls& controls = polygonControls()
 )
 {
     const prismLayerMesh run(layeredMesh(wall, 4, thickness));
     farFieldMesh far(farFieldOf(run, inBox(type, 4)));
 
-    return makePolygonCells(run.made.layers, far);
+    return makePolygonCells(run.made.layers, far, controls);
 }
 
 
@@ -116,7 +117,7 @@ TEST(polygonCells, aSmoothWallHasAColumnForEachPoint)
     const polygonMesh polygons(polygonsAround(wall, farFieldType::tet));
 
     EXPECT_EQ(polygons.counts.nColumns, wall.points.size());
-    EXPECT_EQ(polygons.counts.nCornersOfColumns, 0);
+    EXPECT_EQ(polygons.counts.nPartsOfColumns, 0);
 }
 
 
@@ -178,11 +179,34 @@ TEST(polygonCells, layersAreWholeWherePolyhedraAreDivided)
     (
         polygonsAround(wedgeBlock(6, 40), farFieldType::tet, 0.25)
     );
-    EXPECT_GT(polygons.counts.nCornersOfTets, 0);
-    EXPECT_GT(polygons.counts.nCornersOfColumns, 0);
+    EXPECT_GT(polygons.counts.nPartsOfPolyhedra, 0);
+    EXPECT_GT(polygons.counts.nPartsOfColumns, 0);
 
     const memoryMesh mesh(std::move(polygons.mesh));
     expectCertified(mesh());
+}
+
+
+//- Number of the cells with skew faces around an acute edge
+static label nSkew(const label nRounds)
+{
+    polygonControls controls;
+    controls.nSkewRounds = nRounds;
+    const polygonMesh polygons
+    (
+        polygonsAround(wedgeBlock(3, 15), farFieldType::tet, 0.15, controls)
+    );
+
+    return
+        polygonGeometry(polygons.mesh)
+       .skewCells(polygons.mesh, controls.maxSkewness).size();
+}
+
+
+TEST(polygonCells, skewColumnsAreDivided)
+{
+    EXPECT_EQ(nSkew(0), 2);
+    EXPECT_EQ(nSkew(polygonControls().nSkewRounds), 0);
 }
 
 

@@ -6,6 +6,7 @@
 #include "polygonCells/commonWallTest.C"
 #include "polygonCells/cyclicFacesTest.C"
 #include "polygonCells/outlinesTest.C"
+#include "polygonCells/groupExceptionsTest.C"
 #include "polygonCells/keptPartsTest.C"
 #include "polygonCells/polygonCellsTest.C"
 
