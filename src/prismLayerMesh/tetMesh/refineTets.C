@@ -4,12 +4,12 @@
 \*---------------------------------------------------------------------------*/
 
 #include "refineTets.H"
+#include "changeRounds.H"
 #include "stageProgress.H"
 #include "tetInserter.H"
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
 #include <vector>
 
 namespace Foam
@@ -49,22 +49,16 @@ const struct
 
 //- A point that is to be added, and what it replaces
 struct insertion
+:
+    public pointCavity
 {
-    //- The tetrahedron that asks for the point
-    label asking;
-
     //- Label of a wanted point, or -1
     label wanted;
 
     point x;
 
-    //- Whether the point can be added, if no other is added nearby
-    bool isValid;
-
-    pointCavity cavity;
-
-    //- New tetrahedra that ask for a point
-    std::vector<label> asksNext;
+    //- Memory for the replacement
+    tetInserter::workspace work;
 };
 
 
@@ -84,9 +78,8 @@ class refinedTets
     //- Whether wanted points are added, not centres
     bool addsWanted_ = false;
 
-    //- The round in which an insertion last took a tetrahedron
-    std::vector<label> takenIn_;
-    label round_ = 0;
+    //- Rounds in which tetrahedra ask for points
+    changeRounds<label, insertion> rounds_{refinerTuned.batch};
 
 
     //- Whether other points are away, and spheres around triangles of the
@@ -96,33 +89,11 @@ class refinedTets
     //- Whether a tetrahedron asks for a point; sets the point
     bool asks(label t, point& x) const;
 
-    void propose(insertion& ins) const;
-
-    //- Takes the tetrahedra of a cavity and those around it. Returns false if
-    //  some are taken.
-    bool take(const insertion& ins);
-
     //- Takes the wanted points out of the cavity, and returns the first one
     label takeWanted(const insertion& ins);
 
     //- Gives wanted points to new tetrahedra
     void giveWanted(const insertion& ins, label first);
-
-    //- Adds a point that has labels
-    void add(insertion& ins, tetInserter::workspace& work);
-
-    //- Tries points of a batch, and adds those that can be added. Appends the
-    //  tetrahedra that ask for points after that, with the place of what asked
-    //  before.
-    void insert
-    (
-        std::vector<insertion>& batch,
-        const std::vector<label>& places,
-        std::vector<std::pair<label, label>>& asksNext
-    );
-
-    //- Inserts until no tetrahedron asks
-    void insertAll(std::vector<label> asking);
 
     label tetWith(label i, const std::vector<label>& tetOf) const;
 
@@ -139,6 +110,12 @@ public:
     void addWanted();
 
     void addCentres();
+
+    //- See changeRounds: a tetrahedron asks for a point
+    bool propose(label t, insertion& ins) const;
+    void start(insertion& ins);
+    void make(insertion& ins, std::vector<label>& next);
+    bool hasEnough() const;
 
     tetMesh mesh() const { return tets_.mesh(); }
 };
@@ -157,15 +134,14 @@ refinedTets::refinedTets
     maxTets_(maxTets),
     tets_(mesh),
     first_(mesh.tets.size(), -1),
-    next_(wanted.points.size(), -1),
-    takenIn_(mesh.tets.size(), 0)
+    next_(wanted.points.size(), -1)
 {}
 
 
 bool refinedTets::hasRoom(const insertion& ins) const
 {
     const scalar leastSqr = sqr(refinerTuned.leastDistance*size_(ins.x));
-    for (const tetSide& side : ins.cavity.sides)
+    for (const tetSide& side : ins.sides)
     {
         point centre(Zero);
         for (label k = 1; k < 4; ++k)
@@ -237,59 +213,12 @@ bool refinedTets::asks(const label t, point& x) const
 }
 
 
-void refinedTets::propose(insertion& ins) const
-{
-    const label t = ins.asking;
-    ins.isValid = false;
-    ins.wanted = first_[t];
-    label container = -1;
-    if (ins.wanted >= 0)
-    {
-        ins.x = wanted_.points[ins.wanted];
-        container = t;
-    }
-    else if (!addsWanted_ && !tets_.hasGone(t) && asks(t, ins.x))
-    {
-        container = tets_.locate(ins.x, t);
-    }
-    ins.isValid =
-        container >= 0
-     && tets_.findCavity(ins.x, container, ins.cavity)
-     && (ins.wanted >= 0 || hasRoom(ins));
-}
-
-
 // * * * * * * * * * * * * * * *  Replacements * * * * * * * * * * * * * * * //
-
-bool refinedTets::take(const insertion& ins)
-{
-    const auto lists = {&ins.cavity.tets, &ins.cavity.around};
-    for (const std::vector<label>* tets : lists)
-    {
-        for (const label t : *tets)
-        {
-            if (takenIn_[t] == round_)
-            {
-                return false;
-            }
-        }
-    }
-    for (const std::vector<label>* tets : lists)
-    {
-        for (const label t : *tets)
-        {
-            takenIn_[t] = round_;
-        }
-    }
-
-    return true;
-}
-
 
 label refinedTets::takeWanted(const insertion& ins)
 {
     label taken = -1;
-    for (const label t : ins.cavity.tets)
+    for (const label t : ins.tets)
     {
         for (label p = first_[t]; p >= 0;)
         {
@@ -313,7 +242,7 @@ void refinedTets::giveWanted(const insertion& ins, label first)
     while (first >= 0)
     {
         const label after = next_[first];
-        const label t = tets_.madeWith(wanted_.points[first], ins.cavity);
+        const label t = tets_.madeWith(wanted_.points[first], ins);
         next_[first] = first_[t];
         first_[t] = first;
         first = after;
@@ -321,117 +250,62 @@ void refinedTets::giveWanted(const insertion& ins, label first)
 }
 
 
-void refinedTets::add(insertion& ins, tetInserter::workspace& work)
+// * * * * * * * * * * * * * * * * * Rounds  * * * * * * * * * * * * * * * * //
+
+bool refinedTets::propose(const label t, insertion& ins) const
+{
+    ins.wanted = first_[t];
+    label container = -1;
+    if (ins.wanted >= 0)
+    {
+        ins.x = wanted_.points[ins.wanted];
+        container = t;
+    }
+    else if (!addsWanted_ && !tets_.hasGone(t) && asks(t, ins.x))
+    {
+        container = tets_.locate(ins.x, t);
+    }
+
+    return
+        container >= 0
+     && tets_.findCavity(ins.x, container, ins)
+     && (ins.wanted >= 0 || hasRoom(ins));
+}
+
+
+void refinedTets::start(insertion& ins)
+{
+    tets_.setLabels(ins.x, ins);
+    first_.resize(tets_.nTets(), -1);
+}
+
+
+void refinedTets::make(insertion& ins, std::vector<label>& next)
 {
     const label taken = takeWanted(ins);
-    tets_.replace(ins.cavity, work);
+    tets_.replace(ins, ins.work);
     giveWanted(ins, taken);
 
-    ins.asksNext.clear();
-    for (const label t : ins.cavity.made)
+    for (const label t : ins.made)
     {
         point x;
         if (addsWanted_ ? first_[t] >= 0 : asks(t, x))
         {
-            ins.asksNext.push_back(t);
+            next.push_back(t);
         }
     }
 }
 
 
-// * * * * * * * * * * * * * * * * * Rounds  * * * * * * * * * * * * * * * * //
-
-void refinedTets::insert
-(
-    std::vector<insertion>& batch,
-    const std::vector<label>& places,
-    std::vector<std::pair<label, label>>& asksNext
-)
+bool refinedTets::hasEnough() const
 {
-    const label n = places.size();
+    tellProgress("refining tetrahedra", tets_.nTets());
 
-    #pragma omp parallel for schedule(dynamic, 8)
-    for (label k = 0; k < n; ++k)
-    {
-        propose(batch[k]);
-    }
-
-    ++round_;
-    for (label k = 0; k < n; ++k)
-    {
-        insertion& ins = batch[k];
-        ins.asksNext.clear();
-        if (ins.isValid && !take(ins))
-        {
-            ins.isValid = false;
-            ins.asksNext.push_back(ins.asking);
-        }
-        else if (ins.isValid)
-        {
-            tets_.setLabels(ins.x, ins.cavity);
-            first_.resize(tets_.nTets(), -1);
-            takenIn_.resize(tets_.nTets(), round_);
-        }
-    }
-
-    #pragma omp parallel
-    {
-        tetInserter::workspace work;
-
-        #pragma omp for schedule(dynamic, 8)
-        for (label k = 0; k < n; ++k)
-        {
-            if (batch[k].isValid)
-            {
-                add(batch[k], work);
-            }
-        }
-    }
-
-    for (label k = 0; k < n; ++k)
-    {
-        for (const label t : batch[k].asksNext)
-        {
-            asksNext.push_back({places[k], t});
-        }
-    }
+    return tets_.nTets() > maxTets_;
 }
 
 
-void refinedTets::insertAll(std::vector<label> asking)
-{
-    std::vector<insertion> batch(refinerTuned.batch);
-    std::vector<label> places;
-    std::vector<std::pair<label, label>> asksNext;
-    const auto fits = [&]() { return tets_.nTets() <= maxTets_; };
-    while (asking.size() && fits())
-    {
-        tellProgress("refining tetrahedra", tets_.nTets());
-
-        // Points of a batch are far from each other in the list
-        const label n = asking.size();
-        const label nBatches = (n + refinerTuned.batch - 1)/refinerTuned.batch;
-        for (label b = 0; b < nBatches && fits(); ++b)
-        {
-            places.clear();
-            for (label place = b; place < n; place += nBatches)
-            {
-                batch[places.size()].asking = asking[place];
-                places.push_back(place);
-            }
-            insert(batch, places, asksNext);
-        }
-
-        std::sort(asksNext.begin(), asksNext.end());
-        asking.clear();
-        for (const auto& next : asksNext)
-        {
-            asking.push_back(next.second);
-        }
-        asksNext.clear();
-    }
-}
-
+// * * * * * * * * * * * * * Wanted Points, Centres  * * * * * * * * * * * * //
 
 label refinedTets::tetWith
 (
@@ -490,7 +364,7 @@ void refinedTets::addWanted()
         }
     }
     addsWanted_ = true;
-    insertAll(asking);
+    rounds_.run(asking, *this);
     addsWanted_ = false;
     std::fill(first_.begin(), first_.end(), -1);
 }
@@ -515,7 +389,7 @@ void refinedTets::addCentres()
             asking.push_back(t);
         }
     }
-    insertAll(asking);
+    rounds_.run(asking, *this);
 }
 
 

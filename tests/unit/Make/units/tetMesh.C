@@ -6,6 +6,7 @@
 #include "tetMesh/tetrahedralizeTest.C"
 #include "tetMesh/planeTriangulationTest.C"
 #include "tetMesh/tetEditorTest.C"
+#include "tetMesh/changeRoundsTest.C"
 #include "tetMesh/refineTetsTest.C"
 
 // ************************************************************************* //
