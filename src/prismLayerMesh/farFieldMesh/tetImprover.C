@@ -4,146 +4,70 @@
 \*---------------------------------------------------------------------------*/
 
 #include "tetImprover.H"
-#include "faceQuality.H"
 #include "farFieldMeshControls.H"
-#include "HashSet.H"
 #include "ListOps.H"
 #include "ranges.H"
-#include "tetEditor.H"
-#include "tetrahedralize.H"
+
+#include <algorithm>
 
 namespace Foam
 {
 
-//- The triangles of layers and cut
-static faceList innerTriangles(const farFieldTets& mesh)
-{
-    faceList triangles(mesh.hasLayers ? mesh.outerTriangles : faceList());
-    triangles.append(mesh.cutTriangles);
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-    return triangles;
+template<class Type>
+static void sortUnique(std::vector<Type>& list)
+{
+    std::sort(list.begin(), list.end());
+    list.erase(std::unique(list.begin(), list.end()), list.end());
 }
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-tetViolation::tetViolation
+tetImprover::tetImprover
 (
     const neighbourCells& neighbours,
-    const farFieldTets& mesh,
-    const DynamicList<point>& points,
-    const tetEditor& tets
+    const farFieldTets& mesh
 )
 :
-    inner_(makeTriangleIndex(innerTriangles(mesh))),
-    neighbourCells_(neighbours),
-    points_(points),
-    tets_(tets)
+    nBoundaryPoints_(mesh.nBoundaryPoints),
+    points_(mesh.points),
+    tets_(mesh.tets, mesh.points.size()),
+    violation_(neighbours, mesh, points_, tets_),
+    changed_(labelList(mesh.points.size(), 0)),
+    missing_(allMissingTargets())
 {}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-scalar tetViolation::ofFace(const label t, const label i) const
-{
-    const triFace f(tets_[t].face(i));
-    const label neighbour = tets_.neighbour(t, i);
-    const label triangle = neighbour < 0 ? inner_.lookup(f, -1) : -1;
-
-    if (neighbour < 0 && triangle < 0)
-    {
-        return 0;
-    }
-
-    const point owner(tets_[t].tet(points_).centre());
-    const point other
-    (
-        neighbour < 0
-      ? neighbourCells_.centres[triangle]
-      : tets_[neighbour].tet(points_).centre()
-    );
-    const FixedList<point, 3> x({points_[f[0]], points_[f[1]], points_[f[2]]});
-    const faceGeometry g(x);
-    const scalar toOwner = mag((g.centre - owner) & g.area);
-    const scalar toNeighbour = mag((other - g.centre) & g.area);
-    const scalar weight =
-        min(toOwner, toNeighbour)/(toOwner + toNeighbour + VSMALL);
-    const scalar target = farFieldTuned.targetCosine;
-    const scalar maxSkewness = farFieldTuned.targetSkewness;
-    const scalar volume = neighbour < 0 ? neighbourCells_.volumes[triangle] : 0;
-    const scalar ratio = volume > 0 ? tets_[t].tet(points_).mag()/volume : 1;
-
-    return
-        pow3(nonOrthoViolation(g.area, other - owner, target)/target)
-      + pow3(skewnessViolation(g, x, owner, other, maxSkewness))
-      + pow3(max(1 - weight/farFieldTuned.targetWeight, scalar(0)))
-      + pow3(max(1 - ratio/farFieldTuned.targetVolumeRatio, scalar(0)));
-}
-
-
-scalar tetViolation::ofTets(const labelUList& tets, const scalar bound) const
-{
-    scalar sum = 0;
-
-    for (const label t : tets)
-    {
-        for (label i = 0; i < 4 && sum <= bound; ++i)
-        {
-            const label neighbour = tets_.neighbour(t, i);
-            const bool within = neighbour >= 0 && tets.found(neighbour);
-
-            if (!within || neighbour > t)
-            {
-                sum += ofFace(t, i);
-            }
-        }
-    }
-
-    return sum;
-}
-
-
-bool tetViolation::missesTargets(const label t, const label i) const
-{
-    return ofFace(t, i) > farFieldTuned.toleratedViolation;
-}
 
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-bool tetImprover::replace
+bool tetImprover::replaces
 (
     const labelUList& old,
     const UList<tetCell>& made,
-    const label newPoint
-)
+    const movedPoints& points,
+    tetChange& change
+) const
 {
-    const auto flat = [&](const tetCell& tet) { return isFlat(points_, tet); };
-    if (!allPositive(points_, made) || anyOf(made, flat))
+    const tetHole hole(violation_, old);
+    tetPatch patch(hole, made, points);
+    if (points.moving >= 0)
+    {
+        patch.move();
+    }
+    const scalar allowed = (1 - farFieldTuned.leastGain)*hole.violation();
+    if (patch.violation(allowed) >= allowed)
     {
         return false;
     }
+    change.tets = hole.tets;
+    change.around = hole.around;
+    change.made = made;
+    change.p = points.moving;
+    change.x = patch.place();
 
-    const scalar before = (1 - farFieldTuned.leastGain)*violation_.ofTets(old);
-    const tetCellList kept(tets_.subset(old));
-    const labelList now(tets_.replace(old, made));
-
-    if (newPoint >= 0)
-    {
-        move(newPoint);
-    }
-
-    if (violation_.ofTets(now, before) < before)
-    {
-        for (const tetCell& tet : made)
-        {
-            markChanged(labelList(tet));
-        }
-        return true;
-    }
-    tets_.replace(now, kept);
-
-    return false;
+    return true;
 }
 
 
@@ -175,7 +99,12 @@ DynamicList<std::pair<edge, label>> tetImprover::edgesAt
 }
 
 
-bool tetImprover::flipFace(const label t, const label i)
+bool tetImprover::flipFace
+(
+    const label t,
+    const label i,
+    tetChange& change
+) const
 {
     const label neighbour = tets_.neighbour(t, i);
 
@@ -199,11 +128,17 @@ bool tetImprover::flipFace(const label t, const label i)
         made.append(tetCell(a, b, f[k], f[(k + 1) % 3]));
     }
 
-    return replace(labelList({t, neighbour}), made);
+    return areValid(unmoved(), made)
+        && replaces(labelList({t, neighbour}), made, unmoved(), change);
 }
 
 
-bool tetImprover::removeEdge(const label t, const edge& e)
+bool tetImprover::removeEdge
+(
+    const label t,
+    const edge& e,
+    tetChange& change
+) const
 {
     labels around;
     labels old;
@@ -228,22 +163,17 @@ bool tetImprover::removeEdge(const label t, const edge& e)
             made.append(tetCell(e.second(), p, r, q));
         }
 
-        if (replace(old, made))
+        if
+        (
+            areValid(unmoved(), made)
+         && replaces(old, made, unmoved(), change)
+        )
         {
             return true;
         }
     }
 
     return false;
-}
-
-
-bool tetImprover::flip(const label t, const label i)
-{
-    return flipFace(t, i) || anyOf(edgesAt(t, i), [&](const auto& e)
-    {
-        return removeEdge(e.second, e.first);
-    });
 }
 
 
@@ -295,126 +225,165 @@ tetCellList tetImprover::partsOf(const cavity& c, const label newPoint) const
 }
 
 
-scalar tetImprover::gainIn(const cavity& c, const label newPoint)
+bool tetImprover::isWanted(const labelPair& f) const
 {
-    const scalar before = violation_.ofTets(c.tets);
-    const tetCellList kept(tets_.subset(c.tets));
-    const labelList now(tets_.replace(c.tets, partsOf(c, newPoint)));
-    const scalar gain = before - violation_.ofTets(now);
-    tets_.replace(now, kept);
+    const label t = f.first();
+    const label i = f.second();
 
-    return gain;
+    return !tets_.removed(t) && violation_.missesTargets(t, i);
 }
 
 
-bool tetImprover::split(const label t, const label i)
+// * * * * * * * * * * * * * * * * Changes * * * * * * * * * * * * * * * * * //
+
+bool tetImprover::flip(const labelPair& f, tetChange& change) const
 {
-    const label newPoint = tets_.addPoint();
-    points_.append(Zero);
-    changed_.append(pass_);
+    const label t = f.first();
+    const label i = f.second();
+
+    return isWanted(f)
+     && (
+            flipFace(t, i, change)
+         || anyOf(edgesAt(t, i), [&](const auto& e)
+            {
+                return removeEdge(e.second, e.first, change);
+            })
+        );
+}
+
+
+bool tetImprover::move(const label& p, tetChange& change) const
+{
+    const tetHole hole(violation_, tets_.star(p));
+    const tetCellList around(tets_.subset(hole.tets));
+    tetPatch patch(hole, around, movedPoints{points_, p, points_[p]});
+    if (!patch.move())
+    {
+        return false;
+    }
+    change.tets = hole.tets;
+    change.around = hole.around;
+    change.made.clear();
+    change.p = p;
+    change.x = patch.place();
+
+    return true;
+}
+
+
+bool tetImprover::split(const labelPair& f, tetChange& change) const
+{
+    if (!isWanted(f))
+    {
+        return false;
+    }
 
     // The best place is the one that gains most before the point is moved
     cavity best;
+    movedPoints bestPoints{points_, points_.size(), Zero};
     scalar most = -GREAT;
-
-    for (const cavity& c : cavities(t, i))
+    for (const cavity& c : cavities(f.first(), f.second()))
     {
-        points_[newPoint] = average(pointField(points_, c.common));
-        const scalar gain = gainIn(c, newPoint);
+        const movedPoints points
+        {
+            points_, points_.size(), average(pointField(points_, c.common))
+        };
+        const tetHole hole(violation_, c.tets);
+        const tetCellList parts(partsOf(c, points.moving));
+        const scalar before = hole.violation();
+        const scalar gain =
+            before - tetPatch(hole, parts, points).violation(before - most);
 
         if (gain > most)
         {
             most = gain;
             best = c;
+            bestPoints.x = points.x;
         }
     }
+    const tetCellList parts(partsOf(best, bestPoints.moving));
 
-    points_[newPoint] = average(pointField(points_, best.common));
-    if (replace(best.tets, partsOf(best, newPoint), newPoint))
-    {
-        return true;
-    }
-    tets_.removeLastPoint();
-    points_.remove();
-    changed_.remove();
-
-    return false;
+    return areValid(bestPoints, parts)
+        && replaces(best.tets, parts, bestPoints, change);
 }
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-bool tetImprover::step(const label p, const scalar distance, scalar& least)
+void tetImprover::make(const tetChange& change)
 {
-    const labelList around(tets_.pointTets(p));
-    const point from(points_[p]);
-    point to(from);
-    bool moved = false;
-
-    for (label k = 0; k < 6; ++k)
+    labelList changed(change.tets);
+    if (change.made.size())
     {
-        vector direction(Zero);
-        direction[k/2] = k % 2 ? 1 : -1;
-        points_[p] = from + distance*direction;
-        const scalar trial = violation_.ofTets(around, least);
-
-        if (trial < least && allPositive(points_, tets_.subset(around)))
+        tetCellList made(change.made);
+        if (change.p >= 0)
         {
-            least = trial;
-            to = points_[p];
-            moved = true;
+            // Changes of a round have the same label for their new points
+            const label newPoint = tets_.addPoint();
+            points_.append(change.x);
+            changed_.append(pass_);
+            for (tetCell& tet : made)
+            {
+                const label i = tet.find(change.p);
+                if (i >= 0)
+                {
+                    tet[i] = newPoint;
+                }
+            }
         }
+        changed = tets_.replace(change.tets, made);
+    }
+    else
+    {
+        points_[change.p] = change.x;
     }
 
-    points_[p] = to;
-
-    return moved;
-}
-
-
-scalar tetImprover::sizeAt(const label p) const
-{
-    scalar sum = 0;
-
-    for (const label t : tets_.pointTets(p))
+    for (const label t : changed)
     {
-        for (const label q : tets_[t])
+        touched_.append(t);
+        for (const label p : tets_[t])
         {
-            sum += mag(points_[q] - points_[p]);
+            changed_[p] = pass_;
         }
     }
-
-    return sum/max(3*tets_.pointTets(p).size(), 1);
 }
 
 
-bool tetImprover::move(const label p)
+template<class Item>
+bool tetImprover::makeAll
+(
+    const std::vector<Item>& items,
+    bool (tetImprover::*propose)(const Item&, tetChange&) const
+)
 {
-    const scalar size = sizeAt(p);
-    scalar least = violation_.ofTets(tets_.pointTets(p));
-    label nMoves = 0;
-
-    for (const scalar length : farFieldTuned.moves)
+    struct changer
     {
-        while (nMoves < farFieldTuned.maxMoves && step(p, length*size, least))
+        tetImprover& improver;
+        bool (tetImprover::*way)(const Item&, tetChange&) const;
+        label nMade;
+
+        bool propose(const Item& item, tetChange& change) const
         {
-            ++nMoves;
+            return (improver.*way)(item, change);
         }
-    }
 
-    return nMoves;
+        void start(const tetChange& change)
+        {
+            improver.make(change);
+            ++nMade;
+        }
+
+        void make(const tetChange&, std::vector<Item>&) {}
+
+        bool hasEnough() const { return false; }
+    };
+
+    changer one{*this, propose, 0};
+    changeRounds<Item, tetChange>(farFieldTuned.changesInRound).run(items, one);
+
+    return one.nMade;
 }
 
 
-void tetImprover::markChanged(const labelUList& points)
-{
-    for (const label p : points)
-    {
-        changed_[p] = pass_;
-        touched_.append(p);
-    }
-}
-
+// * * * * * * * * * * * * * * * * * Faces * * * * * * * * * * * * * * * * * //
 
 bool tetImprover::hasChanged(const label t) const
 {
@@ -425,7 +394,7 @@ bool tetImprover::hasChanged(const label t) const
 }
 
 
-List<labelPair> tetImprover::allMissingTargets() const
+std::vector<labelPair> tetImprover::allMissingTargets() const
 {
     // Bit i is for face i
     labelList missing(tets_.size(), 0);
@@ -442,26 +411,26 @@ List<labelPair> tetImprover::allMissingTargets() const
         }
     }
 
-    DynamicList<labelPair> faces;
+    std::vector<labelPair> faces;
     forAll(missing, t)
     {
         for (label i = 0; i < 4; ++i)
         {
             if (missing[t] >> i & 1)
             {
-                faces.append(labelPair(t, i));
+                faces.push_back(labelPair(t, i));
             }
         }
     }
 
-    return List<labelPair>(std::move(faces));
+    return faces;
 }
 
 
 void tetImprover::appendFaces
 (
     const label t,
-    DynamicList<labelPair>& faces
+    std::vector<labelPair>& faces
 ) const
 {
     for (label i = 0; i < 4; ++i)
@@ -472,52 +441,64 @@ void tetImprover::appendFaces
         {
             j = (j + 1) % 4;
         }
-        faces.append(labelPair(owner, j));
+        faces.push_back(labelPair(owner, j));
     }
 }
 
 
-const List<labelPair>& tetImprover::facesMissingTargets()
+std::vector<labelPair> tetImprover::facesMissingTargets()
 {
     // Other faces are as they were when the list was made
-    DynamicList<labelPair> faces(missing_);
-    inplaceUniqueSort(touched_);
-    for (const label p : touched_)
+    for (const label t : touched_)
     {
-        for (const label t : tets_.pointTets(p))
+        if (!tets_.removed(t))
         {
-            appendFaces(t, faces);
+            appendFaces(t, missing_);
         }
     }
     touched_.clear();
-    inplaceUniqueSort(faces);
+    sortUnique(missing_);
 
-    DynamicList<labelPair> missing(faces.size());
-    for (const labelPair& f : faces)
+    const label n = missing_.size();
+    std::vector<char> isMissing(n);
+
+    #pragma omp parallel for schedule(static, 256)
+    for (label k = 0; k < n; ++k)
     {
-        const label t = f.first();
-        const label i = f.second();
+        const labelPair& f = missing_[k];
+        isMissing[k] = isWanted(f) && isOwner(f.first(), f.second());
+    }
 
-        if
-        (
-            !tets_.removed(t) && isOwner(t, i)
-         && (hasChanged(t) || hasChanged(tets_.neighbour(t, i)))
-         && violation_.missesTargets(t, i)
-        )
+    std::vector<labelPair> near;
+    label nMissing = 0;
+    for (label k = 0; k < n; ++k)
+    {
+        const labelPair f(missing_[k]);
+        if (isMissing[k])
         {
-            missing.append(f);
+            missing_[nMissing++] = f;
+            if
+            (
+                hasChanged(f.first())
+             || hasChanged(tets_.neighbour(f.first(), f.second()))
+            )
+            {
+                near.push_back(f);
+            }
         }
     }
-    missing_.transfer(missing);
+    missing_.resize(nMissing);
 
-    return missing_;
+    return near;
 }
 
 
-labelList tetImprover::pointsInside(const List<labelPair>& faces) const
+std::vector<label> tetImprover::pointsInside
+(
+    const std::vector<labelPair>& faces
+) const
 {
-    labelHashSet points;
-
+    std::vector<label> points;
     for (const labelPair& f : faces)
     {
         for
@@ -530,13 +511,14 @@ labelList tetImprover::pointsInside(const List<labelPair>& faces) const
             {
                 if (tets_[t][k] >= nBoundaryPoints_)
                 {
-                    points.insert(tets_[t][k]);
+                    points.push_back(tets_[t][k]);
                 }
             }
         }
     }
+    sortUnique(points);
 
-    return points.sortedToc();
+    return points;
 }
 
 
@@ -545,36 +527,9 @@ labelList tetImprover::pointsInside(const List<labelPair>& faces) const
 bool tetImprover::improve()
 {
     ++pass_;
-    bool better = false;
-
-    const auto tryAll = [&](bool (tetImprover::*change)(label, label))
-    {
-        for (const labelPair& f : facesMissingTargets())
-        {
-            // What was changed before may have removed the tetrahedron
-            const label t = f.first();
-            if (!tets_.removed(t) && violation_.missesTargets(t, f.second()))
-            {
-                better = (this->*change)(t, f.second()) || better;
-            }
-        }
-    };
-
-    tryAll(&tetImprover::flip);
-
-    for (const label p : pointsInside(facesMissingTargets()))
-    {
-        if (move(p))
-        {
-            better = true;
-            for (const label t : tets_.pointTets(p))
-            {
-                markChanged(labelList(tets_[t]));
-            }
-        }
-    }
-
-    tryAll(&tetImprover::split);
+    bool better = makeAll(facesMissingTargets(), &tetImprover::flip);
+    better |= makeAll(pointsInside(facesMissingTargets()), &tetImprover::move);
+    better |= makeAll(facesMissingTargets(), &tetImprover::split);
 
     return better;
 }

@@ -266,15 +266,6 @@ static void split
 }
 
 
-simplex sortedSimplex(const label a, const label b, const label c)
-{
-    simplex s({a, b, c});
-    std::sort(s.begin(), s.end());
-
-    return s;
-}
-
-
 point centreOf(const simplex& s, const pointField& points)
 {
     point sum(Zero);
@@ -410,28 +401,13 @@ tetEditor::tetEditor(const tetCellList& tets, const label nPoints)
 :
     tets_(tets),
     neighbours_(tetNeighbours(tets, nPoints)),
-    pointTets_(nPoints)
+    pointTet_(nPoints, -1)
 {
-    labelList nTets(nPoints, 0);
-    for (const tetCell& tet : tets)
-    {
-        for (const label p : tet)
-        {
-            ++nTets[p];
-        }
-    }
-
-    pointTets_.setSize(nPoints);
-    forAll(nTets, p)
-    {
-        pointTets_[p].setCapacity(nTets[p]);
-    }
-
     forAll(tets_, t)
     {
         for (const label p : tets_[t])
         {
-            pointTets_[p].append(t);
+            pointTet_[p] = t;
         }
     }
 }
@@ -439,17 +415,35 @@ tetEditor::tetEditor(const tetCellList& tets, const label nPoints)
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-label tetEditor::addPoint()
+DynamicList<label> tetEditor::star(const label p) const
 {
-    pointTets_.append(tetLabels());
+    DynamicList<label> found(32);
+    if (pointTet_[p] >= 0)
+    {
+        found.append(pointTet_[p]);
+    }
+    for (label k = 0; k < found.size(); ++k)
+    {
+        const label t = found[k];
+        for (label i = 0; i < 4; ++i)
+        {
+            const label next = neighbours_[t][i];
+            if (next >= 0 && tets_[t][i] != p && found.find(next) < 0)
+            {
+                found.append(next);
+            }
+        }
+    }
 
-    return pointTets_.size() - 1;
+    return found;
 }
 
 
-void tetEditor::removeLastPoint()
+label tetEditor::addPoint()
 {
-    pointTets_.remove();
+    pointTet_.append(-1);
+
+    return pointTet_.size() - 1;
 }
 
 
@@ -525,16 +519,8 @@ labelList tetEditor::replace(const labelUList& old, const UList<tetCell>& made)
 
     for (label k = old.size(); k--;)
     {
-        const label t = old[k];
-
-        for (const label p : tets_[t])
-        {
-            tetLabels& around = pointTets_[p];
-            around[around.find(t)] = around.last();
-            around.remove();
-        }
-        tets_[t] = tetCell(-1, -1, -1, -1);
-        unused_.append(t);
+        tets_[old[k]] = tetCell(-1, -1, -1, -1);
+        unused_.append(old[k]);
     }
 
     labelList labels(made.size());
@@ -553,7 +539,7 @@ labelList tetEditor::replace(const labelUList& old, const UList<tetCell>& made)
 
         for (const label p : made[k])
         {
-            pointTets_[p].append(t);
+            pointTet_[p] = t;
         }
     }
     connect(labels, outerFaces, outerTets);

@@ -5,9 +5,8 @@
 
 #include "backgroundMesh.H"
 #include "improveTets.H"
-#include "testSurfaces.H"
+#include "smallFarFields.H"
 #include "tetEditor.H"
-#include "tetrahedralize.H"
 #include "unitConversion.H"
 
 #include <gtest/gtest.h>
@@ -18,40 +17,6 @@
 using namespace Foam;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- The unit cube of n^3 cubes, filled; its boundary is far
-static farFieldTets filledCube(const label n)
-{
-    const wallSurface cube(testSurfaces::cube(n));
-
-    tetDomain domain;
-    domain.points = cube.points;
-    domain.facets = cube.faces;
-    tetMesh filled(tetrahedralize(domain));
-
-    farFieldTets mesh;
-    mesh.points = filled.points;
-    mesh.tets = filled.tets;
-    mesh.nBoundaryPoints = cube.points.size();
-    mesh.boundaryTriangles = cube.faces;
-    mesh.neighbours = tetNeighbours(mesh.tets, mesh.points.size());
-
-    return mesh;
-}
-
-
-//- Turns the tetrahedra that are not positive
-static void turnPositive(farFieldTets& mesh)
-{
-    for (tetCell& tet : mesh.tets)
-    {
-        if (tet.tet(mesh.points).mag() < 0)
-        {
-            Swap(tet[0], tet[1]);
-        }
-    }
-}
-
 
 //- The largest non-orthogonality [deg] of the faces inside
 static scalar worstAngle(const farFieldTets& mesh)
@@ -320,7 +285,7 @@ TEST(improveTets, isTheSameOnAnyNumberOfThreads)
     improveTets(neighbourCells(), first);
     EXPECT_NE(first.tets, before.tets);
 
-    for (const label n : {2, 3, 8})
+    for (const label n : {2, 3, 5, 8})
     {
         farFieldTets mesh(before);
         omp_set_num_threads(n);

@@ -25,7 +25,8 @@ static tetCellList aroundEdge(const label n)
 }
 
 
-//- Expects that neighbours and tetrahedra of points are those of new lists
+//- Expects that neighbours are those of a new list, and that faces connect all
+//  tetrahedra of a point
 static void expectConsistent(const tetEditor& editor)
 {
     const tetCellList tets(editor.remaining());
@@ -42,14 +43,14 @@ static void expectConsistent(const tetEditor& editor)
         for (label i = 0; i < 4; ++i)
         {
             EXPECT_EQ(editor.neighbour(t, i), expected[t][i]);
-            EXPECT_TRUE(editor.pointTets(tets[t][i]).found(t));
+            EXPECT_TRUE(editor.star(tets[t][i]).found(t));
             ++nTets[tets[t][i]];
         }
     }
 
     forAll(nTets, p)
     {
-        EXPECT_EQ(editor.pointTets(p).size(), nTets[p]);
+        EXPECT_EQ(editor.star(p).size(), nTets[p]);
     }
 }
 
@@ -93,7 +94,7 @@ TEST(tetEditor, replacesTetrahedraAndTakesThatBack)
     );
     EXPECT_EQ(editor.remaining().size(), 2);
     EXPECT_EQ(editor.neighbour(two[0], 0), two[1]);
-    EXPECT_EQ(editor.pointTets(0), labelList({two[0]}));
+    EXPECT_EQ(editor.star(0), labelList({two[0]}));
     EXPECT_EQ
     (
         editor.remainingNeighbours(), tetNeighbours(editor.remaining(), 5)
@@ -120,7 +121,7 @@ TEST(tetEditor, addsAPoint)
     editor.replace(labelList({0, 1, 2, 3}), parts);
 
     expectConsistent(editor);
-    EXPECT_EQ(editor.pointTets(p).size(), 8);
+    EXPECT_EQ(editor.star(p).size(), 8);
 }
 
 

@@ -17,6 +17,8 @@
 #include "farFieldMesh/edgeCollapser.C"
 #include "farFieldMesh/farBoundary.C"
 #include "farFieldMesh/improveTets.C"
+#include "farFieldMesh/tetViolation.C"
+#include "farFieldMesh/tetPatch.C"
 #include "farFieldMesh/tetImprover.C"
 #include "farFieldMesh/coreBoundary.C"
 #include "farFieldMesh/mergingMesh.C"

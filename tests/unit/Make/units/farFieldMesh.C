@@ -14,6 +14,7 @@
 #include "farFieldMesh/layerBorderTest.C"
 #include "farFieldMesh/sidePatchRemaindersTest.C"
 #include "farFieldMesh/improveTetsTest.C"
+#include "farFieldMesh/tetPatchTest.C"
 #include "farFieldMesh/makeFarFieldMeshTest.C"
 #include "farFieldMesh/mergeCellsTest.C"
 #include "farFieldMesh/packPointsTest.C"
