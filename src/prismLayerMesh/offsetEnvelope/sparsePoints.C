@@ -8,7 +8,7 @@
 
 #include <cmath>
 #include <cstdint>
-#include <set>
+#include <map>
 #include <unordered_map>
 
 namespace Foam
@@ -16,16 +16,27 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
+//- Successive points of a batch are compared with all points before the batch,
+//  on all threads, and then with each other
+static constexpr label sparseBatch = 1024;
+
+
 namespace
 {
 
-//- Grids of cells, one for each power of two of the distance, so wide that a
-//  ball of that distance reaches into no more than two cells of each axis
+//- Points of the subset, in grids of cells: one for each power of two of the
+//  distance, so wide that a ball of that distance reaches into no more than two
+//  cells of each axis
 class pointGrids
 {
+    const pointField& points_;
+    const scalarField& distances_;
+
     std::unordered_map<std::uint64_t, label> first_;
     labelList next_;
-    std::set<int> levels_;
+
+    //- Levels of the points here, and the scale from coordinates to cells
+    std::map<int, scalar> levels_;
 
     static std::uint64_t mixed(std::uint64_t h, std::int64_t k)
     {
@@ -44,78 +55,85 @@ class pointGrids
         return mixed(mixed(mixed(mixed(17, level), i), j), k);
     }
 
-    static std::int64_t cell(const scalar x, const int level)
+    static std::int64_t cell(const scalar x, const scalar scale)
     {
-        return std::int64_t(std::floor(std::ldexp(x, -(level + 2))));
+        return std::int64_t(std::floor(scale*x));
     }
 
-public:
-
-    explicit pointGrids(const label nPoints)
-    :
-        next_(nPoints, -1)
-    {}
-
-    static int level(const scalar distance)
+    //- Whether no point of a level is near to a point
+    bool isFree(const label p, const int level, const scalar scale) const
     {
-        return std::ilogb(distance);
-    }
+        const scalar radius =
+            min(distances_[p], std::ldexp(scalar(1), level + 1));
+        const point lo = points_[p] - point::uniform(radius);
+        const point hi = points_[p] + point::uniform(radius);
 
-    const std::set<int>& levels() const
-    {
-        return levels_;
-    }
-
-    void insert(const label pointi, const point& x, const int level)
-    {
-        levels_.insert(level);
-
-        const std::uint64_t k =
-            key(level, cell(x.x(), level), cell(x.y(), level),
-                cell(x.z(), level));
-
-        const auto found = first_.emplace(k, pointi);
-        if (!found.second)
-        {
-            next_[pointi] = found.first->second;
-            found.first->second = pointi;
-        }
-    }
-
-    //- Whether test(label) holds for a point in the cells around x
-    template<class Test>
-    bool any
-    (
-        const point& x,
-        const scalar radius,
-        const int level,
-        const Test& test
-    ) const
-    {
-        const point lo = x - point::uniform(radius);
-        const point hi = x + point::uniform(radius);
-
-        for (auto i = cell(lo.x(), level); i <= cell(hi.x(), level); ++i)
-        for (auto j = cell(lo.y(), level); j <= cell(hi.y(), level); ++j)
-        for (auto k = cell(lo.z(), level); k <= cell(hi.z(), level); ++k)
+        for (auto i = cell(lo.x(), scale); i <= cell(hi.x(), scale); ++i)
+        for (auto j = cell(lo.y(), scale); j <= cell(hi.y(), scale); ++j)
+        for (auto k = cell(lo.z(), scale); k <= cell(hi.z(), scale); ++k)
         {
             const auto found = first_.find(key(level, i, j, k));
-
-            if (found == first_.end())
+            label q = found == first_.end() ? -1 : found->second;
+            for (; q >= 0; q = next_[q])
             {
-                continue;
-            }
-
-            for (label q = found->second; q >= 0; q = next_[q])
-            {
-                if (test(q))
+                if (areNear(p, q))
                 {
-                    return true;
+                    return false;
                 }
             }
         }
 
-        return false;
+        return true;
+    }
+
+public:
+
+    pointGrids(const pointField& points, const scalarField& distances)
+    :
+        points_(points),
+        distances_(distances),
+        next_(points.size(), -1)
+    {}
+
+    bool areNear(const label p, const label q) const
+    {
+        return magSqr(points_[q] - points_[p])
+          < sqr(min(distances_[p], distances_[q]));
+    }
+
+    void insert(const label p)
+    {
+        const int level = std::ilogb(distances_[p]);
+        const scalar scale = std::ldexp(scalar(1), -(level + 2));
+        levels_[level] = scale;
+
+        const point& x = points_[p];
+        const std::uint64_t k = key
+        (
+            level, cell(x.x(), scale), cell(x.y(), scale), cell(x.z(), scale)
+        );
+        const auto found = first_.emplace(k, p);
+        if (!found.second)
+        {
+            next_[p] = found.first->second;
+            found.first->second = p;
+        }
+    }
+
+    //- Whether no point here is near to a point
+    bool isFree(const label p) const
+    {
+        // Most points are near to one of the same level
+        const int own = std::ilogb(distances_[p]);
+        const auto found = levels_.find(own);
+
+        return
+            (found == levels_.end() || isFree(p, own, found->second))
+         && allOf(levels_, [&](const auto& level)
+            {
+                return level.first == own
+                    || isFree(p, level.first, level.second);
+            });
     }
 };
 
@@ -125,37 +143,35 @@ public:
 
 labelList sparsePoints(const pointField& points, const scalarField& distances)
 {
-    pointGrids grids(points.size());
+    pointGrids grids(points, distances);
     DynamicList<label> kept(points.size());
-    forAll(points, p)
+    boolList isFree(sparseBatch);
+    for (label start = 0; start < points.size(); start += sparseBatch)
     {
-        auto near = [&](const label q)
+        const label n = min(sparseBatch, points.size() - start);
+
+        #pragma omp parallel for schedule(dynamic, 16)
+        for (label i = 0; i < n; ++i)
         {
-            return magSqr(points[q] - points[p])
-              < sqr(min(distances[p], distances[q]));
-        };
+            isFree[i] = grids.isFree(start + i);
+        }
 
-        const auto isFree = [&](const int level)
+        const label nBefore = kept.size();
+        for (label p = start; p < start + n; ++p)
         {
-            const scalar radius =
-                min(distances[p], std::ldexp(scalar(1), level + 1));
-
-            return !grids.any(points[p], radius, level, near);
-        };
-
-        // Most points are near to one of the same level
-        const int own = pointGrids::level(distances[p]);
-        const bool free =
-            (!grids.levels().count(own) || isFree(own))
-         && allOf(grids.levels(), [&](const int level)
+            bool free = isFree[p - start];
+            for (label k = nBefore; free && k < kept.size(); ++k)
             {
-                return level == own || isFree(level);
-            });
-
-        if (free)
+                free = !grids.areNear(p, kept[k]);
+            }
+            if (free)
+            {
+                kept.append(p);
+            }
+        }
+        for (label k = nBefore; k < kept.size(); ++k)
         {
-            grids.insert(p, points[p], own);
-            kept.append(p);
+            grids.insert(kept[k]);
         }
     }
 

@@ -9,6 +9,7 @@
 #include "wallSearch.H"
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 using namespace Foam;
 
@@ -145,6 +146,35 @@ TEST(packPoints, areFineNextToFineParts)
 
     EXPECT_GT(nHigh, 0);
     EXPECT_GT(nLow, 10*nHigh);
+}
+
+
+TEST(packPoints, areTheSameOnAnyNumberOfThreads)
+{
+    const wallSurface surface(room(12));
+    const wallSearch search(surface);
+    const cellSizes sizes(equalSizes(surface, 0.06));
+    const label before = omp_get_max_threads();
+    pointField first;
+    for (const label n : {1, 2, 3, 5})
+    {
+        omp_set_num_threads(n);
+        const cubeCentres cubes
+        (
+            cubesBetween(surface.points, search, sizes, many)
+        );
+        const pointField points
+        (
+            packPoints(surface.points, search, sizes, cubes)
+        );
+        if (n == 1)
+        {
+            first = points;
+            EXPECT_GT(points.size(), 1000);
+        }
+        EXPECT_EQ(points, first) << n;
+    }
+    omp_set_num_threads(before);
 }
 
 

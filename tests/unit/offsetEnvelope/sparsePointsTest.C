@@ -7,6 +7,7 @@
 #include "Random.H"
 
 #include <gtest/gtest.h>
+#include <omp.h>
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -152,6 +153,26 @@ TEST(sparsePoints, oneOfEqualPoints)
 TEST(sparsePoints, noneOfNone)
 {
     EXPECT_TRUE(sparsePoints(pointField(), scalarField()).empty());
+}
+
+
+TEST(sparsePoints, areTheSameOnAnyNumberOfThreads)
+{
+    Random random(9);
+    const pointField points(randomPoints(5000, random));
+    scalarField distances(points.size());
+    for (scalar& distance : distances)
+    {
+        distance = 0.01 + 0.1*random.sample01<scalar>();
+    }
+    const labelList expected(definition(points, distances));
+    const label before = omp_get_max_threads();
+    for (const label n : {1, 2, 3, 5})
+    {
+        omp_set_num_threads(n);
+        EXPECT_EQ(sparsePoints(points, distances), expected) << n;
+    }
+    omp_set_num_threads(before);
 }
 
 
