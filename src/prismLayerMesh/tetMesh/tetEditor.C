@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
+#include <omp.h>
 
 namespace Foam
 {
@@ -26,6 +28,23 @@ class pointBuckets
     labelList starts_;
     List<keyed> keys_;
 
+    //- Sets the start of each bucket from the numbers of items of each point in
+    //  each part of the list, and turns these into places of the items
+    void setStarts(List<labelList>& counts)
+    {
+        label sum = 0;
+        forAll(starts_, p)
+        {
+            starts_[p] = sum;
+            for (labelList& ofPart : counts)
+            {
+                const label n = ofPart[p];
+                ofPart[p] = sum;
+                sum += n;
+            }
+        }
+    }
+
 public:
 
     //- Sorts n items into buckets by their first points.
@@ -33,24 +52,43 @@ public:
     template<class KeyOf>
     pointBuckets(const label nPoints, const label n, const KeyOf& keyOf)
     :
-        starts_(nPoints + 1, 0),
+        starts_(nPoints + 1),
         keys_(n)
     {
-        for (label i = 0; i < n; ++i)
+        // A part of the list for each thread
+        const label nParts = omp_get_max_threads();
+        List<labelList> counts(nParts);
+        const auto visitPart = [&](const label part, const auto& visit)
         {
-            ++starts_[keyOf(i).first + 1];
+            const label end = std::int64_t(n)*(part + 1)/nParts;
+            for (label i = std::int64_t(n)*part/nParts; i < end; ++i)
+            {
+                visit(i, keyOf(i));
+            }
+        };
+
+        #pragma omp parallel for schedule(static, 1)
+        for (label part = 0; part < nParts; ++part)
+        {
+            labelList& ofPart = counts[part];
+            ofPart.setSize(nPoints + 1, 0);
+            visitPart(part, [&](label, const std::pair<label, Rest>& key)
+            {
+                ++ofPart[key.first];
+            });
         }
-        for (label p = 0; p < nPoints; ++p)
+        setStarts(counts);
+
+        #pragma omp parallel for schedule(static, 1)
+        for (label part = 0; part < nParts; ++part)
         {
-            starts_[p + 1] += starts_[p];
+            labelList& places = counts[part];
+            visitPart(part, [&](label i, const std::pair<label, Rest>& key)
+            {
+                keys_[places[key.first]++] = keyed(key.second, i);
+            });
         }
 
-        labelList ends(starts_);
-        for (label i = 0; i < n; ++i)
-        {
-            const std::pair<label, Rest> key(keyOf(i));
-            keys_[ends[key.first]++] = keyed(key.second, i);
-        }
         #pragma omp parallel for schedule(dynamic, 1024)
         for (label p = 0; p < nPoints; ++p)
         {
