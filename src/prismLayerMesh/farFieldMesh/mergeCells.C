@@ -6,6 +6,7 @@
 #include "mergeCells.H"
 #include "HashSet.H"
 #include "ListOps.H"
+#include "mergedFaces.H"
 #include "mergingMesh.H"
 
 #include <algorithm>
@@ -417,129 +418,6 @@ void gainMerger::mergeAll()
     }
 }
 
-
-//- Faces of a far field whose cells merge
-class mergedFaces
-{
-    const mergingMesh& mesh_;
-    const polyMeshTopology& old_;
-
-    //- The new cell of each cell
-    const labelList& cells_;
-
-    //- The new face of each face, -1 if it is gone, and whether it is reversed
-    labelList faces_;
-    boolList flipped_;
-
-    labelPair cellsOf(const label f) const
-    {
-        labelPair cells(cells_[old_.owner[f]], cells_[old_.neighbour[f]]);
-        cells.sort();
-
-        return cells;
-    }
-
-    void addInternalFaces(polyMeshTopology& t)
-    {
-        // The two cells, and the old face
-        DynamicList<FixedList<label, 3>> kept(old_.neighbour.size());
-        forAll(old_.neighbour, f)
-        {
-            const labelPair cells(cellsOf(f));
-            if (cells.first() != cells.second())
-            {
-                kept.append
-                (
-                    FixedList<label, 3>{cells.first(), cells.second(), f}
-                );
-            }
-        }
-        std::sort(kept.begin(), kept.end());
-        t.reserve(old_.faces.size(), kept.size());
-        for (const FixedList<label, 3>& k : kept)
-        {
-            const labelPair cells(k[0], k[1]);
-            const label f = k[2];
-            flipped_[f] = cells.first() != cells_[old_.owner[f]];
-            faces_[f] = t.faces.size();
-            t.append
-            (
-                flipped_[f] ? old_.faces[f].reverseFace() : face(old_.faces[f]),
-                cells.first(), cells.second()
-            );
-        }
-    }
-
-    void addPatches(polyMeshTopology& t)
-    {
-        forAll(old_.patchStarts, patchi)
-        {
-            t.startPatch();
-            const label start = old_.patchStarts[patchi];
-            for (label k = 0; k < old_.patchSizes[patchi]; ++k)
-            {
-                const label f = start + k;
-                if (!mesh_.gone().test(f))
-                {
-                    const auto polygon = mesh_.polygons().cfind(f);
-                    faces_[f] = t.faces.size();
-                    t.append
-                    (
-                        face(polygon.good() ? *polygon : old_.faces[f]),
-                        cells_[old_.owner[f]]
-                    );
-                }
-            }
-        }
-    }
-
-public:
-
-    mergedFaces
-    (
-        const mergingMesh& mesh,
-        const labelList& newCells,
-        polyMeshTopology& t
-    )
-    :
-        mesh_(mesh),
-        old_(mesh.far().topology),
-        cells_(newCells),
-        faces_(old_.faces.size(), -1),
-        flipped_(old_.faces.size(), false)
-    {
-        addInternalFaces(t);
-        addPatches(t);
-    }
-
-    void update(cellZoneParts& zone) const
-    {
-        bitSet cells(cells_.size());
-        for (const label c : zone.cells)
-        {
-            cells.set(cells_[c]);
-        }
-        zone.cells = cells.sortedToc();
-    }
-
-    void update(faceZoneParts& zone) const
-    {
-        DynamicList<label> faces;
-        DynamicList<bool> flips;
-        forAll(zone.faces, k)
-        {
-            const label f = zone.faces[k];
-            if (faces_[f] >= 0)
-            {
-                faces.append(faces_[f]);
-                flips.append(zone.flips[k] != flipped_[f]);
-            }
-        }
-        zone.faces = faces;
-        zone.flips = flips;
-    }
-};
-
 } // End anonymous namespace
 
 
@@ -633,7 +511,7 @@ void mergeCells
     labelList newCells(far.nCells, -1);
     const label nNew = numberCells(mesh, newCells);
     polyMeshTopology topology;
-    const mergedFaces faces(mesh, newCells, topology);
+    const mergedFaces faces(mesh, newCells, nNew, topology);
     for (cellZoneParts& zone : far.cellZones)
     {
         faces.update(zone);

@@ -22,8 +22,10 @@
 #include "farFieldMesh/tetImprover.C"
 #include "farFieldMesh/coreBoundary.C"
 #include "farFieldMesh/mergingMesh.C"
+#include "farFieldMesh/mergedFaces.C"
 #include "farFieldMesh/mergeCells.C"
 #include "farFieldMesh/planarFarField.C"
+#include "farFieldMesh/joinCells.C"
 #include "farFieldMesh/makeFarFieldMesh.C"
 #include "farFieldMesh/farFieldSizes.C"
 
