@@ -11,7 +11,11 @@
 #include "SubList.H"
 #include "tetrahedralize.H"
 #include "triangleIndex.H"
+#include "wallChanges.H"
 #include "wallSearch.H"
+
+#include <algorithm>
+#include <numeric>
 
 namespace Foam
 {
@@ -197,6 +201,72 @@ void fillWithTets
     mesh.points.transfer(filled.points);
     mesh.tets.transfer(filled.tets);
     compact(mesh);
+}
+
+
+// * * * * * * * * * * * * * * * * Renumber  * * * * * * * * * * * * * * * * //
+
+//- Returns new labels of tetrahedra, in the order of their first points
+static labelList newLabelsByPoints
+(
+    const tetCellList& tets,
+    const label nPoints
+)
+{
+    const auto first = [](const tetCell& tet)
+    {
+        return *std::min_element(tet.begin(), tet.end());
+    };
+    labelList starts(nPoints + 1, 0);
+    for (const tetCell& tet : tets)
+    {
+        ++starts[first(tet) + 1];
+    }
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    labelList newLabels(tets.size());
+    forAll(tets, t)
+    {
+        newLabels[t] = starts[first(tets[t])]++;
+    }
+
+    return newLabels;
+}
+
+
+void renumber(farFieldTets& mesh)
+{
+    const label n = mesh.nBoundaryPoints;
+    labelList newPoints(identity(mesh.points.size()));
+    const labelList order
+    (
+        hilbertOrder(SubList<point>(mesh.points, mesh.points.size() - n, n))
+    );
+    forAll(order, i)
+    {
+        newPoints[n + order[i]] = n + i;
+    }
+    inplaceReorder(newPoints, mesh.points);
+
+    #pragma omp parallel for schedule(static)
+    forAll(mesh.tets, t)
+    {
+        inplaceRenumber(newPoints, mesh.tets[t]);
+    }
+    const labelList newTets
+    (
+        newLabelsByPoints(mesh.tets, mesh.points.size())
+    );
+    inplaceReorder(newTets, mesh.tets);
+    inplaceReorder(newTets, mesh.neighbours);
+
+    #pragma omp parallel for schedule(static)
+    forAll(mesh.neighbours, t)
+    {
+        for (label& neighbour : mesh.neighbours[t])
+        {
+            neighbour = neighbour < 0 ? -1 : newTets[neighbour];
+        }
+    }
 }
 
 } // End namespace Foam

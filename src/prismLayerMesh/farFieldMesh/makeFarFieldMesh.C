@@ -119,6 +119,7 @@ static void improve
     neighbours.centres.append(centres);
     neighbours.volumes.append(volumes);
     improveTets(neighbours, mesh);
+    renumber(mesh);
 
     label flat = labelMax;
 

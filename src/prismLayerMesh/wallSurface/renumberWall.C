@@ -15,13 +15,12 @@
 #include <utility>
 #include <vector>
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
 namespace Foam
 {
 
-//- The points in their order on a Hilbert curve
-static labelList hilbertOrder(const pointField& points)
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+labelList hilbertOrder(const UList<point>& points)
 {
     using kernel = CGAL::Simple_cartesian<double>;
     using place = std::pair<kernel::Point_3, label>;
@@ -49,8 +48,6 @@ static labelList hilbertOrder(const pointField& points)
     return order;
 }
 
-
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 void renumberWall(wallSurface& wall)
 {

@@ -13,6 +13,7 @@
 #include "farFieldMesh/outerTrianglesTest.C"
 #include "farFieldMesh/layerBorderTest.C"
 #include "farFieldMesh/sidePatchRemaindersTest.C"
+#include "farFieldMesh/farFieldTetsTest.C"
 #include "farFieldMesh/improveTetsTest.C"
 #include "farFieldMesh/tetPatchTest.C"
 #include "farFieldMesh/makeFarFieldMeshTest.C"
