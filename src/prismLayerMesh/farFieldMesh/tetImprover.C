@@ -365,6 +365,8 @@ bool tetImprover::makeAll
             return (improver.*way)(item, change);
         }
 
+        bool asksAgain(const Item&) const { return false; }
+
         void start(const tetChange& change)
         {
             improver.make(change);

@@ -44,6 +44,11 @@ const struct
     //  way to a wanted point is tried; points between such places
     label maxStarts = 8;
     label betweenStarts = 16;
+
+    //- Points on a level for each one on the levels before it, and points of
+    //  the levels before it for each point that is tried in a round
+    label pointsPerLevel = 4;
+    label pointsPerTrial = 8;
 } refinerTuned;
 
 
@@ -65,7 +70,7 @@ struct insertion
 class refinedTets
 {
     const wantedPoints& wanted_;
-    const std::function<scalar(const point&)>& size_;
+    const std::function<scalar(const point&)> size_;
     const label maxTets_;
 
     tetInserter tets_;
@@ -81,6 +86,9 @@ class refinedTets
     //- Rounds in which tetrahedra ask for points
     changeRounds<label, insertion> rounds_{refinerTuned.batch};
 
+    //- Label in the mesh of each wanted point, -1 if it is not there
+    labelList labels_;
+
 
     //- Whether other points are away, and spheres around triangles of the
     //  boundary
@@ -95,7 +103,8 @@ class refinedTets
     //- Gives wanted points to new tetrahedra
     void giveWanted(const insertion& ins, label first);
 
-    label tetWith(label i, const std::vector<label>& tetOf) const;
+    //- Returns the tetrahedron with a wanted point, -1 if it was not found
+    label tetWith(label i, const labelListList& tetsOf) const;
 
 public:
 
@@ -104,18 +113,27 @@ public:
         const wantedPoints& wanted,
         const std::function<scalar(const point&)>& size,
         const label maxTets,
-        const tetMesh& mesh
+        const tetMesh& mesh,
+        const faceList& facets = faceList()
     );
 
-    void addWanted();
+    //- Adds the wanted points, or every few of them that are not there yet
+    void addWanted(label stride = 1);
+
+    //- Adds few of the wanted points first, and then the others between them.
+    //  The first points replace most tetrahedra of a mesh of facets alone.
+    void addWantedInLevels();
 
     void addCentres();
 
     //- See changeRounds: a tetrahedron asks for a point
     bool propose(label t, insertion& ins) const;
+    bool asksAgain(label t);
     void start(insertion& ins);
     void make(insertion& ins, std::vector<label>& next);
     bool hasEnough() const;
+
+    const labelList& labels() const { return labels_; }
 
     tetMesh mesh() const { return tets_.mesh(); }
 };
@@ -126,15 +144,17 @@ refinedTets::refinedTets
     const wantedPoints& wanted,
     const std::function<scalar(const point&)>& size,
     const label maxTets,
-    const tetMesh& mesh
+    const tetMesh& mesh,
+    const faceList& facets
 )
 :
     wanted_(wanted),
     size_(size),
     maxTets_(maxTets),
-    tets_(mesh),
+    tets_(mesh, facets),
     first_(mesh.tets.size(), -1),
-    next_(wanted.points.size(), -1)
+    next_(wanted.points.size(), -1),
+    labels_(wanted.points.size(), -1)
 {}
 
 
@@ -273,6 +293,19 @@ bool refinedTets::propose(const label t, insertion& ins) const
 }
 
 
+bool refinedTets::asksAgain(const label t)
+{
+    // Not for this point, but for the next one in the tetrahedron
+    const label p = first_[t];
+    if (p >= 0)
+    {
+        first_[t] = next_[p];
+    }
+
+    return p >= 0;
+}
+
+
 void refinedTets::start(insertion& ins)
 {
     tets_.setLabels(ins.x, ins);
@@ -284,6 +317,10 @@ void refinedTets::make(insertion& ins, std::vector<label>& next)
 {
     const label taken = takeWanted(ins);
     tets_.replace(ins, ins.work);
+    if (ins.wanted >= 0)
+    {
+        labels_[ins.wanted] = ins.added;
+    }
     giveWanted(ins, taken);
 
     for (const label t : ins.made)
@@ -310,43 +347,45 @@ bool refinedTets::hasEnough() const
 label refinedTets::tetWith
 (
     const label i,
-    const std::vector<label>& tetOf
+    const labelListList& tetsOf
 ) const
 {
-    label found = -1;
-    for (label n = 0; found < 0 && n <= 2*refinerTuned.maxStarts; ++n)
+    for (label n = 0; n <= 2*refinerTuned.maxStarts; ++n)
     {
         const label away = refinerTuned.betweenStarts*((n + 1)/2);
         const label start = i + (n % 2 ? away : -away);
-        if (start >= 0 && start < wanted_.near.size())
+        if (start < 0 || start >= wanted_.near.size())
         {
-            const label t = tetOf[wanted_.near[start]];
-            found = t < 0 ? -1 : tets_.locate(wanted_.points[i], t);
+            continue;
+        }
+
+        for (const label t : tetsOf[wanted_.near[start]])
+        {
+            const label found = tets_.locate(wanted_.points[i], t);
+            if (found >= 0)
+            {
+                return found;
+            }
         }
     }
 
-    return found;
+    return -1;
 }
 
 
-void refinedTets::addWanted()
+void refinedTets::addWanted(const label stride)
 {
-    std::vector<label> tetOf(tets_.nPoints(), -1);
-    for (label t = 0; t < tets_.nTets(); ++t)
-    {
-        for (label i = 0; i < 4; ++i)
-        {
-            tetOf[tets_(t, i)] = t;
-        }
-    }
-
+    const labelListList tetsOf(tets_.pointTets());
     const label n = wanted_.points.size();
-    std::vector<label> in(n);
+    std::vector<label> in(n, -1);
 
     #pragma omp parallel for schedule(dynamic, 64)
-    for (label i = 0; i < n; ++i)
+    for (label i = 0; i < n; i += stride)
     {
-        in[i] = tetWith(i, tetOf);
+        if (labels_[i] < 0)
+        {
+            in[i] = tetWith(i, tetsOf);
+        }
     }
 
     std::vector<label> asking;
@@ -367,6 +406,27 @@ void refinedTets::addWanted()
     rounds_.run(asking, *this);
     addsWanted_ = false;
     std::fill(first_.begin(), first_.end(), -1);
+}
+
+
+void refinedTets::addWantedInLevels()
+{
+    label stride = 1;
+    while (stride*refinerTuned.pointsPerLevel < wanted_.points.size())
+    {
+        stride *= refinerTuned.pointsPerLevel;
+    }
+    for (; stride > 0; stride /= refinerTuned.pointsPerLevel)
+    {
+        const label nAdded = wanted_.points.size()
+           /(refinerTuned.pointsPerLevel*stride);
+        rounds_.setBatch
+        (
+            min(refinerTuned.batch, max(1, nAdded/refinerTuned.pointsPerTrial))
+        );
+        addWanted(stride);
+    }
+    rounds_.setBatch(refinerTuned.batch);
 }
 
 
@@ -410,6 +470,21 @@ void refineTets
     tets.addWanted();
     tets.addCentres();
     mesh = tets.mesh();
+}
+
+
+labelList insertPoints
+(
+    const wantedPoints& wanted,
+    const faceList& facets,
+    tetMesh& mesh
+)
+{
+    refinedTets tets(wanted, {}, labelMax, mesh, facets);
+    tets.addWantedInLevels();
+    mesh = tets.mesh();
+
+    return tets.labels();
 }
 
 } // End namespace Foam

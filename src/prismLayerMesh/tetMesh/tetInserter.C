@@ -5,6 +5,7 @@
 
 #include "tetInserter.H"
 #include "tetEditor.H"
+#include "triangleIndex.H"
 
 #include <algorithm>
 #include <cstddef>
@@ -18,23 +19,60 @@ namespace Foam
 //- Tetrahedra on the way to a point, at most
 static constexpr label maxSteps = 1000;
 
-//- How often a cavity is made smaller, at most
-static constexpr label maxShrinks = 10;
+
+//- States of tetrahedra in cavity.known, and in cavity.reached
+static constexpr char inSphere = 1, beyondSphere = 2, excluded = 3;
+static constexpr char inCavity = 1, aroundCavity = 2;
 
 
-static bool contains(const std::vector<label>& list, const label value)
+// * * * * * * * * * * * * * * * * Tet States  * * * * * * * * * * * * * * * //
+
+tetStates::entry& tetStates::place(const label tet)
 {
-    return std::find(list.begin(), list.end(), value) != list.end();
+    const std::size_t mask = table_.size() - 1;
+    std::size_t k = (std::size_t(tet)*2654435761u >> 7) & mask;
+    while (table_[k].use == use_ && table_[k].tet != tet)
+    {
+        k = (k + 1) & mask;
+    }
+
+    return table_[k];
+}
+
+
+char& tetStates::operator[](const label tet)
+{
+    entry* found = &place(tet);
+    if (found->use != use_)
+    {
+        if (2*++nUsed_ > label(table_.size()))
+        {
+            std::vector<entry> old(4*table_.size(), entry{-1, -1, 0});
+            old.swap(table_);
+            for (const entry& e : old)
+            {
+                if (e.use == use_)
+                {
+                    place(e.tet) = e;
+                }
+            }
+            found = &place(tet);
+        }
+        *found = entry{tet, use_, 0};
+    }
+
+    return found->state;
 }
 
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-tetInserter::tetInserter(const tetMesh& mesh)
+tetInserter::tetInserter(const tetMesh& mesh, const faceList& facets)
 :
     points_(mesh.points.begin(), mesh.points.end()),
     tets_(mesh.tets.size())
 {
+    const triangleIndex kept(makeTriangleIndex(facets));
     const auto neighbours(tetNeighbours(mesh.tets, mesh.points.size()));
     forAll(mesh.tets, t)
     {
@@ -42,6 +80,14 @@ tetInserter::tetInserter(const tetMesh& mesh)
         {
             tets_[t].points[i] = mesh.tets[t][i];
             tets_[t].neighbours[i] = neighbours[t][i];
+            if
+            (
+                facets.size() && neighbours[t][i] >= 0
+             && kept.lookup(triFace(mesh.tets[t].face(i)), -1) >= 0
+            )
+            {
+                tets_[t].neighbours[i] = -1;
+            }
         }
     }
 }
@@ -91,6 +137,23 @@ label tetInserter::locate(const point& x, label t) const
 }
 
 
+bool tetInserter::goes
+(
+    const point& x,
+    const label t,
+    pointCavity& cavity
+) const
+{
+    char& state = cavity.known[t];
+    if (state == 0)
+    {
+        state = isInSphere(t, x) ? inSphere : beyondSphere;
+    }
+
+    return state == inSphere;
+}
+
+
 void tetInserter::setCavity
 (
     const point& x,
@@ -101,27 +164,27 @@ void tetInserter::setCavity
     cavity.tets.assign(1, container);
     cavity.sides.clear();
     cavity.around.clear();
+    cavity.reached.clear();
+    cavity.reached[container] = inCavity;
     for (std::size_t k = 0; k < cavity.tets.size(); ++k)
     {
         const label t = cavity.tets[k];
         for (label i = 0; i < 4; ++i)
         {
             const label other = tets_[t].neighbours[i];
-            if (other >= 0 && contains(cavity.tets, other))
+            if (other >= 0)
             {
-                continue;
-            }
-            if (other >= 0 && !contains(cavity.around, other))
-            {
-                if
-                (
-                    isInSphere(other, x) && !contains(cavity.excluded, other)
-                )
+                char& state = cavity.reached[other];
+                if (state == 0)
                 {
-                    cavity.tets.push_back(other);
+                    state = goes(x, other, cavity) ? inCavity : aroundCavity;
+                    (state == inCavity ? cavity.tets : cavity.around)
+                        .push_back(other);
+                }
+                if (state == inCavity)
+                {
                     continue;
                 }
-                cavity.around.push_back(other);
             }
             cavity.sides.push_back(tetSide{t, i});
         }
@@ -141,7 +204,7 @@ bool tetInserter::excludeHidden
         if (sideOf(side, x) <= 0)
         {
             found = true;
-            cavity.excluded.push_back(side.tet);
+            cavity.known[side.tet] = excluded;
         }
     }
 
@@ -156,21 +219,18 @@ bool tetInserter::findCavity
     pointCavity& cavity
 ) const
 {
-    cavity.excluded.clear();
-    for (label n = 0; n < maxShrinks; ++n)
+    cavity.known.clear();
+    cavity.known[container] = inSphere;
+    do
     {
         setCavity(x, container, cavity);
-        if (!excludeHidden(x, cavity))
-        {
-            return true;
-        }
-        if (contains(cavity.excluded, container))
-        {
-            return false;
-        }
     }
+    while
+    (
+        excludeHidden(x, cavity) && cavity.known[container] != excluded
+    );
 
-    return false;
+    return cavity.known[container] != excluded;
 }
 
 
@@ -315,6 +375,35 @@ label tetInserter::madeWith(const point& x, const pointCavity& cavity) const
     };
 
     return *std::find_if(cavity.made.begin(), cavity.made.end() - 1, hasPoint);
+}
+
+
+labelListList tetInserter::pointTets() const
+{
+    labelList sizes(nPoints(), 0);
+    const auto forAllCorners = [&](const auto& visit)
+    {
+        for (label t = 0; t < nTets(); ++t)
+        {
+            for (label i = 0; i < 4 && !hasGone(t); ++i)
+            {
+                visit(t, tets_[t].points[i]);
+            }
+        }
+    };
+    forAllCorners([&](label, const label p) { ++sizes[p]; });
+
+    labelListList tets(nPoints());
+    forAll(tets, p)
+    {
+        tets[p].setSize(sizes[p]);
+    }
+    forAllCorners([&](const label t, const label p)
+    {
+        tets[p][--sizes[p]] = t;
+    });
+
+    return tets;
 }
 
 

@@ -54,6 +54,8 @@ public:
         return i % 7;
     }
 
+    bool asksAgain(label) const { return false; }
+
     void start(const additionInRow& change)
     {
         const label i = change.tets[0];

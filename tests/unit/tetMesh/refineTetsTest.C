@@ -181,6 +181,105 @@ TEST(refineTets, meshesAreTheSameOnAnyNumberOfThreads)
 }
 
 
+//- A cube in a cube of width 1, with tetrahedra on both sides of the inner one
+static tetDomain cubeInCube()
+{
+    const wallSurface inner
+    (
+        testSurfaces::translated
+        (
+            testSurfaces::cube(4, 0.4), vector::uniform(0.3)
+        )
+    );
+
+    return inside(testSurfaces::merge(inner, testSurfaces::cube(3)));
+}
+
+
+//- A grid of points, of which each has the nearest point of the domain
+static wantedPoints gridIn(const tetDomain& domain)
+{
+    wantedPoints wanted(grid(8, 0.05));
+    forAll(wanted.points, i)
+    {
+        wanted.near[i] = findMin
+        (
+            scalarField(magSqr(domain.points - wanted.points[i]))
+        );
+    }
+
+    return wanted;
+}
+
+
+TEST(insertPoints, addsAllPointsOnBothSidesOfFacets)
+{
+    const tetDomain domain(cubeInCube());
+    const wantedPoints wanted(gridIn(domain));
+    tetMesh mesh(tetrahedralize(domain));
+    const label before = mesh.points.size();
+    const labelList labels(insertPoints(wanted, domain.facets, mesh));
+
+    EXPECT_EQ(mesh.points.size(), before + wanted.points.size());
+    forAll(labels, i)
+    {
+        ASSERT_GE(labels[i], before);
+        EXPECT_EQ(mesh.points[labels[i]], wanted.points[i]);
+    }
+    EXPECT_NEAR(volumeOf(mesh), 1, 1e-12);
+    EXPECT_TRUE(allPositive(mesh.points, mesh.tets));
+}
+
+
+TEST(insertPoints, facetsStay)
+{
+    const tetDomain domain(cubeInCube());
+    tetMesh mesh(tetrahedralize(domain));
+    insertPoints(gridIn(domain), domain.facets, mesh);
+
+    const triangleIndex facets(makeTriangleIndex(domain.facets));
+    labelList nTets(domain.facets.size(), 0);
+    for (const tetCell& tet : mesh.tets)
+    {
+        for (label i = 0; i < 4; ++i)
+        {
+            const label facet = facets.lookup(triFace(tet.face(i)), -1);
+            if (facet >= 0)
+            {
+                ++nTets[facet];
+            }
+        }
+    }
+    const label nInner = testSurfaces::cube(4).faces.size();
+    forAll(nTets, facet)
+    {
+        EXPECT_EQ(nTets[facet], facet < nInner ? 2 : 1);
+    }
+}
+
+
+TEST(insertPoints, meshesAreTheSameOnAnyNumberOfThreads)
+{
+    const tetDomain domain(cubeInCube());
+    const tetMesh empty(tetrahedralize(domain));
+    const label before = omp_get_max_threads();
+    tetMesh first;
+    for (const label n : {1, 2, 5})
+    {
+        omp_set_num_threads(n);
+        tetMesh mesh(empty);
+        insertPoints(gridIn(domain), domain.facets, mesh);
+        if (n == 1)
+        {
+            first = mesh;
+        }
+        EXPECT_EQ(mesh.points, first.points);
+        EXPECT_EQ(mesh.tets, first.tets);
+    }
+    omp_set_num_threads(before);
+}
+
+
 TEST(refineTets, addsNoPointsToTooManyTetrahedra)
 {
     tetMesh mesh(tetrahedralize(inside(testSurfaces::cube(3))));
