@@ -6,6 +6,8 @@
 #include "backgroundMesh.H"
 #include "ListOps.H"
 #include "ranges.H"
+#include "refineTets.H"
+#include "surfacePart.H"
 #include "tetrahedralize.H"
 #include "wallBridges.H"
 #include "wallDomain.H"
@@ -14,6 +16,114 @@ namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- The part of a domain that TetGen fills if it does not end on the whole
+struct boundsOfDomain
+{
+    tetDomain domain;
+
+    //- Labels in the whole domain of its points, and of the points of the
+    //  envelope that are on no facet
+    labelList points;
+    labelList others;
+};
+
+} // End anonymous namespace
+
+
+static boundsOfDomain makeBounds
+(
+    const tetDomain& domain,
+    const offsetEnvelope& envelope
+)
+{
+    const label first = envelope.radius.size();
+    bitSet isOther(domain.points.size());
+    isOther.set(labelRange(first, envelope.points.size()));
+    isOther -= pointsOf(domain.facets, domain.points.size());
+
+    boundsOfDomain bounds{domain, {}, isOther.toc()};
+    isOther.flip();
+    bounds.points = isOther.toc();
+    bounds.domain.points = pointField(domain.points, bounds.points);
+    const labelList toBounds(invert(domain.points.size(), bounds.points));
+    for (face& f : bounds.domain.facets)
+    {
+        inplaceRenumber(toBounds, f);
+    }
+    bounds.domain.areInPlanes = true;
+
+    return bounds;
+}
+
+
+//- Fills the room between the facets of a domain by TetGen, and adds the other
+//  points of the envelope. The mesh has the points of the domain in their
+//  order, then the points that TetGen has added.
+static tetMesh fillInTwoSteps
+(
+    const tetDomain& domain,
+    const offsetEnvelope& envelope
+)
+{
+    const boundsOfDomain bounds(makeBounds(domain, envelope));
+    tetMesh filled(tetrahedralize(bounds.domain));
+
+    const label nFilled = filled.points.size();
+    wantedPoints wanted{pointField(domain.points, bounds.others), {}};
+    wanted.near.setSize(wanted.points.size());
+    forAll(wanted.near, i)
+    {
+        wanted.near[i] =
+            envelope.roots[bounds.others[i] - envelope.radius.size()];
+    }
+    const labelList added(insertPoints(wanted, bounds.domain.facets, filled));
+
+    pointField points(domain.points);
+    labelList labels(filled.points.size());
+    SubList<label>(labels, bounds.points.size()) = bounds.points;
+    for (label p = bounds.points.size(); p < nFilled; ++p)
+    {
+        labels[p] = points.size();
+        points.append(filled.points[p]);
+    }
+    forAll(added, i)
+    {
+        if (added[i] >= 0)
+        {
+            labels[added[i]] = bounds.others[i];
+        }
+    }
+    for (tetCell& tet : filled.tets)
+    {
+        for (label& p : tet)
+        {
+            p = labels[p];
+        }
+    }
+    filled.points.transfer(points);
+
+    return filled;
+}
+
+
+//- Fills a domain of a wall and an envelope. On wide flat faces TetGen may not
+//  end with points of the envelope above them, but does without.
+static tetMesh fillDomain
+(
+    const tetDomain& domain,
+    const offsetEnvelope& envelope
+)
+{
+    tetMesh filled;
+
+    return tetrahedralizeBriefly(domain, filled)
+      ? filled : fillInTwoSteps(domain, envelope);
+}
+
 
 //- A mesh without tetrahedra: the points of the wall, of the sheets, of the
 //  rest of the domain, and those that TetGen has added
@@ -171,7 +281,7 @@ backgroundMesh makeBackgroundMesh
         }
     }
 
-    tetMesh filled(tetrahedralize(domain));
+    tetMesh filled(fillDomain(domain, envelope));
     if (isOpen)
     {
         const boolList isFront
@@ -203,7 +313,7 @@ backgroundMesh makeBackgroundMesh(const fieldBlock& block)
     const faceList triangles(domain.facets);
     addBox(boxAround(domain.points, block.envelope), domain);
 
-    const tetMesh filled(tetrahedralize(domain));
+    const tetMesh filled(fillDomain(domain, block.envelope));
     backgroundMesh mesh
     (
         withPointData(block.wall, block.envelope, domain, filled.points)

@@ -195,6 +195,9 @@ struct sheetMaker
     //- Factor on the distance between the points of each point of the wall
     const scalarField& closeness;
 
+    //- Labels of the points of the wall in the part of the wall
+    const labelList& inPart;
+
 
     //- Adds the points at a share of their radius on rays for which onSheet
     //  holds. Points are about 'wide' times their height apart.
@@ -233,6 +236,7 @@ struct sheetMaker
         inplaceSubset(stands, sides);
 
         scalarField spacings(points.size()), gaps(points.size());
+        labelList roots(points.size());
         label k = 0;
         forAll(rays.all(), i)
         {
@@ -241,6 +245,7 @@ struct sheetMaker
             {
                 const scalar d = rays.isLimited(r.p, r.radius) ? inSlits : wide;
                 spacings[k] = share*r.radius*d*closeness[r.p];
+                roots[k] = inPart[r.p];
                 gaps[k++] = r.radius;
             }
         }
@@ -248,6 +253,7 @@ struct sheetMaker
         const labelList kept(sparsePoints(points, spacings));
         envelope.points.append(pointField(points, kept));
         envelope.gaps.append(scalarField(gaps, kept));
+        envelope.roots.append(labelList(UIndirectList<label>(roots, kept)));
 
         if (wall.border.sides.size())
         {
@@ -350,7 +356,8 @@ offsetEnvelope makeOffsetEnvelope
 
     offsetEnvelope envelope;
     envelope.radius = scalarField(radii.radius, wallPoints);
-    const sheetMaker maker{wall, context.search(), rays, closeness};
+    const labelList inPart(invert(wall.points.size(), wallPoints));
+    const sheetMaker maker{wall, context.search(), rays, closeness, inPart};
     const auto onOuter = [&](const envelopeRay& r) { return !atTip[r.p]; };
     maker.addSheet(1, mesh.radiusEdgeRatio, onOuter, envelope);
     envelope.nEnvelope = envelope.points.size();

@@ -39,6 +39,10 @@ const struct
     label pointsPerSecond = 16000;
     label shortest = 2;
 
+    //- CPU time of brief attempts [s], with as many points for one second more:
+    //  four times the time of most successes
+    label brief = 1;
+
     //- Facets stay as they are: not split (Y), coplanar ones not merged (M), no
     //  tolerance (T) in place of the exact predicates. Points that are not used
     //  are not left out (J): that would change the labels of the others.
@@ -204,36 +208,58 @@ static bool keepsFacets(const tetDomain& domain, const tetMesh& mesh)
 }
 
 
+//- Makes an attempt. Returns whether it succeeded.
+//  seconds: bound on its CPU time [s]
+static bool makeAttempt
+(
+    const tetDomain& domain,
+    const label attempt,
+    const label seconds,
+    tetMesh& mesh
+)
+{
+    tellProgress("TetGen, points", domain.points.size());
+    const tensor rotation(rotationOf(domain, attempt));
+    const processEnd end = isolatedProcess
+    (
+        [&](pipeWriter& result)
+        {
+            runTetgen(domain, rotation, result);
+        },
+        [&](pipeReader& result)
+        {
+            mesh = readTetgen(domain, rotation, result);
+        },
+        seconds
+    );
+
+    return end == processEnd::complete && keepsFacets(domain, mesh)
+        && allPositive(mesh.points, mesh.tets);
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+bool tetrahedralizeBriefly(const tetDomain& domain, tetMesh& mesh)
+{
+    const label seconds =
+        tuned.brief + domain.points.size()/tuned.pointsPerSecond;
+
+    return makeAttempt(domain, 0, seconds, mesh)
+        || makeAttempt(domain, 1, seconds, mesh);
+}
+
 
 tetMesh tetrahedralize(const tetDomain& domain)
 {
     const label seconds =
         tuned.seconds + domain.points.size()/tuned.pointsPerSecond;
+    tetMesh mesh;
     for (label attempt = 0; attempt < tuned.maxAttempts; ++attempt)
     {
-        tellProgress("TetGen, points", domain.points.size());
-        const tensor rotation(rotationOf(domain, attempt));
-        tetMesh mesh;
-
-        const processEnd end = isolatedProcess
-        (
-            [&](pipeWriter& result)
-            {
-                runTetgen(domain, rotation, result);
-            },
-            [&](pipeReader& result)
-            {
-                mesh = readTetgen(domain, rotation, result);
-            },
-            attempt < 2 ? seconds : max(seconds/4, tuned.shortest)
-        );
-
-        if
-        (
-            end == processEnd::complete && keepsFacets(domain, mesh)
-         && allPositive(mesh.points, mesh.tets)
-        )
+        const label most =
+            attempt < 2 ? seconds : max(seconds/4, tuned.shortest);
+        if (makeAttempt(domain, attempt, most, mesh))
         {
             return mesh;
         }
@@ -245,7 +271,7 @@ tetMesh tetrahedralize(const tetDomain& domain)
         << domain.points.size() << " points, " << tuned.maxAttempts << " times"
         << exit(FatalError);
 
-    return tetMesh();
+    return mesh;
 }
 
 
