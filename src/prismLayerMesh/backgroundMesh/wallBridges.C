@@ -144,7 +144,13 @@ static simplexSet oppositeEdges
     {
         if (!feet.found(p))
         {
-            feet.insert(p, search.footOf(mesh.points[p]));
+            feet.insert
+            (
+                p,
+                mesh.onWall(p)
+              ? wallSearch::foot{{}, {}, 0, Zero}
+              : search.footOf(mesh.points[p])
+            );
         }
 
         return feet[p].direction;
