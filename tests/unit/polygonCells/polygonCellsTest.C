@@ -47,7 +47,7 @@ static polygonMesh polygonsAround
     const prismLayerMesh run(layeredMesh(wall, 4, thickness));
     farFieldMesh far(farFieldOf(run, inBox(type, 4)));
 
-    return makePolygonCells(run.made.layers, far, controls);
+    return makePolygonCells(run.made.layers, far, List<sidePatch>(), controls);
 }
 
 
@@ -191,10 +191,11 @@ TEST(polygonCells, layersAreWholeWherePolyhedraAreDivided)
 static label nSkew(const label nRounds)
 {
     polygonControls controls;
+    controls.maxSkewness = 1.5;
     controls.nSkewRounds = nRounds;
     const polygonMesh polygons
     (
-        polygonsAround(wedgeBlock(3, 15), farFieldType::tet, 0.15, controls)
+        polygonsAround(wedgeBlock(6, 40), farFieldType::tet, 0.25, controls)
     );
 
     return
@@ -205,8 +206,7 @@ static label nSkew(const label nRounds)
 
 TEST(polygonCells, skewColumnsAreDivided)
 {
-    EXPECT_EQ(nSkew(0), 2);
-    EXPECT_EQ(nSkew(polygonControls().nSkewRounds), 0);
+    EXPECT_LT(nSkew(5), nSkew(0)/2);
 }
 
 
