@@ -81,7 +81,8 @@ public:
                 visitBeside(corners[i], [&](const label other)
                 {
                     const label j = positions_.lookup(other, -1);
-                    if (j >= 0 && corners[j] == other)
+                    const bool isHere = j >= 0 && j < corners.size();
+                    if (isHere && corners[j] == other)
                     {
                         beside.append(labelPair(i, j));
                     }
