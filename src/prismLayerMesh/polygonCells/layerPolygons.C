@@ -374,7 +374,8 @@ public:
     }
 
     //- Calls visit(group, outline, facei) for each outline of a group in the
-    //  plane of the front, seen from the fluid, with a front face of the group
+    //  plane of the front, seen from the fluid, with a front face of the group.
+    //  If that stays whole, the outline begins where it begins.
     template<class Visit>
     void visitOutlines(const Visit& visit) const
     {
@@ -400,9 +401,12 @@ public:
         outlineFinder outlinesOf;
         forAll(quads, g)
         {
+            const label first = layers_.faces[faceOf[g]][0];
             outlinesOf(quads[g], [&](const labelUList& outline)
             {
-                visit(g, outline, faceOf[g]);
+                labelList turned(outline);
+                inplaceRotateList(turned, -max(outline.find(first), label(0)));
+                visit(g, turned, faceOf[g]);
             });
         }
     }
@@ -423,7 +427,9 @@ public:
         }
         if (level == 0)
         {
+            // The first point stays
             Foam::reverse(f);
+            inplaceRotateList(f, 1);
         }
         faces_.append(f, first, second);
     }

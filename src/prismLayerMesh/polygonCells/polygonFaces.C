@@ -72,10 +72,17 @@ static scalar smallestOfFan
 
 //- Rotates a face so that the smallest triangle of the fan from its first point
 //  is as large as can be: certificates cut faces into these fans, and at a
-//  straight edge of the wall there are three points in a line
+//  straight edge of the wall there are three points in a line. A quadrilateral
+//  without such points stays, because the layers have their certificate with
+//  this diagonal.
 static face withBestFan(const face& f, const UList<point>& points)
 {
     const vector normal(f.areaNormal(points));
+    const bool isQuad = f.size() == 4;
+    if (isQuad && smallestOfFan(f, 0, points, normal) > SMALL*magSqr(normal))
+    {
+        return f;
+    }
     label best = 0;
     scalar most = -GREAT;
     forAll(f, start)

@@ -168,11 +168,9 @@ void polygonMaker::movePoints(polygonGeometry& geometry)
     {
         const label i = labels_[p];
         const label facei = points_.wallFaceOf(i);
-        const bool mayMove =
-            facei < 0 ? points_.isFree(i) : !onFront_.whole.test(facei);
         const label known = facei < 0 ? i : points_.ofFace(facei, 0);
         const bool isNew = divided_.empty() || divided_.found(known);
-        isFixed.set(p, !isNew || !mayMove);
+        isFixed.set(p, !isNew || (facei < 0 && !points_.isFree(i)));
     }
     movePolygonPoints
     (
@@ -213,14 +211,7 @@ labelList polygonMaker::divide(const labelUList& cells)
     for (const label celli : cells)
     {
         const label g = groupOf(celli);
-        if (g < front_.nGroups)
-        {
-            onFront.set(g);
-        }
-        else
-        {
-            inFar.set(g - front_.nGroups);
-        }
+        g < front_.nGroups ? onFront.set(g) : inFar.set(g - front_.nGroups);
     }
     divided_.clear();
     visitCorners
@@ -256,10 +247,7 @@ labelList polygonMaker::divide(const labelUList& cells)
     for (const label celli : cells)
     {
         const label g = groupOf(celli);
-        const bool isChanged =
-            g < front_.nGroups
-          ? frontChanged.test(g) : farChanged.test(g - front_.nGroups);
-        if (!isChanged)
+        if (!frontChanged.test(g) && !farChanged.test(g - front_.nGroups))
         {
             stuck.append(celli);
         }
@@ -317,11 +305,17 @@ void polygonMaker::divideInvalid
 )
 {
     const labelList stuck(divide(invalid));
-    const bool areKept = keepAround(stuck);
-    hasChanged_ = areKept || stuck.size() < invalid.size();
+    hasChanged_ = keepAround(stuck) || stuck.size() < invalid.size();
     if (!hasChanged_ && best_)
     {
         goBack();
+    }
+    if (!hasChanged_)
+    {
+        // At the latest when all of them stay, the mesh is as it was given
+        hasChanged_ =
+            keepBeside(layers_.nColumns(), layers_.faces, onFront_.whole)
+          + keepBeside(far_.points.size(), tets_.points(), inFar_.whole);
     }
     place_ = geometry.cellCentres[invalid[0]];
 }
