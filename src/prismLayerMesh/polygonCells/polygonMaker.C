@@ -268,28 +268,25 @@ void polygonMaker::goBack()
 }
 
 
-bool polygonMaker::divideSkew(const polygonGeometry& geometry)
+bool polygonMaker::dividePoor(const polygonGrade& grade)
 {
     if (isTouched() || isLast_)
     {
         return true;
     }
-    const labelList skew
-    (
-        geometry.skewCells(made_.mesh, controls_.maxSkewness)
-    );
-    if (!best_ || skew.size() < best_->nSkew)
+    const bool isBest = !best_ || grade.isBetterThan(best_->grade);
+    if (isBest)
     {
         best_.reset
         (
-            new validMesh{onFront_, inFar_, points_.places(), skew.size()}
+            new validMesh{onFront_, inFar_, points_.places(), grade}
         );
     }
-    const bool isStuck =
-        nSkewRounds_++ == controls_.nSkewRounds
-     || divide(skew).size() == skew.size();
-    hasChanged_ = !isStuck;
-    if (isStuck && skew.size() > best_->nSkew)
+    const labelList& poor = grade.poorCells;
+    hasChanged_ =
+        nPoorRounds_++ < controls_.nPoorRounds
+     && divide(poor).size() < poor.size();
+    if (!hasChanged_ && !isBest)
     {
         goBack();
     }
@@ -411,8 +408,6 @@ void polygonMaker::setCommonPolygons()
 void polygonMaker::setCounts(const polygonGeometry& geometry)
 {
     polygonCounts& counts = made_.counts;
-    const finiteVolumes volumes(geometry.volumes(made_.mesh));
-    counts.grade = gradeOf(volumes, explicitGains(volumes));
     compareWalls
     (
         wall(), made_.mesh, geometry, counts.wallDistance,
@@ -594,10 +589,15 @@ void polygonMaker::makeMesh(const commonPolygons& polygons)
     {
         divideInvalid(invalid, geometry);
     }
-    else if (divideSkew(geometry))
+    else
+    {
+        const polygonGrade grade(mesh, geometry, controls_);
+        made_.counts.grade = grade.scheme;
+        isValid_ = dividePoor(grade);
+    }
+    if (isValid_)
     {
         setCounts(geometry);
-        isValid_ = true;
     }
 }
 

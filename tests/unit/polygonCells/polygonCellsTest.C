@@ -192,7 +192,7 @@ static label nSkew(const label nRounds)
 {
     polygonControls controls;
     controls.maxSkewness = 1.5;
-    controls.nSkewRounds = nRounds;
+    controls.nPoorRounds = nRounds;
     const polygonMesh polygons
     (
         polygonsAround(wedgeBlock(6, 40), farFieldType::tet, 0.25, controls)

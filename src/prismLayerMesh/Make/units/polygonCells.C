@@ -17,6 +17,7 @@
 #include "polygonCells/farPolygons.C"
 #include "polygonCells/divideGroups.C"
 #include "polygonCells/polygonGeometry.C"
+#include "polygonCells/polygonGrade.C"
 #include "polygonCells/polygonPoorness.C"
 #include "polygonCells/movePolygonPoints.C"
 #include "polygonCells/keptParts.C"
