@@ -25,7 +25,7 @@ polygonGrade::polygonGrade
     factor = max(scheme.factor, controls.maxFactor);
     labelHashSet poor(geometry.skewCells(mesh, controls.maxSkewness));
     nSkew = poor.size();
-    if (scheme.factor > controls.maxFactor)
+    if (nSkew == 0 && scheme.factor > controls.maxFactor)
     {
         forAll(gains, celli)
         {
