@@ -17,8 +17,9 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- Returns the cells that have no certificate, see meshCertificate.H, and, of
-//  layers alone, the cells on faces of wall and outer surface that intersect.
+//- Returns the cells that have no certificate, see meshCertificate.H, the cells
+//  on faces of the wall with another number of layers, and, of layers alone,
+//  the cells on faces of wall and outer surface that intersect.
 //  nPatches: the first patches are the wall; of layers alone the outer surface
 //  is the next one
 //  nLayerCells: the first cells are in layers
@@ -26,6 +27,7 @@ static labelList uncertifiedCells
 (
     const polyMeshParts& mesh,
     const label nPatches,
+    const label nLayers,
     const label nLayerCells
 )
 {
@@ -54,6 +56,13 @@ static labelList uncertifiedCells
         )
     );
     DynamicList<label> cells(certificate.invalidCells);
+    forAll(certificate.nLayers, i)
+    {
+        if (certificate.nLayers[i] != nLayers)
+        {
+            cells.append(owner[t.patchStarts[0] + i]);
+        }
+    }
     for (const labelPair& pair : certificate.intersections)
     {
         cells.append(owner[pair.first()]);
@@ -262,6 +271,7 @@ void polygonMaker::goBack()
     onFront_ = best_->onFront;
     inFar_ = best_->inFar;
     points_.setPlaces(best_->places);
+    best_.reset();
     mayMove_ = false;
     isLast_ = true;
     hasChanged_ = true;
@@ -386,7 +396,8 @@ labelList polygonMaker::invalidIn(const polygonGeometry& geometry) const
         invalid.size() ? invalid
       : uncertifiedCells
         (
-            made_.mesh, layers_.patchNames.size(), nLayerCells()
+            made_.mesh, layers_.patchNames.size(), layers_.nLayers,
+            nLayerCells()
         );
 }
 
@@ -462,7 +473,7 @@ bool polygonMaker::keepWhole(commonPolygons& polygons)
 {
     const bool hasLayers = layers_.nLayers;
     const label nWhole = onFront_.whole.count();
-    if (hasLayers)
+    if (hasLayers && !isLast_)
     {
         keepNeighbours(layers_, neighbours_, front_, onFront_);
     }
@@ -570,7 +581,7 @@ void polygonMaker::makeMesh(const commonPolygons& polygons)
     {
         movePoints(geometry);
     }
-    const labelList invalid(isLast_ ? labelList() : invalidIn(geometry));
+    const labelList invalid(invalidIn(geometry));
     const labelList alone
     (
         invalid.empty() ? pairs_.withoutImage(mesh) : labelList()
