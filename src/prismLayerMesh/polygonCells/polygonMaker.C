@@ -6,7 +6,6 @@
 #include "polygonMaker.H"
 
 #include "divideGroups.H"
-#include "keptParts.H"
 #include "meshCertificate.H"
 #include "movePolygonPoints.H"
 #include "prismFaces.H"
@@ -312,7 +311,8 @@ void polygonMaker::divideInvalid
 )
 {
     const labelList stuck(divide(invalid));
-    hasChanged_ = keepAround(stuck) || stuck.size() < invalid.size();
+    const givenPoints at(points_, labels_, made_.mesh, stuck);
+    hasChanged_ = keepAround(at) || stuck.size() < invalid.size();
     if (!hasChanged_ && best_)
     {
         goBack();
@@ -328,10 +328,8 @@ void polygonMaker::divideInvalid
 }
 
 
-bool polygonMaker::keepAround(const labelUList& cells)
+bool polygonMaker::keepAround(const givenPoints& at)
 {
-    const givenPoints at(points_, labels_, made_.mesh, cells);
-
     return
         keepAt(at.columns, layers_.faces, onFront_.whole)
       + keepAt(at.farPoints, tets_.points(), inFar_.whole);
@@ -371,9 +369,7 @@ bool polygonMaker::keepOnPairs(const labelUList& cells)
     at.columns &= columnsOnPairs_;
     at.farPoints &= pointsOnPairs_;
 
-    return
-        keepAt(at.columns, layers_.faces, onFront_.whole)
-      + keepAt(at.farPoints, tets_.points(), inFar_.whole);
+    return keepAround(at);
 }
 
 
