@@ -112,11 +112,13 @@ static shareOfWall makeWhole
     wallVisibility visibility(makeWallVisibility(wall, addressing));
     shareOfWall whole;
     whole.kinds = kindsOfPoints(wall, addressing, visibility);
-    whole.curvature =
-        inwardCurvature(wall, addressing, visibility, whole.kinds);
     observer.end(sizesOf(whole.kinds));
 
     whole.heights = heightsOf(wall, addressing, controls, local, observer);
+    whole.curvature = inwardCurvature
+    (
+        wall, addressing, visibility, whole.kinds, whole.heights.room
+    );
 
     layerFront& front = whole.share.front;
     front = frontOf(wall, addressing, visibility, normals, observer);

@@ -4,6 +4,10 @@
 \*---------------------------------------------------------------------------*/
 
 #include "pointKind.H"
+#include "ListOps.H"
+#include "UIndirectList.H"
+
+#include <cmath>
 
 namespace Foam
 {
@@ -84,33 +88,89 @@ FixedList<label, nPointKinds> countKinds(const List<pointKind>& kinds)
 
 // * * * * * * * * * * * * * *  Inward Curvature * * * * * * * * * * * * * * //
 
+//- The number of passes that smooth the normal of each point over its length,
+//  0 for a point that has no flat neighbour or is on a sharp edge
+static labelList passesOfSmoothing
+(
+    const wallSurface& wall,
+    const wallAddressing& addressing,
+    const List<pointKind>& kinds,
+    const scalarField& thickness
+)
+{
+    labelList nPasses(kinds.size(), 0);
+
+    #pragma omp parallel for schedule(static, 256)
+    forAll(kinds, p)
+    {
+        scalar sum = 0;
+        label nFlat = 0;
+        for (const label q : addressing.pointPoints[p])
+        {
+            const bool isFlat = kinds[q] == pointKind::flat;
+            sum += isFlat ? magSqr(wall.points[q] - wall.points[p]) : 0;
+            nFlat += isFlat;
+        }
+        if (kinds[p] == pointKind::flat && nFlat)
+        {
+            // A pass adds a quarter of the mean square of the edges to the
+            // variance in each direction
+            const scalar length =
+                curvatureControls::smoothingLength*thickness[p];
+            nPasses[p] = label
+            (
+                max
+                (
+                    scalar(curvatureControls::leastPasses),
+                    min
+                    (
+                        scalar(curvatureControls::maxPasses),
+                        std::ceil(4*sqr(length)*nFlat/max(sum, VSMALL))
+                    )
+                )
+            );
+        }
+    }
+
+    return nPasses;
+}
+
+
 //- Normals of points, smoothed between points that are on no sharp edge: a
 //  crease between coarse triangles that were divided is no curve
 static vectorField smoothedNormals
 (
     const wallAddressing& addressing,
     const wallVisibility& visibility,
-    const List<pointKind>& kinds
+    const List<pointKind>& kinds,
+    const labelList& nPasses
 )
 {
     vectorField normals(visibility.meanNormals);
-    for (label pass = 0; pass < curvatureControls::nPasses; ++pass)
+    labelList active(identity(normals.size()));
+
+    for (label pass = 0; active.size(); ++pass)
     {
-        const vectorField old(normals);
+        inplaceSubsetList
+        (
+            active, [&](const label p) { return nPasses[p] > pass; }
+        );
+        vectorField changed(active.size());
 
         #pragma omp parallel for schedule(static, 256)
-        forAll(normals, p)
+        forAll(active, i)
         {
             vector sum(Zero);
             label nFlat = 0;
-            for (const label q : addressing.pointPoints[p])
+            for (const label q : addressing.pointPoints[active[i]])
             {
                 const bool isFlat = kinds[q] == pointKind::flat;
-                sum += isFlat ? old[q] : vector(Zero);
+                sum += isFlat ? normals[q] : vector(Zero);
                 nFlat += isFlat;
             }
-            normals[p] = nFlat ? 0.5*(old[p] + sum/nFlat) : old[p];
+            changed[i] = 0.5*(normals[active[i]] + sum/nFlat);
         }
+        UIndirectList<vector>(normals, active) = changed;
     }
 
     return normals;
@@ -122,10 +182,18 @@ scalarField inwardCurvature
     const wallSurface& wall,
     const wallAddressing& addressing,
     const wallVisibility& visibility,
-    const List<pointKind>& kinds
+    const List<pointKind>& kinds,
+    const scalarField& thickness
 )
 {
-    const vectorField normals(smoothedNormals(addressing, visibility, kinds));
+    const vectorField normals
+    (
+        smoothedNormals
+        (
+            addressing, visibility, kinds,
+            passesOfSmoothing(wall, addressing, kinds, thickness)
+        )
+    );
     scalarField curvature(wall.points.size(), 0);
 
     #pragma omp parallel for schedule(static, 256)

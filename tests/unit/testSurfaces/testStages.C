@@ -55,7 +55,11 @@ Foam::testSurfaces::wallOfOne::wallOfOne(const wallSurface& wall)
     kinds(kindsOfPoints(wall, front.addressing, front.visibility)),
     curvature
     (
-        inwardCurvature(wall, front.addressing, front.visibility, kinds)
+        inwardCurvature
+        (
+            wall, front.addressing, front.visibility, kinds,
+            scalarField(kinds.size(), 0)
+        )
     ),
     under(front, kinds, curvature)
 {}

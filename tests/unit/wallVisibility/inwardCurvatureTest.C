@@ -8,11 +8,17 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
 using namespace Foam;
 
-static scalarField curvatureOf(const wallSurface& wall)
+static scalarField curvatureOf
+(
+    const wallSurface& wall,
+    const scalar thickness = 0
+)
 {
     const wallAddressing addressing(makeWallAddressing(wall));
     const wallVisibility visibility(makeWallVisibility(wall, addressing));
@@ -20,8 +26,23 @@ static scalarField curvatureOf(const wallSurface& wall)
     return inwardCurvature
     (
         wall, addressing, visibility,
-        kindsOfPoints(wall, addressing, visibility)
+        kindsOfPoints(wall, addressing, visibility),
+        scalarField(wall.points.size(), thickness)
     );
+}
+
+
+//- The largest curvature in a cube of n^3 whose floor and ceiling have folds
+//  along y, a quarter of the side apart
+static scalar curvatureInFoldedCavity(const label n, const scalar thickness)
+{
+    wallSurface cavity(testSurfaces::reversed(testSurfaces::cube(n)));
+    for (point& p : cavity.points)
+    {
+        p.z() += 0.2*mag(std::remainder(p.x(), 0.5));
+    }
+
+    return max(curvatureOf(cavity, thickness));
 }
 
 
@@ -41,6 +62,16 @@ TEST(inwardCurvature, isOneOverTheRadiusInsideASphere)
     EXPECT_NEAR(sorted[sorted.size()/2], 1, 0.1);
     EXPECT_GT(sorted.first(), 0.3);
     EXPECT_LT(sorted.last(), 2);
+}
+
+
+TEST(inwardCurvature, ofFoldsIsTheSameWithFinerTriangles)
+{
+    const scalar thickness = 0.4;
+    const scalar coarse = curvatureInFoldedCavity(24, thickness);
+    EXPECT_GT(coarse, 0.5);
+    EXPECT_NEAR(curvatureInFoldedCavity(64, thickness), coarse, 0.1*coarse);
+    EXPECT_GT(curvatureInFoldedCavity(64, 0), 2*coarse);
 }
 
 
