@@ -159,17 +159,18 @@ List<labelPair> findDoubleFaces(const faceList& faces)
 }
 
 
-//- The shapes of all cells, and whether they are positive. Returns their volume
-//  [m3].
+//- The shapes of cells, and whether they are positive. Returns their volume
+//  [m3]. Given cells stay positive.
 static scalar judgeCells
 (
     const polyhedralMesh& mesh,
     const boolList& onWall,
+    const bitSet& given,
     boolList& positive,
     List<meshCellShape>& shapes
 )
 {
-    scalarField volumes(mesh.nCells());
+    scalarField volumes(mesh.nCells(), 0);
 
     #pragma omp parallel
     {
@@ -178,6 +179,10 @@ static scalar judgeCells
         #pragma omp for schedule(static)
         forAll(positive, celli)
         {
+            if (given.test(celli))
+            {
+                continue;
+            }
             const meshCellVerdict verdict(cell(celli));
             shapes[celli] = verdict.shape;
             positive[celli] = verdict.positive && cell.hasVolume();
@@ -194,16 +199,17 @@ meshCertificate certifyMesh
     const polyhedralMesh& mesh,
     const labelUList& wallFaces,
     const labelUList& outerFaces,
-    const bitSet& beyondLayers
+    const bitSet& beyondLayers,
+    const bitSet& given
 )
 {
     meshCertificate certificate;
 
     const boolList onWall(pointsOf(mesh, wallFaces));
     meshCell cell(mesh, onWall);
-    boolList positive(mesh.nCells());
-    List<meshCellShape> shapes(mesh.nCells());
-    certificate.cellVolume = judgeCells(mesh, onWall, positive, shapes);
+    boolList positive(mesh.nCells(), true);
+    List<meshCellShape> shapes(mesh.nCells(), meshCellShape::polyhedron);
+    certificate.cellVolume = judgeCells(mesh, onWall, given, positive, shapes);
 
     certificate.nLayers = countLayers(mesh, wallFaces, positive, beyondLayers);
 
