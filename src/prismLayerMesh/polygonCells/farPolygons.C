@@ -6,6 +6,7 @@
 #include "farPolygons.H"
 
 #include "disjointSets.H"
+#include "prismPolyMesh.H"
 #include "quadJoiner.H"
 #include "unitConversion.H"
 
@@ -40,6 +41,7 @@ cornerQuad quadAt
 class farFaces
 {
     const farFieldCorners& c_;
+    const placesInMesh& part_;
     const polyMeshTopology& t_;
     polygonFaces& faces_;
 
@@ -83,12 +85,20 @@ class farFaces
         faces_.append(points, first, second);
     }
 
+    //- Whether a face is of a cell of the part
+    bool isInPart(const label facei) const
+    {
+        return
+            part_.hasFarCell(t_.owner[facei])
+         || (facei < nInternal() && part_.hasFarCell(t_.neighbour[facei]));
+    }
+
     void findInside()
     {
         isInside_.resize(t_.faces.size());
         for (label facei = 0; facei < nInternal(); ++facei)
         {
-            bool same = true;
+            bool same = isInPart(facei);
             for (const label p : t_.faces[facei])
             {
                 same = same
@@ -177,9 +187,15 @@ class farFaces
 
 public:
 
-    farFaces(const farFieldCorners& corners, polygonFaces& faces)
+    farFaces
+    (
+        const farFieldCorners& corners,
+        const placesInMesh& part,
+        polygonFaces& faces
+    )
     :
         c_(corners),
+        part_(part),
         t_(corners.far.topology),
         faces_(faces)
     {
@@ -194,7 +210,7 @@ public:
     {
         for (label facei = 0; facei < nInternal(); ++facei)
         {
-            if (!isInside_.test(facei))
+            if (isInPart(facei) && !isInside_.test(facei))
             {
                 appendCorners(facei);
             }
@@ -210,23 +226,20 @@ public:
 void farFaces::appendAroundEdges()
 {
     // Edge i of tetrahedron t is 6*t + i
+    const auto visit = [&](const auto& act)
+    {
+        for (label t = 0; t < c_.tets.size(); ++t)
+        {
+            for (label i = 0; i < 6 && part_.hasFarCell(t); ++i)
+            {
+                act(c_.tets.edges(t)[i], 6*t + i);
+            }
+        }
+    };
     labelList n(c_.tets.edges().size(), Zero);
-    for (label t = 0; t < c_.tets.size(); ++t)
-    {
-        for (const label e : c_.tets.edges(t))
-        {
-            ++n[e];
-        }
-    }
+    visit([&](const label e, label) { ++n[e]; });
     CompactListList<label> around(n);
-    for (label t = 0; t < c_.tets.size(); ++t)
-    {
-        for (label i = 0; i < 6; ++i)
-        {
-            const label e = c_.tets.edges(t)[i];
-            around(e, --n[e]) = 6*t + i;
-        }
-    }
+    visit([&](const label e, const label i) { around(e, --n[e]) = i; });
     quadJoiner quads;
     for (label e = 0; e < around.size(); ++e)
     {
@@ -247,6 +260,10 @@ void farFaces::appendToLayers()
     {
         const label facei = t_.patchStarts[0] + i;
         const label fronti = c_.far.frontFaces[i];
+        if (!isInPart(facei))
+        {
+            continue;
+        }
         const face& f = t_.faces[facei];
         forAll(f, k)
         {
@@ -278,7 +295,7 @@ labelList farFaces::smoothCorners
     forAll(patchOf, i)
     {
         const face& f = t_.faces[nInternal() + i];
-        forAll(f, k)
+        for (label k = 0; k < f.size() && isInPart(nInternal() + i); ++k)
         {
             sides.push_back({std::minmax(f[k], f.nextLabel(k)), i});
         }
@@ -345,7 +362,7 @@ void farFaces::appendOnPatches
         const label facei = nInternal() + i;
         const face& f = t_.faces[facei];
         const label own = t_.owner[facei];
-        if (patchOf[i] < 0)
+        if (patchOf[i] < 0 || !isInPart(facei))
         {
             continue;
         }
@@ -373,21 +390,86 @@ void farFaces::appendOnPatches
 } // End anonymous namespace
 
 
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bitSet farFieldCorners::cellsAt(const placesInMesh& places) const
+{
+    const label n = layers.nLayers;
+    bitSet cells(firstCell() + groups.nGroups);
+    visit
+    (
+        [&](const label g, const label facei, const label k)
+        {
+            if (places.hasPoint(layers.faces[facei][k]))
+            {
+                cells.set(identity(n, g*n));
+            }
+        },
+        [&](const label g, const label t, const label k)
+        {
+            if (places.hasPoint(tets.points(t)[k]))
+            {
+                cells.set(firstCell() + g);
+            }
+        }
+    );
+    forAll(groups.ofOthers, i)
+    {
+        if (places.hasFarCell(tets.size() + i))
+        {
+            cells.set(firstCell() + groups.ofOthers[i]);
+        }
+    }
+
+    return cells;
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 void appendFarFaces
 (
     const farFieldCorners& corners,
+    const placesInMesh& part,
     const labelUList& patches,
     const scalar sharpAngle,
     polygonFaces& faces
 )
 {
-    farFaces far(corners, faces);
+    farFaces far(corners, part, faces);
     far.appendAroundEdges();
     far.appendInFaces();
     far.appendToLayers();
     far.appendOnPatches(patches, sharpAngle);
+}
+
+
+List<cellZoneParts> zonesOf(const farFieldCorners& corners)
+{
+    const farGroups& groups = corners.groups;
+    const label nLayerCells = corners.firstCell();
+    List<cellZoneParts> zones;
+    zones.append(cellZoneParts(boundaryLayerName, identity(nLayerCells)));
+    const label nTets = groups.ofTets.size();
+    for (const cellZoneParts& zone : corners.far.cellZones)
+    {
+        bitSet cells(nLayerCells + groups.nGroups);
+        for (const label celli : zone.cells)
+        {
+            if (celli >= nTets)
+            {
+                cells.set(nLayerCells + groups.ofOthers[celli - nTets]);
+                continue;
+            }
+            for (const label g : groups.ofTets[celli])
+            {
+                cells.set(nLayerCells + g);
+            }
+        }
+        zones.append(cellZoneParts(zone.name, cells.toc()));
+    }
+
+    return zones;
 }
 
 } // End namespace Foam

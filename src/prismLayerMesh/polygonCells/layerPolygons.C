@@ -220,6 +220,7 @@ class columnFaces
     const frontGroups& front_;
     const cornerPoints& points_;
     const labelUList& sidePatches_;
+    const placesInMesh& part_;
     polygonFaces& faces_;
 
     label n() const { return layers_.nLayers; }
@@ -299,6 +300,11 @@ class columnFaces
         }
     }
 
+    bool hasFrontFace(const label facei) const
+    {
+        return facei >= 0 && part_.hasFrontFace(layers_.faces[facei]);
+    }
+
     label group(const label facei, const label column) const
     {
         return front_.of(facei, layers_.faces[facei].find(column));
@@ -347,6 +353,7 @@ public:
         const frontGroups& front,
         const cornerPoints& points,
         const labelUList& sidePatches,
+        const placesInMesh& part,
         polygonFaces& faces
     )
     :
@@ -355,6 +362,7 @@ public:
         front_(front),
         points_(points),
         sidePatches_(sidePatches),
+        part_(part),
         faces_(faces)
     {}
 
@@ -365,7 +373,11 @@ public:
             forAll(layers_.faces[facei], k)
             {
                 const label other = neighbours_[facei][k];
-                if (other < 0 || other > facei)
+                if
+                (
+                    (other < 0 || other > facei)
+                 && (hasFrontFace(facei) || hasFrontFace(other))
+                )
                 {
                     appendEdge(facei, k, other);
                 }
@@ -379,6 +391,18 @@ public:
     template<class Visit>
     void visitOutlines(const Visit& visit) const
     {
+        bitSet isWanted(front_.nGroups);
+        forAll(layers_.faces, facei)
+        {
+            const face& f = layers_.faces[facei];
+            forAll(f, k)
+            {
+                if (part_.hasPoint(f[k]))
+                {
+                    isWanted.set(front_.of(facei, k));
+                }
+            }
+        }
         List<DynamicList<cornerQuad>> quads(front_.nGroups);
         labelList faceOf(front_.nGroups);
         forAll(layers_.faces, facei)
@@ -387,6 +411,10 @@ public:
             forAll(f, k)
             {
                 const label g = front_.of(facei, k);
+                if (!isWanted.test(g))
+                {
+                    continue;
+                }
                 faceOf[g] = facei;
                 quads[g].append
                 (
@@ -399,7 +427,7 @@ public:
             }
         }
         outlineFinder outlinesOf;
-        forAll(quads, g)
+        for (const label g : isWanted)
         {
             const label first = layers_.faces[faceOf[g]][0];
             outlinesOf(quads[g], [&](const labelUList& outline)
@@ -514,12 +542,13 @@ void appendLayerFaces
     const cornerPoints& points,
     const labelUList& sidePatches,
     const bool hasWall,
+    const placesInMesh& part,
     polygonFaces& faces
 )
 {
     columnFaces columns
     (
-        layers, faceNeighbours, front, points, sidePatches, faces
+        layers, faceNeighbours, front, points, sidePatches, part, faces
     );
     columns.appendSides();
     columns.appendLevels(hasWall);
@@ -532,12 +561,14 @@ void appendOuterFaces
     const frontGroups& front,
     const cornerPoints& points,
     const label patchi,
+    const placesInMesh& part,
     polygonFaces& faces
 )
 {
     columnFaces
     (
-        layers, labelListList::null(), front, points, labelUList::null(), faces
+        layers, labelListList::null(), front, points, labelUList::null(), part,
+        faces
     ).appendOuter(patchi);
 }
 

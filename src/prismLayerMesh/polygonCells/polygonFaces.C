@@ -225,20 +225,25 @@ polyMeshParts polygonFaces::makeParts
 (
     const cornerPoints& points,
     const boolList& stays,
-    const label nCells,
+    const bitSet& cells,
     const label nPatches,
     labelList& labels
 ) const
 {
     polyMeshParts mesh;
-    mesh.nCells = nCells;
+    mesh.nCells = cells.size();
     mesh.topology.reserve(ends_.size(), ends_.size());
     labelList newLabels(points.size(), -1);
     DynamicList<point> places;
     DynamicList<label> labelsOf;
     DynamicList<label> kept;
-    for (const label facei : order(nCells, nPatches))
+    for (const label facei : order(cells.size(), nPatches))
     {
+        const labelPair& sides = cells_[facei];
+        if (!cells.test(sides.first()) && !cells.test(sides.second()))
+        {
+            continue;
+        }
         kept.clear();
         for (const label p : pointsOf(facei))
         {
@@ -261,11 +266,11 @@ polyMeshParts polygonFaces::makeParts
                 << points.position(pointsOf(facei)[0]) << exit(FatalError);
         }
         face f(kept);
-        if (cells_[facei].second() < 0)
+        if (sides.second() < 0)
         {
             f = withBestFan(f, places);
         }
-        appendTo(mesh.topology, std::move(f), cells_[facei]);
+        appendTo(mesh.topology, std::move(f), sides);
     }
     startPatches(nPatches, mesh.topology);
     mesh.points.transfer(places);

@@ -5,7 +5,6 @@
 
 #include "polygonGeometry.H"
 
-#include "bitSet.H"
 #include "cellPredicates.H"
 #include "faceQuality.H"
 #include "primitiveMesh.H"
@@ -87,11 +86,15 @@ finiteVolumes polygonGeometry::volumes(const polyMeshParts& mesh) const
 }
 
 
-labelList polygonGeometry::invalidCells(const polyMeshParts& mesh) const
+labelList polygonGeometry::invalidCells
+(
+    const polyMeshParts& mesh,
+    const bitSet& some
+) const
 {
     const polyMeshTopology& t = mesh.topology;
     DynamicList<label> invalid;
-    forAll(cells, celli)
+    for (const label celli : some)
     {
         bool isValid = true;
         scalar area = 0;

@@ -19,6 +19,8 @@ namespace Foam
 //- Returns the cells that have no certificate, see meshCertificate.H, the cells
 //  on faces of the wall with another number of layers, and, of layers alone,
 //  the cells on faces of wall and outer surface that intersect.
+//  some: the cells that are judged. If these are not all of the mesh, no
+//  intersections are looked for.
 //  nPatches: the first patches are the wall; of layers alone the outer surface
 //  is the next one
 //  nLayerCells: the first cells are in layers
@@ -27,7 +29,8 @@ static labelList uncertifiedCells
     const polyMeshParts& mesh,
     const label nPatches,
     const label nLayers,
-    const label nLayerCells
+    const label nLayerCells,
+    const bitSet& some
 )
 {
     const polyMeshTopology& t = mesh.topology;
@@ -40,26 +43,29 @@ static labelList uncertifiedCells
         nWall += t.patchSizes[patchi];
     }
     labelList outer;
-    if (nLayerCells == mesh.nCells)
+    if (nLayerCells == mesh.nCells && some.all())
     {
         outer = identity(t.patchSizes[nPatches], t.patchStarts[nPatches]);
     }
     bitSet beyondLayers(mesh.nCells, true);
     beyondLayers.unset(identity(nLayerCells));
+    bitSet given(some);
+    given.flip();
     const meshCertificate certificate
     (
         certifyMesh
         (
             polyhedralMesh(mesh.points, faces, owner, neighbour),
-            identity(nWall, t.patchStarts[0]), outer, beyondLayers
+            identity(nWall, t.patchStarts[0]), outer, beyondLayers, given
         )
     );
     DynamicList<label> cells(certificate.invalidCells);
     forAll(certificate.nLayers, i)
     {
-        if (certificate.nLayers[i] != nLayers)
+        const label celli = owner[t.patchStarts[0] + i];
+        if (some.test(celli) && certificate.nLayers[i] != nLayers)
         {
-            cells.append(owner[t.patchStarts[0] + i]);
+            cells.append(celli);
         }
     }
     for (const labelPair& pair : certificate.intersections)
@@ -69,40 +75,6 @@ static labelList uncertifiedCells
     }
 
     return labelList(std::move(cells));
-}
-
-
-//- Returns the cellZones of a mesh. The layers have the first cells. The zones
-//  of the far field follow.
-static List<cellZoneParts> zonesOf
-(
-    const farFieldMesh& far,
-    const farGroups& groups,
-    const label nLayerCells
-)
-{
-    List<cellZoneParts> zones;
-    zones.append(cellZoneParts(boundaryLayerName, identity(nLayerCells)));
-    const label nTets = groups.ofTets.size();
-    for (const cellZoneParts& zone : far.cellZones)
-    {
-        bitSet cells(nLayerCells + groups.nGroups);
-        for (const label celli : zone.cells)
-        {
-            if (celli >= nTets)
-            {
-                cells.set(nLayerCells + groups.ofOthers[celli - nTets]);
-                continue;
-            }
-            for (const label g : groups.ofTets[celli])
-            {
-                cells.set(nLayerCells + g);
-            }
-        }
-        zones.append(cellZoneParts(zone.name, cells.toc()));
-    }
-
-    return zones;
 }
 
 
@@ -189,40 +161,16 @@ void polygonMaker::movePoints(polygonGeometry& geometry)
 }
 
 
-template<class OnFront, class OnTet>
-void polygonMaker::visitCorners
-(
-    const OnFront& onFront,
-    const OnTet& onTet
-) const
-{
-    forAll(layers_.faces, facei)
-    {
-        forAll(layers_.faces[facei], k)
-        {
-            onFront(front_.of(facei, k), facei, k);
-        }
-    }
-    forAll(groups_.ofTets, t)
-    {
-        for (label k = 0; k < 4; ++k)
-        {
-            onTet(groups_.ofTets[t][k], t, k);
-        }
-    }
-}
-
-
 labelList polygonMaker::divide(const labelUList& cells)
 {
     bitSet onFront(front_.nGroups), inFar(groups_.nGroups);
     for (const label celli : cells)
     {
-        const label g = groupOf(celli);
+        const label g = corners().groupOf(celli);
         g < front_.nGroups ? onFront.set(g) : inFar.set(g - front_.nGroups);
     }
     divided_.clear();
-    visitCorners
+    corners().visit
     (
         [&](const label g, const label facei, label)
         {
@@ -254,7 +202,7 @@ labelList polygonMaker::divide(const labelUList& cells)
     DynamicList<label> stuck;
     for (const label celli : cells)
     {
-        const label g = groupOf(celli);
+        const label g = corners().groupOf(celli);
         if (!frontChanged.test(g) && !farChanged.test(g - front_.nGroups))
         {
             stuck.append(celli);
@@ -272,6 +220,7 @@ void polygonMaker::goBack()
     points_.setPlaces(best_->places);
     best_.reset();
     mayMove_ = false;
+    isPart_ = false;
     isLast_ = true;
     hasChanged_ = true;
 }
@@ -341,10 +290,10 @@ bool polygonMaker::keepOnPairs(const labelUList& cells)
     bitSet isWanted(front_.nGroups + groups_.nGroups);
     for (const label celli : cells)
     {
-        isWanted.set(groupOf(celli));
+        isWanted.set(corners().groupOf(celli));
     }
     bool isNew = false;
-    visitCorners
+    corners().visit
     (
         [&](const label g, const label facei, label)
         {
@@ -375,26 +324,33 @@ bool polygonMaker::keepOnPairs(const labelUList& cells)
 
 labelList polygonMaker::invalidIn(const polygonGeometry& geometry) const
 {
-    labelList invalid
+    const bitSet some(corners().cellsAt(part_.first));
+    bitSet invalid(made_.mesh.nCells);
+    invalid.set
     (
         withoutKept
         (
-            geometry.invalidCells(made_.mesh), layers_, front_,
+            geometry.invalidCells(made_.mesh, some), layers_, front_,
             onFront_.whole, geometry.cellVolumes
         )
     );
     if (isTouched())
     {
-        invalid.append(pinchedCells(wall(), points_, labels_, made_.mesh));
+        invalid.set(pinchedCells(wall(), points_, labels_, made_.mesh));
+    }
+    if (!isTouched() || invalid.none())
+    {
+        invalid.set
+        (
+            uncertifiedCells
+            (
+                made_.mesh, layers_.patchNames.size(), layers_.nLayers,
+                nLayerCells(), some
+            )
+        );
     }
 
-    return
-        invalid.size() ? invalid
-      : uncertifiedCells
-        (
-            made_.mesh, layers_.patchNames.size(), layers_.nLayers,
-            nLayerCells()
-        );
+    return invalid.sortedToc();
 }
 
 
@@ -449,7 +405,8 @@ polygonMaker::polygonMaker
     neighbours_(findFaceNeighbours(layers)),
     tets_(far, nTetsOf(far)),
     points_(layers, far, tets_, common, controls),
-    patches_(layers, neighbours_, far)
+    patches_(layers, neighbours_, far),
+    changedParts_(layers, far, tets_)
 {
     if (layers_.nLayers == 0)
     {
@@ -516,6 +473,9 @@ void polygonMaker::group(commonPolygons& polygons)
 void polygonMaker::collectFaces(commonPolygons& polygons)
 {
     faces_ = polygonFaces();
+    part_ = changedParts_.next(front_.starts, onFront_, inFar_);
+    part_ = isPart_ ? part_ : changedPart();
+    isPart_ = controls_.makesParts && !isTouched();
     if (isTouched() && layers_.nLayers)
     {
         divideGroups(wall(), polygons, front_);
@@ -523,7 +483,7 @@ void polygonMaker::collectFaces(commonPolygons& polygons)
     appendLayerFaces
     (
         layers_, neighbours_, front_, points_, patches_.ofEdges, !isTouched(),
-        faces_
+        part_.third, faces_
     );
     if (isTouched())
     {
@@ -534,15 +494,16 @@ void polygonMaker::collectFaces(commonPolygons& polygons)
     {
         appendOuterFaces
         (
-            layers_, front_, points_, layers_.patchNames.size(), faces_
+            layers_, front_, points_, layers_.patchNames.size(),
+            part_.third, faces_
         );
     }
     else
     {
         appendFarFaces
         (
-            {layers_, front_, far_, tets_, groups_, points_}, patches_.ofFar,
-            controls_.sharpAngle, faces_
+            corners(), part_.third, patches_.ofFar, controls_.sharpAngle,
+            faces_
         );
     }
     stays_ = faces_.stayingPoints(points_);
@@ -561,10 +522,9 @@ void polygonMaker::makeMesh(const commonPolygons& polygons)
         keepCommonPoints(wall(), points_, polygons, stays_);
     }
     made_ = polygonMesh();
-    polyMeshParts& mesh = made_.mesh;
-    mesh = faces_.makeParts
+    polyMeshParts& mesh = made_.mesh = faces_.makeParts
     (
-        points_, stays_, nLayerCells() + groups_.nGroups,
+        points_, stays_, corners().cellsAt(part_.second),
         patches_.all.names.size(), labels_
     );
     mesh.patches = patches_.all;
@@ -580,10 +540,17 @@ void polygonMaker::makeMesh(const commonPolygons& polygons)
     const labelList invalid(invalidIn(geometry));
     const labelList alone
     (
-        invalid.empty() ? pairs_.withoutImage(mesh) : labelList()
+        invalid.empty() && part_.isAll()
+      ? pairs_.withoutImage(mesh) : labelList()
     );
     isValid_ = false;
-    if (alone.size())
+    if (invalid.empty() && !part_.isAll())
+    {
+        // The next round judges all of the mesh
+        hasChanged_ = true;
+        isPart_ = false;
+    }
+    else if (alone.size())
     {
         const labelList cells
         (
@@ -623,7 +590,7 @@ polygonMesh polygonMaker::take()
 {
     if (!far_.empty())
     {
-        made_.mesh.cellZones = zonesOf(far_, groups_, nLayerCells());
+        made_.mesh.cellZones = zonesOf(corners());
     }
     pairs_.align(made_.mesh);
 

@@ -320,4 +320,20 @@ TEST(polygonCells, levelsStay)
 }
 
 
+TEST(polygonCells, areTheSameWhenPartsAreMade)
+{
+    const wallSurface wall(wedgeBlock(2, 20));
+    const farFieldType type = farFieldType::hexCore;
+    polygonControls inFull;
+    inFull.makesParts = false;
+    const polyMeshParts full(polygonsAround(wall, type, 0.3, inFull).mesh);
+    const polygonMesh made(polygonsAround(wall, type, 0.3));
+    EXPECT_GT(made.counts.nPartsOfPolyhedra, 0);
+    EXPECT_EQ(made.mesh.nCells, full.nCells);
+    EXPECT_EQ(made.mesh.points.size(), full.points.size());
+    EXPECT_EQ(made.mesh.topology.faces, full.topology.faces);
+    EXPECT_EQ(made.mesh.topology.owner, full.topology.owner);
+}
+
+
 // ************************************************************************* //

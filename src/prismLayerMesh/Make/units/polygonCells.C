@@ -11,6 +11,7 @@
 #include "polygonCells/cornerPoints.C"
 #include "polygonCells/polygonFaces.C"
 #include "polygonCells/groupExceptions.C"
+#include "polygonCells/changedPart.C"
 #include "polygonCells/layerPolygons.C"
 #include "polygonCells/wallPolygons.C"
 #include "polygonCells/farGroups.C"
