@@ -8,6 +8,7 @@
 #include "disjointSets.H"
 #include "ListOps.H"
 #include "outlines.H"
+#include "prismQuality.H"
 #include "unitConversion.H"
 
 namespace Foam
@@ -484,15 +485,20 @@ public:
         );
     }
 
+    //- Faces that stay whole begin where the certificate of the layers has them
+    //  begin
     void appendOuter(const label patchi)
     {
         visitOutlines
         (
-            [&](const label g, const labelUList& outline, const label)
+            [&](const label g, const labelUList& outline, const label facei)
             {
+                const label first = outerFan(layers_, facei)[0];
+                labelList turned(outline);
+                inplaceRotateList(turned, -max(outline.find(first), label(0)));
                 appendFlat
                 (
-                    outline, n(), cell(g, n()), polygonFaces::onPatch(patchi)
+                    turned, n(), cell(g, n()), polygonFaces::onPatch(patchi)
                 );
             }
         );

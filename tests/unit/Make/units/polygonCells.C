@@ -8,6 +8,7 @@
 #include "polygonCells/outlinesTest.C"
 #include "polygonCells/groupExceptionsTest.C"
 #include "polygonCells/keptPartsTest.C"
+#include "polygonCells/layerPolygonsTest.C"
 #include "polygonCells/changedPartTest.C"
 #include "polygonCells/polygonCellsTest.C"
 
