@@ -20,18 +20,6 @@ class ringMaker
     const farFieldMesh& far_;
     const farTets& tets_;
 
-    template<class Points>
-    static bool touches(const bitSet& points, const Points& some)
-    {
-        bool does = false;
-        for (const label p : some)
-        {
-            does = does || points.test(p);
-        }
-
-        return does;
-    }
-
     //- Calls visit(celli, face) for the faces of cells that are no tetrahedra
     template<class Visit>
     void visitOthers(const Visit& visit) const
@@ -120,18 +108,18 @@ public:
         return points;
     }
 
-    bitSet farCellsAt(const bitSet& points) const
+    bitSet farCellsAt(const placesInMesh& places) const
     {
         bitSet cells(far_.nCells);
         for (label t = 0; t < tets_.size(); ++t)
         {
-            cells.set(t, touches(points, tets_.points(t)));
+            cells.set(t, places.hasOneOf(tets_.points(t)));
         }
         visitOthers
         (
             [&](const label celli, const face& f)
             {
-                if (touches(points, f))
+                if (places.hasOneOf(f))
                 {
                     cells.set(celli);
                 }
@@ -143,9 +131,10 @@ public:
 
     placesInMesh at(bitSet&& points) const
     {
-        const bitSet cells(farCellsAt(points));
+        placesInMesh places{std::move(points), bitSet()};
+        places.farCells = farCellsAt(places);
 
-        return placesInMesh{std::move(points), cells};
+        return places;
     }
 
     //- Returns the next ring
@@ -154,7 +143,7 @@ public:
         bitSet frontFaces(layers_.faces.size());
         forAll(layers_.faces, facei)
         {
-            frontFaces.set(facei, places.hasFrontFace(layers_.faces[facei]));
+            frontFaces.set(facei, places.hasOneOf(layers_.faces[facei]));
         }
 
         return at(pointsOf(frontFaces, places.farCells));
@@ -188,12 +177,12 @@ changedPart::changedPart
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-changedPart changedParts::next
+changedPart changedParts::since
 (
     const labelUList& starts,
     const groupExceptions& onFront,
     const groupExceptions& inFar
-)
+) const
 {
     const bitSet frontFaces
     (
@@ -211,8 +200,6 @@ changedPart changedParts::next
             [](const label corner) { return corner/4; }
         )
     );
-    onFront_ = onFront;
-    inFar_ = inFar;
 
     return changedPart(layers_, far_, tets_, frontFaces, tets);
 }

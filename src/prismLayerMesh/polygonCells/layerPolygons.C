@@ -303,7 +303,7 @@ class columnFaces
 
     bool hasFrontFace(const label facei) const
     {
-        return facei >= 0 && part_.hasFrontFace(layers_.faces[facei]);
+        return facei >= 0 && part_.hasOneOf(layers_.faces[facei]);
     }
 
     label group(const label facei, const label column) const

@@ -473,8 +473,10 @@ void polygonMaker::group(commonPolygons& polygons)
 void polygonMaker::collectFaces(commonPolygons& polygons)
 {
     faces_ = polygonFaces();
-    part_ = changedParts_.next(front_.starts, onFront_, inFar_);
-    part_ = isPart_ ? part_ : changedPart();
+    part_ =
+        isPart_ ? changedParts_.since(front_.starts, onFront_, inFar_)
+      : changedPart();
+    changedParts_.end(onFront_, inFar_);
     isPart_ = controls_.makesParts && !isTouched();
     if (isTouched() && layers_.nLayers)
     {
