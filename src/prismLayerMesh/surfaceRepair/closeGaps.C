@@ -14,7 +14,6 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
-#include <CGAL/Polygon_mesh_processing/stitch_borders.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_faces.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Surface_mesh.h>
@@ -446,13 +445,18 @@ void closeGaps
     setFaces(triangles, surface);
     snapBorders(surface, gap);
 
-    gapMesh mesh;
-    addFaces(surface, mesh);
+    // Both sides of a gap may have been turned the other way
+    const label nOpen = outline(surface.faces).size();
+    repairSteps untold;
+    stitchFaces(surface, untold);
     addStep
     (
         steps, "edges with one face joined across gaps",
-        PMP::stitch_borders(mesh)
+        (nOpen - outline(surface.faces).size())/2
     );
+
+    gapMesh mesh;
+    addFaces(surface, mesh);
     PMP::remove_degenerate_faces(mesh);
 
     fillHoles(hole, planes, tolerance, mesh, steps);

@@ -454,6 +454,10 @@ void joinBodies
         mesh += body;
     }
     setFaces(mesh, surface);
+    if (outline(surface.faces).empty())
+    {
+        addStep(steps, "low triangles removed", removeSlivers(step, surface));
+    }
     sheets.remove(surface);
 }
 

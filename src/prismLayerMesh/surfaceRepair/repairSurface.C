@@ -269,15 +269,16 @@ class surfaceRepairer
         stitchSurface(controls, repaired_.surface, repaired_.steps);
     }
 
-    //- Cuts off what is beyond side planes
-    void cut()
+    //- Cuts off what is beyond side planes. Returns whether there is something
+    //  beyond, and the surface was closed: then cavities may be open now.
+    bool cut()
     {
         wallSurface& surface = repaired_.surface;
-        bool isCut = false;
 
         // Normals of an open surface may point anywhere: no part is a cavity
         const bool mayHaveCavities =
             fluidOutside_ && outline(surface.faces).empty();
+        bool isCut = false;
         for (const sidePatch& plane : planes_)
         {
             if (isBeyond(plane, tolerance_, surface))
@@ -286,22 +287,33 @@ class surfaceRepairer
                 isCut = true;
             }
         }
-        if (isCut && mayHaveCavities)
-        {
-            // A cavity at a cyclic plane goes on beyond it
-            const List<sidePatch> closing
-            (
-                subsetList(planes_, [](const sidePatch& plane)
-                {
-                    return plane.type != "cyclic";
-                })
-            );
-            addStep
-            (
-                repaired_.steps, "cavities removed that a side plane closes",
-                removeCavities(surface, closing)
-            );
-        }
+
+        return isCut && mayHaveCavities;
+    }
+
+    //- Removes cavities that are closed by side planes
+    void fillCavities()
+    {
+        // A cavity at a cyclic plane goes on beyond it
+        const List<sidePatch> closing
+        (
+            subsetList(planes_, [](const sidePatch& plane)
+            {
+                return plane.type != "cyclic";
+            })
+        );
+        scalar volume = 0;
+        const DynamicList<point> places
+        (
+            removeCavities(repaired_.surface, closing, volume)
+        );
+        addStep
+        (
+            repaired_.steps,
+            "cavities removed that a side plane closes, of "
+          + Foam::name(volume) + " m3 in all:",
+            places.size(), places
+        );
     }
 
     void requireFaces() const
@@ -362,14 +374,20 @@ public:
         const sigFpe::ignore untrapped;
         const nearestSurface nearest(original_);
 
-        // Often there is nothing else to repair
-        cut();
+        // Often there is nothing else to repair. Cavities are looked for in a
+        // sound surface only: of bodies that meet each other none is within
+        // another.
+        bool mayHaveCavities = cut();
         if (!isSound())
         {
             repaired_.surface = original_;
             repaired_.steps.clear();
             controls_.repair == method::stitch ? stitch() : wrap(nearest);
-            cut();
+            mayHaveCavities = cut();
+        }
+        if (mayHaveCavities)
+        {
+            fillCavities();
         }
         requireFaces();
 

@@ -4,7 +4,6 @@
 \*---------------------------------------------------------------------------*/
 
 #include "soundBody.H"
-#include "unitConversion.H"
 
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/Polygon_mesh_processing/repair_self_intersections.h>
@@ -49,7 +48,10 @@ bool isBody(const unionMesh& mesh)
 void removeNeedles(const double length, unionMesh& body)
 {
     unionMesh cleaned(body);
-    const double capCosine = std::cos(degToRad(160.0));
+
+    // No angle is larger: flips of caps would move the surface by more than the
+    // length. removeSlivers flips low triangles.
+    const double capCosine = -1;
 
     #if CGAL_VERSION_NR >= 1060000000
     PMP::remove_almost_degenerate_faces

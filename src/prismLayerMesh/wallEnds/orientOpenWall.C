@@ -191,6 +191,26 @@ List<openComponent> openComponents
 }
 
 
+bool isOnOrBeyond
+(
+    const pointField& points,
+    const edgeList& border,
+    const UList<sidePatch>& planes,
+    const scalar near
+)
+{
+    return allOf(border, [&](const edge& e)
+    {
+        return anyOf(planes, [&](const sidePatch& plane)
+        {
+            return
+                plane.distance(points[e.start()]) > -near
+             && plane.distance(points[e.end()]) > -near;
+        });
+    });
+}
+
+
 List<triPoints> cappedTriangles
 (
     const wallSurface& surface,
@@ -266,7 +286,9 @@ scalar volumeOf(const UList<triPoints>& triangles)
 }
 
 
-bool isWithin(const UList<triPoints>& triangles, const point& x)
+//- Half of the sum of the solid angles of triangles [sr], positive for those
+//  that turn their backs
+static scalar halfSolidAngle(const UList<triPoints>& triangles, const point& x)
 {
     scalar halves = 0;
 
@@ -284,7 +306,19 @@ bool isWithin(const UList<triPoints>& triangles, const point& x)
         );
     }
 
-    return mag(halves) > constant::mathematical::pi;
+    return halves;
+}
+
+
+bool isWithin(const UList<triPoints>& triangles, const point& x)
+{
+    return mag(halfSolidAngle(triangles, x)) > constant::mathematical::pi;
+}
+
+
+bool isBehind(const UList<triPoints>& triangles, const point& x)
+{
+    return halfSolidAngle(triangles, x) > 0;
 }
 
 
@@ -303,23 +337,49 @@ static point centreOfLargest(const wallSurface& surface, const labelList& faces)
 }
 
 
-//- Number of the other components that a point of a component is within
-static label nAround
-(
-    const List<List<triPoints>>& capped,
-    const UList<boundBox>& boxes,
-    const label i,
-    const point& x
-)
+namespace
 {
-    label n = 0;
-    forAll(capped, j)
+
+//- Components with plane caps on their borders
+struct cappedComponents
+{
+    List<List<triPoints>> triangles;
+    List<boundBox> boxes;
+
+    cappedComponents
+    (
+        const wallSurface& surface,
+        const UList<sidePatch>& planes,
+        const UList<openComponent>& components
+    )
+    :
+        triangles(components.size()),
+        boxes(components.size(), boundBox::invertedBox)
     {
-        n += i != j && boxes[j].contains(x) && isWithin(capped[j], x);
+        forAll(components, i)
+        {
+            triangles[i] = cappedTriangles(surface, planes, components[i]);
+            for (const triPoints& t : triangles[i])
+            {
+                boxes[i].add(t);
+            }
+        }
     }
 
-    return n;
-}
+    //- Number of the other components that a point of component i is within
+    label nAround(const label i, const point& x) const
+    {
+        label n = 0;
+        forAll(triangles, j)
+        {
+            n += i != j && boxes[j].contains(x) && isWithin(triangles[j], x);
+        }
+
+        return n;
+    }
+};
+
+} // End anonymous namespace
 
 
 static void flip(const labelUList& faces, wallSurface& surface)
@@ -351,25 +411,15 @@ label orientOpenWall
         return nFlipped;
     }
 
-    List<List<triPoints>> capped(components.size());
-    List<boundBox> boxes(components.size(), boundBox::invertedBox);
-    forAll(components, i)
-    {
-        capped[i] = cappedTriangles(surface, planes, components[i]);
-        for (const triPoints& t : capped[i])
-        {
-            boxes[i].add(t);
-        }
-    }
-
+    const cappedComponents capped(surface, planes, components);
     forAll(components, i)
     {
         const point x(centreOfLargest(surface, components[i].faces));
-        const label n = nAround(capped, boxes, i, x);
+        const label n = capped.nAround(i, x);
         const bool isBody = components[i].borders.empty() && n == 0;
         const bool outward = isBody || fluidOutside == (n % 2 == 0);
 
-        if (outward != (volumeOf(capped[i]) >= 0))
+        if (outward != (volumeOf(capped.triangles[i]) >= 0))
         {
             nFlipped += components[i].faces.size();
             flip(components[i].faces, surface);
@@ -380,23 +430,35 @@ label orientOpenWall
 }
 
 
-label removeCavities(wallSurface& surface, const UList<sidePatch>& planes)
+DynamicList<point> removeCavities
+(
+    wallSurface& surface,
+    const UList<sidePatch>& planes,
+    scalar& volume
+)
 {
+    const List<openComponent> components(openComponents(surface, planes));
+    const cappedComponents capped(surface, planes, components);
     bitSet kept(surface.faces.size(), true);
-    label nCavities = 0;
-
-    for (const openComponent& component : openComponents(surface, planes))
+    DynamicList<point> places;
+    forAll(components, i)
     {
-        if (volumeOf(cappedTriangles(surface, planes, component)) < 0)
+        const labelList& faces = components[i].faces;
+        const scalar inside = volumeOf(capped.triangles[i]);
+        const point x(centreOfLargest(surface, faces));
+        if (inside < 0 && capped.nAround(i, x) > 0)
         {
-            kept.unset(component.faces);
-            ++nCavities;
+            kept.unset(faces);
+            places.append(x);
+            volume -= inside;
         }
     }
+    if (places.size())
+    {
+        keepFaces(kept, surface);
+    }
 
-    keepFaces(kept, surface);
-
-    return nCavities;
+    return places;
 }
 
 } // End namespace Foam

@@ -202,9 +202,27 @@ TEST(removeCavities, closedByAPlane)
     ASSERT_NEAR(volumeTo(surface, point(0, 0, 0.5)), 0.5 - 0.0625, 1e-12);
 
     const List<sidePatch> planes(1, lid(0.5));
-    EXPECT_EQ(removeCavities(surface, planes), 1);
+    scalar volume = 0;
+    EXPECT_EQ(removeCavities(surface, planes, volume).size(), 1);
+    EXPECT_NEAR(volume, 0.0625, 1e-12);
     EXPECT_NEAR(volumeTo(surface, point(0, 0, 0.5)), 0.5, 1e-12);
-    EXPECT_EQ(removeCavities(surface, planes), 0);
+    EXPECT_EQ(removeCavities(surface, planes, volume).size(), 0);
+}
+
+
+TEST(removeCavities, bodiesThatAreOrientedInwardsStay)
+{
+    // Beside the cube, with its normals inwards
+    const wallSurface beside(translated(cube(2, 0.5), vector(2, 0, 0)));
+    wallSurface surface(merge(cube(4), reversed(beside)));
+    const label nFaces = surface.faces.size();
+    scalar volume = 0;
+    EXPECT_EQ
+    (
+        removeCavities(surface, List<sidePatch>(1, lid(2)), volume).size(), 0
+    );
+    EXPECT_EQ(surface.faces.size(), nFaces);
+    EXPECT_EQ(volume, 0);
 }
 
 
