@@ -7,6 +7,7 @@
 #include "bitSet.H"
 #include "disjointSets.H"
 #include "ListOps.H"
+#include "orientOpenWall.H"
 #include "ranges.H"
 #include "sideParts.H"
 #include "splitAtSidePatches.H"
@@ -57,10 +58,26 @@ struct surfaceAtPlanes
     const scalar tolerance =
         sideTolerance*boundBox(surface.points, false).mag();
 
-    //- Made when first asked for, as most surfaces have no face in a side:
-    //  points of connected parts that have a border
-    bitSet openPoints{};
+    const bool fluidOutside;
 
+    // Made when first asked for, as most surfaces have no face in a side
+
+        //- Points of connected parts that have a border
+        bitSet openPoints{};
+
+        //- Component of each face. 1 if the normals of a component point out of
+        //  the volume that it bounds with planes, -1 if they point into it, 0
+        //  if there is none
+        labelList componentOf{};
+        List<label> outward{};
+
+
+
+    surfaceAtPlanes(const wallSurface& s, const bool outside)
+    :
+        surface(s),
+        fluidOutside(outside)
+    {}
 
     bool isOn(const sidePatch& plane, const point& x) const
     {
@@ -92,6 +109,51 @@ struct surfaceAtPlanes
         {
             openPoints.set(p, isOpen.test(parts.find(p)));
         }
+    }
+
+    void setComponents(const UList<sidePatch>& planes)
+    {
+        const List<openComponent> components(openComponents(surface, planes));
+        componentOf.setSize(surface.faces.size());
+        outward.setSize(components.size());
+        forAll(components, i)
+        {
+            for (const label facei : components[i].faces)
+            {
+                componentOf[facei] = i;
+            }
+            const scalar volume =
+                volumeOf(cappedTriangles(surface, planes, components[i]));
+            outward[i] = volume > 0 ? 1 : volume < 0 ? -1 : 0;
+        }
+    }
+
+    //- Whether a face in a plane is below a body that stands there: a body that
+    //  has no border but on planes
+    bool isBelow
+    (
+        const sidePatch& plane,
+        const label facei,
+        const UList<sidePatch>& planes
+    )
+    {
+        const face& f = surface.faces[facei];
+        if (!isOpenAt(f))
+        {
+            return true;
+        }
+        if (!fluidOutside)
+        {
+            return false;
+        }
+        if (componentOf.empty())
+        {
+            setComponents(planes);
+        }
+
+        return
+            outward[componentOf[facei]]
+           *(f.unitNormal(surface.points) & plane.normal) > inPlaneCosine;
     }
 
     bool isIn(const sidePatch& plane, const face& f) const
@@ -135,10 +197,20 @@ struct surfaceAtPlanes
             });
         };
 
-        return anyOf(surface.faces, [&](const face& f)
+        forAll(surface.faces, facei)
         {
-            return isIn(plane, f) && isOpenAt(f) && anyOf(f, reaches);
-        });
+            const face& f = surface.faces[facei];
+            if
+            (
+                isIn(plane, f) && anyOf(f, reaches)
+             && !isBelow(plane, facei, sides)
+            )
+            {
+                return true;
+            }
+        }
+
+        return false;
     }
 
     //- Whether the surface is on both sides of a plane. What is beyond other
@@ -192,7 +264,8 @@ List<sidePatch> withBoxSides
 (
     const wallSurface& surface,
     const List<sidePatch>& planes,
-    const farBoundaryControls& boundary
+    const farBoundaryControls& boundary,
+    const bool fluidOutside
 )
 {
     List<sidePatch> all(planes);
@@ -201,7 +274,7 @@ List<sidePatch> withBoxSides
         return all;
     }
 
-    surfaceAtPlanes at{surface};
+    surfaceAtPlanes at(surface, fluidOutside);
     const edgeList border(outline(surface.faces));
     const List<sidePatch> sides(sidesOf(boundary));
     for (const sidePatch& side : sides)
@@ -235,7 +308,7 @@ List<sidePatch> withoutBareSides
     const label nGiven
 )
 {
-    const surfaceAtPlanes at{surface};
+    const surfaceAtPlanes at(surface, true);
     const pointField& x = surface.points;
     bitSet isKept(planes.size());
     isKept.set(labelRange(0, nGiven));
@@ -256,7 +329,8 @@ List<sidePatch> withoutBareSides
 boundBox boxBehind
 (
     const wallSurface& surface,
-    const farBoundaryControls& boundary
+    const farBoundaryControls& boundary,
+    const bool fluidOutside
 )
 {
     boundBox box(boundary.box);
@@ -265,7 +339,7 @@ boundBox boxBehind
         return box;
     }
 
-    surfaceAtPlanes at{surface};
+    surfaceAtPlanes at(surface, fluidOutside);
     const List<sidePatch> sides(sidesOf(boundary));
     forAll(sides, side)
     {
@@ -423,7 +497,8 @@ void requireInFront
 label removeFacesInSides
 (
     wallSurface& surface,
-    const UList<sidePatch>& planes
+    const UList<sidePatch>& planes,
+    const bool fluidOutside
 )
 {
     if (planes.empty())
@@ -431,14 +506,15 @@ label removeFacesInSides
         return 0;
     }
 
-    surfaceAtPlanes at{surface};
+    surfaceAtPlanes at(surface, fluidOutside);
     bitSet kept(surface.faces.size(), true);
     forAll(surface.faces, facei)
     {
         const face& f = surface.faces[facei];
-        const bool isGone =
-            anyOf(planes, [&](const sidePatch& p) { return at.isIn(p, f); })
-         && !at.isOpenAt(f);
+        const bool isGone = anyOf(planes, [&](const sidePatch& plane)
+        {
+            return at.isIn(plane, f) && at.isBelow(plane, facei, planes);
+        });
         kept.set(facei, !isGone);
     }
 

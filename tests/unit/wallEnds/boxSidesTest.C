@@ -265,4 +265,29 @@ TEST(boxSides, facesOfClosedBodiesInSidesGo)
 }
 
 
+TEST(boxSides, aHalfStandsOnAnotherSide)
+{
+    // Open at z = 0, with faces in y = 0 that reach the side z = 0: no floor,
+    // because its normals point out of the box there
+    const wallSurface half(halfCube(4));
+    const farBoundaryControls around(box(point(-1, 0, 0), point(2, 2, 3)));
+    const List<sidePatch> planes(withBoxSides(half, {}, around));
+    ASSERT_EQ(planes.size(), 2);
+    EXPECT_EQ(boxBehind(half, around).min(), point(-1, 0, 0));
+
+    wallSurface body(half);
+    EXPECT_EQ(removeFacesInSides(body, planes), 8);
+    for (const label side : {0, 1})
+    {
+        EXPECT_EQ
+        (
+            withoutBareSides(body, planes, 0)[side].name, planes[side].name
+        );
+    }
+
+    // With the fluid inside the same faces are a wall
+    EXPECT_EQ(removeFacesInSides(body = half, planes, false), 0);
+}
+
+
 // ************************************************************************* //
