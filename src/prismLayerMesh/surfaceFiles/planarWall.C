@@ -7,6 +7,8 @@
 #include "curveEnds.H"
 #include "EdgeMap.H"
 
+#include <algorithm>
+
 namespace Foam
 {
 
@@ -50,14 +52,42 @@ static bool seesCoordinates(const planarControls& controls)
 }
 
 
+//- Adds a curve to a strip, with one patch. The ends of open curves are points
+//  of their own.
+static void addCurve
+(
+    const planeCurve& curve,
+    const label patchi,
+    const planarControls& controls,
+    stripMaker& maker
+)
+{
+    const labelPair in(controls.directions());
+    const bool isSeen = seesCoordinates(controls);
+    const label first = maker.points.size();
+    const label n = curve.points.size();
+    for (const vector2D& x : curve.points)
+    {
+        point p(Zero);
+        p[in.first()] = x.x();
+        p[in.second()] = x.y();
+        maker.points.append(p);
+    }
+    for (label i = 0; i < curve.nEdges(); ++i)
+    {
+        const edge along(first + i, first + (i + 1) % n);
+        maker.edges.append(isSeen ? along : along.reverseEdge());
+        maker.patchIDs.append(patchi);
+    }
+}
+
+
 wallSurface stripOn
 (
     List<planeCurve> curves,
     const planarControls& controls
 )
 {
-    const labelPair in(controls.directions());
-    const bool isSeen = seesCoordinates(controls);
     if (controls.maxEdge < GREAT)
     {
         setCurveEnds(curves, controls);
@@ -70,21 +100,7 @@ wallSurface stripOn
     stripMaker maker;
     for (const planeCurve& curve : curves)
     {
-        const label first = maker.points.size();
-        const label n = curve.points.size();
-        for (const vector2D& x : curve.points)
-        {
-            point p(Zero);
-            p[in.first()] = x.x();
-            p[in.second()] = x.y();
-            maker.points.append(p);
-        }
-        for (label i = 0; i < curve.nEdges(); ++i)
-        {
-            const edge along(first + i, first + (i + 1) % n);
-            maker.edges.append(isSeen ? along : along.reverseEdge());
-            maker.patchIDs.append(0);
-        }
+        addCurve(curve, 0, controls, maker);
     }
     wallSurface wall(maker.strip(controls.thickness*controls.normal));
     wall.patchNames = wordList(1, word("patch0"));
@@ -93,7 +109,7 @@ wallSurface stripOn
 }
 
 
-//- The section of a surface with the plane through the origin
+//- The section of a surface with a plane
 class sectionMaker
 {
     const wallSurface& surface_;
@@ -153,11 +169,11 @@ public:
 
     stripMaker made;
 
-    sectionMaker(const wallSurface& surface, const vector& normal)
+    sectionMaker(const wallSurface& surface, const planarControls& controls)
     :
         surface_(surface),
-        normal_(normal),
-        heights_(surface.points & normal)
+        normal_(controls.normal),
+        heights_((surface.points & normal_) - controls.sectionAt)
     {
         forAll(surface.faces, facei)
         {
@@ -166,19 +182,224 @@ public:
         if (made.edges.empty())
         {
             FatalErrorInFunction
-                << "The plane of twoDimensional, through the origin with the"
-                << " normal " << normal << ", does not cut the surface, which"
-                << " is from " << min(heights_) << " to " << max(heights_)
-                << " along the normal" << exit(FatalError);
+                << "The plane of twoDimensional, at " << controls.sectionAt
+                << " m along the normal " << normal_
+                << ", does not cut the surface, which is from "
+                << min(heights_) + controls.sectionAt << " to "
+                << max(heights_) + controls.sectionAt << nl
+                << "Move the plane by twoDimensional.sectionAt"
+                << exit(FatalError);
         }
     }
 };
 
 
+//- Edges of a section turn by less than this where the surface is flat [rad]:
+//  the sides of its triangles are no points of the curve
+static constexpr scalar flatTurn = 1e-5;
+
+
+//- A curve of a section, of one patch
+struct sectionCurve
+{
+    planeCurve curve;
+    label patchi;
+};
+
+
+//- Follows the edges of a section
+class sectionCurves
+{
+    const stripMaker& section_;
+    const planarControls& controls_;
+
+    //- The edge that begins at each point, and the edge that ends there; -1 if
+    //  there are none or several
+    labelList next_;
+    labelList before_;
+
+    boolList isDone_;
+
+    vector2D inPlane(const label p) const
+    {
+        const labelPair in(controls_.directions());
+        const point& x = section_.points[p];
+
+        return vector2D(x[in.first()], x[in.second()]);
+    }
+
+    //- The edge behind an edge that goes on with the same patch, or -1
+    label following(const label e) const
+    {
+        const label f = next_[section_.edges[e].end()];
+
+        return
+            f >= 0 && before_[section_.edges[f].start()] == e
+         && section_.patchIDs[f] == section_.patchIDs[e] ? f : -1;
+    }
+
+    //- Appends a point, in place of the last one if the curve is straight there
+    static void append(const vector2D& x, DynamicList<vector2D>& points)
+    {
+        const label n = points.size();
+        if (n > 1)
+        {
+            const vector2D a(points[n - 1] - points[n - 2]);
+            const vector2D b(x - points[n - 1]);
+            const scalar turn = a.x()*b.y() - a.y()*b.x();
+            if (mag(turn) <= flatTurn*(a & b))
+            {
+                points[n - 1] = x;
+                return;
+            }
+        }
+        if (n == 0 || mag(x - points[n - 1]) > 0)
+        {
+            points.append(x);
+        }
+    }
+
+    sectionCurve follow(const label first)
+    {
+        sectionCurve made{planeCurve(), section_.patchIDs[first]};
+        DynamicList<vector2D> points;
+        append(inPlane(section_.edges[first].start()), points);
+        label last = first;
+        label e = first;
+        for (; e >= 0 && !isDone_[e]; e = following(last))
+        {
+            last = e;
+            isDone_[e] = true;
+            append(inPlane(section_.edges[e].end()), points);
+        }
+
+        made.curve.isClosed = e == first && points.size() > 3;
+        if (made.curve.isClosed)
+        {
+            points.resize(points.size() - 1);
+        }
+        if (!seesCoordinates(controls_))
+        {
+            std::reverse(points.begin(), points.end());
+        }
+        made.curve.points = points;
+        if (!made.curve.isClosed)
+        {
+            const label b = before_[section_.edges[first].start()];
+            const label f = next_[section_.edges[last].end()];
+            const FixedList<bool, 2> goesOn{goOn(b, first), goOn(last, f)};
+            const bool isSeen = seesCoordinates(controls_);
+            made.curve.goesOn[0] = goesOn[isSeen ? 0 : 1];
+            made.curve.goesOn[1] = goesOn[isSeen ? 1 : 0];
+        }
+
+        return made;
+    }
+
+    //- Whether the curve of one edge goes on as the curve of another, with
+    //  another patch, without a corner
+    bool goOn(const label e, const label f) const
+    {
+        return
+            e >= 0 && f >= 0
+         && !isCorner
+            (
+                inPlane(section_.edges[e].start()),
+                inPlane(section_.edges[f].start()),
+                inPlane(section_.edges[f].end())
+            );
+    }
+
+    static void note(label& edgeAt, const label e)
+    {
+        edgeAt = edgeAt == -1 ? e : -2;
+    }
+
+public:
+
+    sectionCurves(const stripMaker& section, const planarControls& controls)
+    :
+        section_(section),
+        controls_(controls),
+        next_(section.points.size(), -1),
+        before_(next_),
+        isDone_(section.edges.size(), false)
+    {
+        forAll(section.edges, e)
+        {
+            note(next_[section.edges[e].start()], e);
+            note(before_[section.edges[e].end()], e);
+        }
+    }
+
+    //- Open curves first, from where they begin
+    List<sectionCurve> make()
+    {
+        DynamicList<sectionCurve> curves;
+        for (const bool open : {true, false})
+        {
+            forAll(section_.edges, e)
+            {
+                const label b = before_[section_.edges[e].start()];
+                const bool begins = b < 0 || following(b) != e;
+                if (!isDone_[e] && begins == open)
+                {
+                    curves.append(follow(e));
+                }
+            }
+        }
+
+        return List<sectionCurve>(std::move(curves));
+    }
+};
+
+
+//- Adds curves with new points to a strip
+static void addResampled
+(
+    const UList<sectionCurve>& curves,
+    const planarControls& controls,
+    stripMaker& maker
+)
+{
+    List<planeCurve> atSides(curves.size());
+    forAll(curves, i)
+    {
+        atSides[i] = curves[i].curve;
+    }
+    setCurveEnds(atSides, controls);
+    forAll(curves, i)
+    {
+        for (const label end : {0, 1})
+        {
+            atSides[i].goesOn[end] =
+                atSides[i].goesOn[end] || curves[i].curve.goesOn[end];
+        }
+        addCurve
+        (
+            resampled(atSides[i], controls.maxEdge, controls.maxTurn),
+            curves[i].patchi, controls, maker
+        );
+    }
+}
+
+
 wallSurface stripOn(const wallSurface& surface, const planarControls& controls)
 {
-    const sectionMaker section(surface, controls.normal);
-    wallSurface wall(section.made.strip(controls.thickness*controls.normal));
+    const sectionMaker section(surface, controls);
+    stripMaker resampledMaker;
+    if (controls.maxEdge < GREAT)
+    {
+        addResampled
+        (
+            sectionCurves(section.made, controls).make(), controls,
+            resampledMaker
+        );
+    }
+
+    const stripMaker& maker =
+        controls.maxEdge < GREAT ? resampledMaker : section.made;
+    wallSurface wall(maker.strip(controls.thickness*controls.normal));
     wall.patchNames = surface.patchNames;
     wall.patchTypes = surface.patchTypes;
 

@@ -326,6 +326,32 @@ static void requireUsed
 }
 
 
+static wallSurface readCurves
+(
+    const fileName& file,
+    const wallSurfaceControls& controls
+)
+{
+    if (!controls.planar.isWanted())
+    {
+        FatalErrorInFunction
+            << "The file " << file << " has a curve: a mesh of two"
+            << " dimensions needs the entry twoDimensional"
+            << exit(FatalError);
+    }
+    List<planeCurve> curves(readCurveFile(file));
+    for (planeCurve& curve : curves)
+    {
+        for (vector2D& x : curve.points)
+        {
+            x *= controls.scale;
+        }
+    }
+
+    return stripOn(curves, controls.planar);
+}
+
+
 //- A file as it is, scaled
 static wallSurface readPart
 (
@@ -339,23 +365,7 @@ static wallSurface readPart
 
     if (isCurveFile(file))
     {
-        if (!controls.planar.isWanted())
-        {
-            FatalErrorInFunction
-                << "The file " << file << " has a curve: a mesh of two"
-                << " dimensions needs the entry twoDimensional"
-                << exit(FatalError);
-        }
-        List<planeCurve> curves(readCurveFile(file));
-        for (planeCurve& curve : curves)
-        {
-            for (vector2D& x : curve.points)
-            {
-                x *= controls.scale;
-            }
-        }
-
-        return stripOn(curves, controls.planar);
+        return readCurves(file, controls);
     }
 
     if (cadType(file).size())
@@ -375,9 +385,21 @@ static wallSurface readPart
     part.points *= controls.scale;
     checkFinite(file, part.points);
     mergePatches(part);
+    if (!controls.planar.isWanted())
+    {
+        return part;
+    }
 
-    return controls.planar.isWanted()
-      ? stripOn(part, controls.planar) : std::move(part);
+    // Sections are followed from face to face. Curves of several patches have
+    // ends of their own.
+    if (separateFaces)
+    {
+        wallReading untold;
+        mergeNearPoints(part, controls.mergeTolerance, untold);
+    }
+    separateFaces = true;
+
+    return stripOn(part, controls.planar);
 }
 
 
