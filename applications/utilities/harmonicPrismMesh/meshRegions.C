@@ -277,20 +277,17 @@ static farFieldDomain readDomain
     {
         boundary = all.boundary;
     }
-    farFieldDomain domain
-    (
-        readFarField
-        (
-            files, walls.wall, !isAlone, controls.farField, time, log
-        )
-    );
-    if (!isAlone && !isAround)
+    const bool isOwn = !isAlone && !isAround;
+    if (isOwn)
     {
         boundary.type = farBoundaryType::surface;
-        domain.boundary = makeFarBoundary(walls.far);
     }
 
-    return domain;
+    return readFarField
+    (
+        files, walls.wall, isOwn ? walls.far : wallSurface(), !isAlone,
+        controls.farField, time, log
+    );
 }
 
 

@@ -102,10 +102,31 @@ static string textOf(const farBoundaryType type, const wordList& patches)
 }
 
 
+//- The far boundary of the surface files if there is one, otherwise the far
+//  boundary that the controls ask for
+static farBoundary readBoundary
+(
+    const prismCase& files,
+    const wallSurface& far,
+    const farBoundaryControls& controls
+)
+{
+    return
+        far.faces.size()
+      ? makeFarBoundary(far)
+      : makeFarBoundary
+        (
+            controls,
+            [&](const fileName& file) { return files.surfaceFile(file); }
+        );
+}
+
+
 farFieldDomain readFarField
 (
     const prismCase& files,
     const wallSurface& wall,
+    const wallSurface& far,
     const bool fluidOutside,
     const farFieldControls& controls,
     const Time& time,
@@ -122,7 +143,7 @@ farFieldDomain readFarField
     if
     (
         !fluidOutside && controls.boundary.type != farBoundaryType::none
-     && wall.border.sides.empty()
+     && wall.border.sides.empty() && far.faces.empty()
     )
     {
         FatalErrorInFunction
@@ -143,11 +164,7 @@ farFieldDomain readFarField
     }
 
     log.begin("farBoundary");
-    domain.boundary = makeFarBoundary
-    (
-        controls.boundary,
-        [&](const fileName& file) { return files.surfaceFile(file); }
-    );
+    domain.boundary = readBoundary(files, far, controls.boundary);
     domain.boundary.cyclicSides = cyclic;
 
     for (const word& patch : domain.boundary.surface.patchNames)
@@ -510,8 +527,8 @@ void meshWall
     (
         readFarField
         (
-            files, wall, controls.surface.fluidOutside, controls.farField,
-            time, log
+            files, wall, given.prepared.far, controls.surface.fluidOutside,
+            controls.farField, time, log
         )
     );
     autoPtr<caseLayers> made

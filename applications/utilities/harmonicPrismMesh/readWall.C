@@ -118,6 +118,7 @@ static dictionary toDictionary
     {
         dict.add("facesInSidesRemoved", prepared.nFacesInSides);
     }
+    dict.add("account", toDictionary(prepared.account));
     if (prepared.steps.size())
     {
         dictionary repair(toDictionary(prepared.repair));
@@ -182,6 +183,25 @@ static void logPatches(const wallSurface& surface)
 }
 
 
+static void logChanges(const preparedWall& prepared)
+{
+    if (prepared.sideOfSheets.size())
+    {
+        Info<< prepared.sideOfSheets.c_str() << flush;
+    }
+    if (prepared.nFlips)
+    {
+        Info<< "    triangles of almost no height, flipped " << prepared.nFlips
+            << endl;
+    }
+    if (prepared.nCut)
+    {
+        Info<< "    faces cut into triangles, because no cell is good on"
+            << " them " << prepared.nCut << endl;
+    }
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 caseWall readWall
@@ -213,18 +233,13 @@ caseWall readWall
         log.observer()
     );
     const preparedWall& prepared = wall.prepared;
-    if (prepared.nFlips)
-    {
-        Info<< "    triangles of almost no height, flipped " << prepared.nFlips
-            << endl;
-    }
-    if (prepared.nCut)
-    {
-        Info<< "    faces cut into triangles, because no cell is good on"
-            << " them " << prepared.nCut << endl;
-    }
-
+    logChanges(prepared);
     controls.farField.boundary.box = prepared.farBox;
+    controls.surface.fluidOutside = prepared.fluidOutside;
+    if (prepared.far.faces.size())
+    {
+        controls.farField.boundary.type = farBoundaryType::surface;
+    }
     wall.changes = toDictionary(reading, prepared);
     wall.defects = textOf(prepared.defects, reading);
     if (wantsAdvice)

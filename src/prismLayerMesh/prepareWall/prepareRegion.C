@@ -42,24 +42,21 @@ static bitSet facesWithWall
 }
 
 
-//- The other faces, with the types of their patches
-static wallSurface farBoundaryOf
-(
-    wallSurface surface,
-    bitSet isWith,
-    const layerControls& layers
-)
+wallSurface takeFarBoundary(const layerControls& layers, wallSurface& surface)
 {
-    isWith.flip();
+    bitSet isWith(facesWithWall(surface, layers));
+    wallSurface far(surface);
     keepFaces(isWith, surface);
-    mergePatches(surface);
-    for (const word& name : surface.patchNames)
+    isWith.flip();
+    keepFaces(isWith, far);
+    mergePatches(far);
+    for (const word& name : far.patchNames)
     {
         const word& type = layers.entryOf(name)->type;
-        surface.patchTypes.append(type.empty() ? word("patch") : type);
+        far.patchTypes.append(type.empty() ? word("patch") : type);
     }
 
-    return surface;
+    return far;
 }
 
 
@@ -102,10 +99,8 @@ regionWall prepareRegion
     const spaceRegion& region = all.regions[regioni];
     wallReading untold;
     wallSurface surface(region.surface);
-    const bitSet isWith(facesWithWall(surface, controls.layers));
     regionWall made;
-    made.far = farBoundaryOf(surface, isWith, controls.layers);
-    keepFaces(isWith, surface);
+    made.far = takeFarBoundary(controls.layers, surface);
     mergePatches(surface);
     if (surface.faces.empty())
     {

@@ -8,6 +8,7 @@
 #include "boxSides.H"
 #include "cutSurface.H"
 #include "cyclicSides.H"
+#include "fluidSide.H"
 #include "flushSides.H"
 #include "OStringStream.H"
 #include "ranges.H"
@@ -256,17 +257,198 @@ static layerControls withLayersOn
 }
 
 
-static void split
+//- Sets the side planes, the box, and the side on which the fluid is.
+//  Errors: FatalError if the fluid is outside and nothing bounds it
+static void setSides
 (
+    const wallSurface& surface,
+    const farFieldControls& farField,
+    wallSurfaceControls& controls,
+    preparedWall& prepared
+)
+{
+    const farBoundaryControls& boundary = farField.boundary;
+    const List<sidePatch> given(controls.sidePlanes);
+    const auto withSides = [&](const bool fluidOutside)
+    {
+        return withBoxSides(surface, given, boundary, fluidOutside);
+    };
+    controls.sidePlanes = withSides(controls.fluidOutside);
+    prepared.fluidOutside =
+        isFluidOutside(surface, controls.sidePlanes, controls);
+    if (prepared.fluidOutside != controls.fluidOutside)
+    {
+        controls.sidePlanes = withSides(prepared.fluidOutside);
+        controls.fluidOutside = prepared.fluidOutside;
+    }
+    prepared.farBox = boxBehind(surface, boundary, prepared.fluidOutside);
+
+    if
+    (
+        controls.hasInside && prepared.fluidOutside && farField.isWanted()
+     && farField.type != farFieldType::mesh
+     && boundary.type == farBoundaryType::none && given.empty()
+    )
+    {
+        FatalErrorInFunction
+            << "The point surface.inside " << controls.inside << " is outside"
+            << " of the surface, and the far field has no boundary: give"
+            << " farField.boundary a box, a sphere or a surface"
+            << exit(FatalError);
+    }
+}
+
+
+//- Of a part or a patch of the files so much may be lost in its repair: samples
+//  beside the edges of other bodies. A wrap goes around what is behind narrow
+//  openings, and its user knows.
+static constexpr scalar lossOfRepair = 0.01;
+static constexpr scalar lossOfWrap = 0.5;
+
+
+//- By how far repair and remesh may move faces [m]
+static scalar largestMove
+(
+    const wallSurface& given,
     const wallSurfaceControls& controls,
-    const layerControls& layers,
+    const preparedWall& prepared
+)
+{
+    typedef surfaceRepairControls::method method;
+    const scalar diagonal = boundBox(given.points, false).mag();
+    const auto orShare = [&](const scalar length, const scalar share)
+    {
+        return length > 0 ? length : share*diagonal;
+    };
+    const surfaceRepairControls& repair = controls.repair;
+    scalar move = 0;
+    if (prepared.steps.size())
+    {
+        move =
+            repair.repair == method::wrap
+          ? orShare(repair.size, 0.01) : 2*orShare(repair.gap, 1e-4);
+    }
+    if (prepared.isRemeshed)
+    {
+        move += orShare(controls.remesh.deviation, 5e-4);
+    }
+
+    return move;
+}
+
+
+//- Makes the account of the surface of the files.
+//  Errors: FatalError if something is lost
+static void certify
+(
+    const wallSurface& given,
+    const wallSurface& apart,
+    const prismLayerControls& controls,
     const stageObserver& observer,
     preparedWall& prepared
 )
 {
+    if
+    (
+        prepared.steps.empty() && !prepared.isRemeshed
+     && !prepared.nFacesInSides && apart.faces.empty()
+    )
+    {
+        prepared.account = makeWallAccount(given);
+        return;
+    }
+
+    observer.begin("wallAccount");
+    accountControls counting;
+    counting.planes = controls.surface.sidePlanes;
+    if (controls.farField.boundary.type == farBoundaryType::box)
+    {
+        counting.planes.append(sidesOf(prepared.farBox));
+    }
+    counting.fluidOutside = prepared.fluidOutside;
+    counting.apart = apart;
+    counting.move = largestMove(given, controls.surface, prepared);
+    prepared.account = makeWallAccount(given, prepared.surface, counting);
+    observer.end(describe(prepared.account));
+
+    typedef surfaceRepairControls::method method;
+    const string lost
+    (
+        describeLosses
+        (
+            prepared.account, controls.surface.acceptedLosses,
+            controls.surface.repair.repair == method::wrap
+          ? lossOfWrap : lossOfRepair
+        )
+    );
+    if (lost.size())
+    {
+        FatalErrorInFunction
+            << "The wall is not the geometry of the files." << nl
+            << lost.c_str()
+            << "If the fluid is on the wrong side, write a point in the fluid:"
+            << nl << "    surface { inside (x y z); }" << nl
+            << "If the wall needs no such part, accept the loss by the name of"
+            << " the patch:" << nl << "    surface { acceptLoss (name); }"
+            << exit(FatalError);
+    }
+}
+
+
+//- Returns the surface without the pieces around it that have no wall, and sets
+//  these as the far boundary
+static wallSurface withoutFar
+(
+    const layerControls& layers,
+    const farBoundaryControls& boundary,
+    preparedWall& prepared
+)
+{
+    wallSurface surface(prepared.surface);
+    const bool hasSides = anyOf(surface.patchNames, [&](const word& name)
+    {
+        return layers.isSide(name);
+    });
+    if (!hasSides)
+    {
+        return surface;
+    }
+
+    wallSurface far(takeFarBoundary(layers, surface));
+    if (far.faces.empty() || outline(far.faces).size())
+    {
+        return prepared.surface;
+    }
+    if (boundary.type != farBoundaryType::none)
+    {
+        FatalErrorInFunction
+            << "There are two far boundaries: farField.boundary, and the patch "
+            << far.patchNames[0] << " of the files, which has no layers and"
+            << " does not touch the wall" << nl
+            << "Remove farField.boundary, or the patch" << exit(FatalError);
+    }
+    prepared.far = far;
+
+    return surface;
+}
+
+
+static void split
+(
+    const wallSurfaceControls& controls,
+    const prismLayerControls& all,
+    const stageObserver& observer,
+    preparedWall& prepared
+)
+{
+    const layerControls& layers = all.layers;
+    const wallSurface surface
+    (
+        withoutFar(layers, all.farField.boundary, prepared)
+    );
     wallReading reading;
     wallSurface& wall = prepared.wall;
-    wall = splitAtSidePatches(prepared.surface, controls, layers, reading);
+    wall = splitAtSidePatches(surface, controls, layers, reading);
 
     const wordList flush(flushPatches(wall, layers));
     if (flush.size())
@@ -274,7 +456,7 @@ static void split
         reading = wallReading();
         wall = splitAtSidePatches
         (
-            prepared.surface, controls, withLayersOn(flush, layers), reading
+            surface, controls, withLayersOn(flush, layers), reading
         );
         prepared.flushPatches = flush;
         observer.begin("flushPatches");
@@ -303,6 +485,48 @@ static void split
 }
 
 
+//- Takes the surface, and turns it to the fluid
+static void orient
+(
+    const wallSurface& surface,
+    const wallSurfaceControls& given,
+    const wallSurfaceControls& onSides,
+    preparedWall& prepared
+)
+{
+    prepared.surface = surface;
+    if (prepared.fluidOutside != given.fluidOutside)
+    {
+        orientWallSurface(prepared.surface, prepared.fluidOutside);
+    }
+    turnSheets
+    (
+        prepared.surface, onSides.sidePlanes, given, prepared.fluidOutside,
+        prepared.sideOfSheets
+    );
+}
+
+
+//- Checks that the wall is in the box, flips its caps, cuts faces on which no
+//  cell can be good, and renumbers it
+static void finish(const farFieldControls& farField, preparedWall& prepared)
+{
+    wallSurface& wall = prepared.wall;
+    farBoundaryControls boundary(farField.boundary);
+    boundary.box = prepared.farBox;
+    requireInBox(wall, boundary);
+    prepared.nFlips = flipCaps(wall);
+    // Repair may have folded some
+    prepared.nCut = cutReflexFaces(wall);
+    if (farField.isWanted())
+    {
+        prepared.nCut += cutCrowdedFaces(wall);
+    }
+    prepared.nCut += cutBlindFaces(wall);
+    renumberWall(wall);
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 string sizesOf(const wallSurface& surface)
@@ -322,23 +546,29 @@ preparedWall prepareWall
 )
 {
     requirePatches(controls.layers, surface.patchNames);
-    wallSurfaceControls onSides(controls.surface);
-    onSides.sidePlanes = withBoxSides
-    (
-        surface, controls.surface.sidePlanes, controls.farField.boundary
-    );
-
     preparedWall prepared;
-    prepared.farBox = boxBehind(surface, controls.farField.boundary);
-    prepared.surface = surface;
+    wallSurfaceControls onSides(controls.surface);
+    setSides(surface, controls.farField, onSides, prepared);
+    orient(surface, controls.surface, onSides, prepared);
+
+    const wallSurface given(prepared.surface);
     typedef surfaceRepairControls::method method;
     if (onSides.repair.repair == method::none)
     {
         requireInFront(surface, onSides.sidePlanes);
     }
     repair(onSides, controls.layers, observer, prepared);
-    prepared.nFacesInSides =
-        removeFacesInSides(prepared.surface, onSides.sidePlanes);
+    const wallSurface apart
+    (
+        keepBesideFluid
+        (
+            prepared.surface, onSides.sidePlanes, controls.surface
+        )
+    );
+    prepared.nFacesInSides = removeFacesInSides
+    (
+        prepared.surface, onSides.sidePlanes, prepared.fluidOutside
+    );
     onSides.sidePlanes = withoutBareSides
     (
         prepared.surface, onSides.sidePlanes, controls.surface.sidePlanes.size()
@@ -355,20 +585,9 @@ preparedWall prepareWall
     observer.end("none");
 
     remesh(onSides, regions, observer, prepared);
-    split(onSides, controls.layers, observer, prepared);
-    wallSurface& wall = prepared.wall;
-    farBoundaryControls boundary(controls.farField.boundary);
-    boundary.box = prepared.farBox;
-    requireInBox(wall, boundary);
-    prepared.nFlips = flipCaps(wall);
-    // Repair may have folded some
-    prepared.nCut = cutReflexFaces(wall);
-    if (controls.farField.isWanted())
-    {
-        prepared.nCut += cutCrowdedFaces(wall);
-    }
-    prepared.nCut += cutBlindFaces(wall);
-    renumberWall(wall);
+    certify(given, apart, controls, observer, prepared);
+    split(onSides, controls, observer, prepared);
+    finish(controls.farField, prepared);
 
     return prepared;
 }

@@ -175,6 +175,56 @@ static string adviceToCut(const trials& trial, prismLayerControls controls)
 }
 
 
+//- What a repair has moved, as text
+static string movesOf(const preparedWall& prepared)
+{
+    const surfaceChange& change = prepared.repair;
+    OStringStream os;
+    os  << "It moves faces by at most "
+        << max(change.distance.largest, change.distanceOfGiven.largest)
+        << " m.";
+
+    return os.str();
+}
+
+
+//- Gaps that are tried, as shares of the diagonal; the default is 1e-4. Curves
+//  that were sampled twice have gaps of the height of their arcs over chords.
+static constexpr scalar widerGaps[] = {3e-4, 1e-3, 3e-3};
+
+
+//- Advice to stitch wider gaps; nothing if that does not mend the surface
+static string adviceToStitchWider
+(
+    const trials& trial,
+    prismLayerControls controls
+)
+{
+    const scalar diagonal = boundBox(trial.surface.points, false).mag();
+    scalar& gap = controls.surface.repair.gap;
+    const scalar given = gap;
+    for (const scalar share : widerGaps)
+    {
+        OStringStream entry;
+        entry.precision(2);
+        entry<< share*diagonal;
+        gap = ::atof(entry.str().c_str());
+        preparedWall prepared;
+        const string what("surface.repair stitch, gap " + entry.str());
+        if (gap > given && trial.succeed(what.c_str(), controls, prepared))
+        {
+            return
+                "surface.repair stitch mends this surface if it closes wider"
+                " gaps. " + movesOf(prepared)
+              + "\n    surface { repair stitch; stitchCoeffs { gap "
+              + entry.str() + "; } }";
+        }
+    }
+
+    return "";
+}
+
+
 static string adviceToWrap(const trials& trial, prismLayerControls controls)
 {
     controls.surface.repair.repair = surfaceRepairControls::method::wrap;
@@ -209,14 +259,8 @@ string adviceOnDefects
     preparedWall stitched;
     if (trial.succeed("surface.repair stitch", stitching, stitched))
     {
-        const surfaceChange& change = stitched.repair;
-        OStringStream os;
-        os  << "surface.repair stitch mends this surface. It moves faces by at"
-            << " most "
-            << max(change.distance.largest, change.distanceOfGiven.largest)
-            << " m.";
-
-        return os.str();
+        return
+            "surface.repair stitch mends this surface. " + movesOf(stitched);
     }
 
     const List<sidePatch> planes
@@ -244,8 +288,13 @@ string adviceOnDefects
     }
 
     const string cut(adviceToCut(trial, stitching));
+    const string wider
+    (
+        cut.empty() ? adviceToStitchWider(trial, stitching) : string()
+    );
 
-    return cut.size() ? cut : adviceToWrap(trial, controls);
+    return
+        cut.size() ? cut : wider.size() ? wider : adviceToWrap(trial, controls);
 }
 
 

@@ -406,11 +406,13 @@ farFieldControls readFarFieldControls
         controls.boundary = readBoundary(optionalDict(dict, "boundary"));
     }
 
-    // An open wall inside of which the fluid is may have one
+    // An open wall inside of which the fluid is may have one. The point inside
+    // tells later where the fluid is.
     const bool fluidOutside = surface.fluidOutside;
+    const bool isKnown = surface.isFluidGiven || !surface.hasInside;
     if
     (
-        controls.isWanted() && controls.type != farFieldType::mesh
+        isKnown && controls.isWanted() && controls.type != farFieldType::mesh
      && hasBoundary != fluidOutside && surface.sidePlanes.empty()
      && controls.boundary.type != farBoundaryType::box
     )

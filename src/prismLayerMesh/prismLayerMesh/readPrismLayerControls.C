@@ -146,7 +146,11 @@ static planarControls readPlanar(const dictionary& dict)
     const dictionary& planar = dict.subDict("twoDimensional");
     checkKeys
     (
-        planar, {"normal", "thickness", "maxEdge", "maxTurn", "wedgeAngle"}
+        planar,
+        {
+            "normal", "thickness", "sectionAt", "maxEdge", "maxTurn",
+            "wedgeAngle"
+        }
     );
     planar.readIfPresent("normal", controls.normal);
     if (mag(cmptMax(cmptMag(controls.normal)) - mag(controls.normal)) > 0)
@@ -158,6 +162,7 @@ static planarControls readPlanar(const dictionary& dict)
     controls.normal.normalise();
     controls.thickness = 1;
     readBounded(planar, "thickness", SMALL, GREAT, controls.thickness);
+    readBounded(planar, "sectionAt", -1e9, 1e9, controls.sectionAt);
     readBounded(planar, "maxEdge", SMALL, GREAT, controls.maxEdge);
     scalar maxTurn = radToDeg(controls.maxTurn);
     readBounded(planar, "maxTurn", 0.1, 30, maxTurn);
@@ -178,7 +183,7 @@ static wallSurfaceControls readSurface(const dictionary& dict)
         {
             "file", "files", "patches", "fluid", "scale", "mergeTolerance",
             "sidePlanes", "cad", "repair", "stitchCoeffs", "wrapCoeffs",
-            "remesh", "baffles"
+            "remesh", "baffles", "inside", "acceptLoss"
         }
     );
 
@@ -192,6 +197,9 @@ static wallSurfaceControls readSurface(const dictionary& dict)
     word fluid(controls.fluidOutside ? "outside" : "inside");
     readChoice(dict, "fluid", {"outside", "inside"}, fluid);
     controls.fluidOutside = (fluid == "outside");
+    controls.isFluidGiven = dict.found("fluid", keyType::LITERAL);
+    controls.hasInside = dict.readIfPresent("inside", controls.inside);
+    dict.readIfPresent("acceptLoss", controls.acceptedLosses);
 
     readBounded(dict, "scale", 1e-9, 1e9, controls.scale);
     readBounded(dict, "mergeTolerance", 0, 1e-3, controls.mergeTolerance);

@@ -332,6 +332,10 @@ public:
                 FatalErrorInFunction
                     << "The wall does not end on the side patch "
                     << parts_.sides[s].name << " at " << parts_.sides[s].origin
+                    << nl << "Stitch the patch to the wall (surface { repair"
+                    << " stitch; }), or give it layers, or remove it from the"
+                    << " files. A patch without layers that encloses the wall"
+                    << " without touching it is the far boundary" << nl
                     << exit(FatalError);
             }
         }

@@ -242,7 +242,11 @@ TEST(prepareWall, changesAreMeasuredAndStagesTold)
 
     EXPECT_EQ
     (
-        stages, wordList({"surfaceRepair", "wallDefects", "surfaceRemesh"})
+        stages,
+        wordList
+        (
+            {"surfaceRepair", "wallDefects", "surfaceRemesh", "wallAccount"}
+        )
     );
     EXPECT_EQ(prepared.steps.size(), 1);
     EXPECT_EQ(prepared.repair.before.angles.size(), surface.faces.size());

@@ -3,6 +3,9 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
+#include "prepareWall/fluidSide.C"
+#include "prepareWall/givenParts.C"
+#include "prepareWall/wallAccount.C"
 #include "prepareWall/prepareWall.C"
 #include "prepareWall/prepareRegion.C"
 #include "prepareWall/surfaceAdvice.C"

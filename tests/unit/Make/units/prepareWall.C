@@ -3,6 +3,8 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
+#include "prepareWall/fluidSideTest.C"
 #include "prepareWall/prepareWallTest.C"
+#include "prepareWall/wallAccountTest.C"
 
 // ************************************************************************* //
