@@ -19,8 +19,8 @@ void Foam::writeCgns(const elementMesh& mesh, const fileName& file)
 {
     FatalErrorInFunction
         << "This program was built without the library libcgns (package"
-        << " libcgns-dev of Debian). Install it, and build the program anew:"
-        << nl << "wclean applications/utilities/harmonicPrismExport; ./Allwmake"
+        << " libcgns-dev of Debian). Install libcgns, and run ./Allwmake again:"
+        << " it builds the program anew."
         << exit(FatalError);
 }
 
