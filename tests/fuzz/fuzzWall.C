@@ -27,7 +27,8 @@ static std::string reasonOf(const std::string& message)
         {"noImage", "its image does not end on", "repair stitch"},
         {"noPartner", "type cyclic has no partner", "on which the wall ends"},
         {"noPartner", "no other side patch of type cyclic", "the wall ends"},
-        {"nothingLeft", "Nothing is left", "Move a side out"}
+        {"nothingLeft", "Nothing is left", "Move a side out"},
+        {"loses", "is not the geometry of the files", "acceptLoss"}
     };
 
     for (const auto& reason : reasons)
@@ -43,6 +44,15 @@ static std::string reasonOf(const std::string& message)
     }
 
     return "";
+}
+
+
+//- Whether a message says that the wall is not the given surface: stitching
+//  cannot undo all damage
+static bool tellsOfLoss(const std::string& message)
+{
+    return
+        message.find("is not the geometry of the files") != std::string::npos;
 }
 
 
@@ -110,9 +120,12 @@ wallSurface prepareFuzzWall
         // A plane may cut off all, an end may be curved too far
         const std::string message(oneLine(e.message()));
         const std::string reason(one.isAtSides ? reasonOf(message) : "");
+        const bool mayFail =
+            one.hasSides()
+         || (one.isDamaged() && !mustBeGood && tellsOfLoss(message));
         tell
         (
-            reason.size() ? "refused" : one.hasSides() ? "skipped" : "failed",
+            reason.size() ? "refused" : mayFail ? "skipped" : "failed",
             reason.size() ? reason : message
         );
     }

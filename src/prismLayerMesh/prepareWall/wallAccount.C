@@ -5,7 +5,7 @@
 
 #include "wallAccount.H"
 #include "boundBox.H"
-#include "givenParts.H"
+#include "hidingParts.H"
 #include "HashSet.H"
 #include "ListOps.H"
 #include "nearestSurface.H"
@@ -22,9 +22,6 @@ namespace Foam
 //- The tolerance of a part is at most this share of its diagonal: a part that
 //  is gone is not near to what it stood on
 static constexpr scalar partShare = 0.02;
-
-//- Samples that tell whether a part is inside of another
-static constexpr label nNestSamples = 32;
 
 //- Solid angles of triangles that a part may take; of more samples each n-th is
 //  tested
@@ -69,92 +66,45 @@ void areaAccount::add
 namespace
 {
 
-//- Whether more than half of a part is inside of another one
-bool isNested(const givenPart& part, const givenPart& other)
+//- Distance [m] of the points of a polygon from its mean plane: polygons
+//  are cut into triangles in one way or another
+scalar warpOf(const face& f, const pointField& points)
 {
-    const label step = max(label(1), part.samples.size()/nNestSamples);
-    label n = 0;
-    label nWithin = 0;
-    for (label i = 0; i < part.samples.size(); i += step)
+    if (f.size() == 3)
     {
-        const point& x = part.samples[i].x;
-        ++n;
-        nWithin += other.box.contains(x) && other.has(x);
+        return 0;
+    }
+    const point centre(f.centre(points));
+    const vector normal(f.unitNormal(points));
+    scalar warp = 0;
+    for (const label p : f)
+    {
+        warp = max(warp, mag((points[p] - centre) & normal));
     }
 
-    return 2*nWithin > n;
+    return 2*warp;
 }
 
 
-//- The parts that may hide places of another part: bodies around the places,
-//  and, of a fluid that is inside of parts, these parts if the places are
-//  outside of all of them
-class hidingParts
+//- Diagonal of a surface in front of planes [m]
+scalar diagonalInFront
+(
+    const pointField& points,
+    const UList<sidePatch>& planes
+)
 {
-    const PtrList<givenPart>& parts_;
-    DynamicList<label> bodies_;
-    DynamicList<label> around_;
-
-    bool has(const label j, const point& x) const
+    boundBox box(boundBox::invertedBox);
+    for (point x : points)
     {
-        const givenPart& part = parts_[j];
-
-        return (part.isSheet || part.box.contains(x)) && part.has(x);
-    }
-
-public:
-
-    hidingParts
-    (
-        const PtrList<givenPart>& parts,
-        const label parti,
-        const bool fluidOutside
-    )
-    :
-        parts_(parts)
-    {
-        const givenPart& part = parts[parti];
-        forAll(parts, j)
+        for (const sidePatch& plane : planes)
         {
-            const givenPart& other = parts[j];
-            const bool mayHide =
-                j != parti && other.triangles.size()
-             && (other.isSheet || part.box.overlaps(other.box));
-            if (mayHide && fluidOutside)
-            {
-                bodies_.append(j);
-            }
-            else if (mayHide && other.isClosed)
-            {
-                (isNested(part, other) ? around_ : bodies_).append(j);
-            }
+            x -= max(plane.distance(x), scalar(0))*plane.normal;
         }
+        box.add(x);
     }
 
-    //- Number of triangles that hide asks at most
-    scalar nTriangles() const
-    {
-        scalar n = 0;
-        for (const labelUList& some : {bodies_, around_})
-        {
-            for (const label j : some)
-            {
-                n += parts_[j].triangles.size();
-            }
-        }
-
-        return n;
-    }
-
-    bool hide(const point& x) const
-    {
-        const auto hasPlace = [&](const label j) { return has(j, x); };
-
-        return
-            anyOf(bodies_, hasPlace)
-         || (around_.size() && !anyOf(around_, hasPlace));
-    }
-};
+    return box.mag();
+}
 
 
 class accountant
@@ -169,8 +119,13 @@ class accountant
     //- Of what is apart from the fluid; empty if nothing is
     autoPtr<nearestSurface> apart_;
 
-    //- Sets the fate of samples that are inside of others
-    void setInside(const label parti, List<areaFate>& fates) const
+    //- Sets the fate of samples that are inside of others, or of their own part
+    void setInside
+    (
+        const label parti,
+        const scalar offset,
+        List<areaFate>& fates
+    ) const
     {
         const List<surfaceSample>& samples = parts_[parti].samples;
         const labelList lost
@@ -191,7 +146,9 @@ class accountant
         #pragma omp parallel for schedule(dynamic)
         for (label i = 0; i < lost.size(); i += step)
         {
-            if (hiding.hide(samples[lost[i]].x))
+            const surfaceSample& s = samples[lost[i]];
+            const face& f = given_.faces[s.facei];
+            if (hiding.hide(s.x, offset*f.unitNormal(given_.points)))
             {
                 for (label k = i; k < min(i + step, lost.size()); ++k)
                 {
@@ -318,11 +275,16 @@ class accountant
         List<areaFate> fates(x.size());
         forAll(fates, i)
         {
-            fates[i] = fateOf(part.samples[i], distances[i], tolerance);
+            fates[i] = fateOf
+            (
+                part.samples[i], distances[i],
+                tolerance
+              + warpOf(given_.faces[part.samples[i].facei], given_.points)
+            );
         }
         setApart(x, tolerance, fates);
         setContacts(parti, tolerance, fates);
-        setInside(parti, fates);
+        setInside(parti, tolerance, fates);
 
         areaAccount& ofPart = account.parts[parti];
         ofPart.isPart = true;
@@ -359,23 +321,6 @@ class accountant
         }
     }
 
-    //- Diagonal of the given surface in front of the planes [m]
-    scalar diagonalInFront() const
-    {
-        boundBox box(boundBox::invertedBox);
-        for (const point& x : given_.points)
-        {
-            point y(x);
-            for (const sidePatch& plane : controls_.planes)
-            {
-                y -= max(plane.distance(y), scalar(0))*plane.normal;
-            }
-            box.add(y);
-        }
-
-        return box.mag();
-    }
-
 public:
 
     accountant
@@ -401,7 +346,9 @@ public:
     wallAccount make()
     {
         wallAccount account;
-        account.closeDistance = wallAccount::closeShare*diagonalInFront();
+        account.closeDistance =
+            wallAccount::closeShare
+           *diagonalInFront(given_.points, controls_.planes);
         account.tolerance = max(account.closeDistance, controls_.move);
         account.parts.setSize(parts_.size());
         account.patches.setSize(given_.patchNames.size());

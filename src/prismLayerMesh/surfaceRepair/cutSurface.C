@@ -13,6 +13,7 @@
 #include "unions.H"
 #include "wallPredicates.H"
 #include "wallVisibility.H"
+#include "waysOnSurface.H"
 
 namespace Foam
 {
@@ -163,59 +164,6 @@ static bitSet pointsOfLostParts
 }
 
 
-//- Points of a border do not move along planes that meet the plane of the cut
-//  at less than 30 degrees: square of the length of wayAlong
-static constexpr scalar leastWay = 0.25;
-
-
-static bitSet borderPoints(const wallSurface& surface)
-{
-    bitSet points(surface.points.size());
-    for (const edge& e : outline(surface.faces))
-    {
-        points.set(e.start());
-        points.set(e.end());
-    }
-
-    return points;
-}
-
-
-//- Returns the part of a plane's normal along the other planes that a point is
-//  on
-static vector wayAlong
-(
-    const sidePatch& plane,
-    const UList<sidePatch>& others,
-    const point& x,
-    const scalar rounding
-)
-{
-    vector way(plane.normal);
-    DynamicList<vector> across;
-    for (const sidePatch& other : others)
-    {
-        if (&other == &plane || mag(other.distance(x)) > rounding)
-        {
-            continue;
-        }
-        vector normal(other.normal);
-        for (const vector& n : across)
-        {
-            normal -= (normal & n)*n;
-        }
-        if (mag(normal) > sideTolerance)
-        {
-            normal /= mag(normal);
-            way -= (way & normal)*normal;
-            across.append(normal);
-        }
-    }
-
-    return way;
-}
-
-
 //- Returns for each point the distance [m] from a plane below which it is near
 //  to the plane
 static scalarField nearDistances(const wallSurface& surface)
@@ -330,10 +278,9 @@ static bitSet nearTheCut
 }
 
 
-//- Returns the points of a surface where faces touch that have no edge in
-//  common there once the surface is cut.
+//- Returns the surface in front of a plane.
 //  onPlane: points that are put on the plane
-static DynamicList<label> pinchedPoints
+static wallSurface cutAt
 (
     const sidePatch& plane,
     const scalarField& distances,
@@ -341,14 +288,52 @@ static DynamicList<label> pinchedPoints
     wallSurface surface
 )
 {
-    scalarField cutAt(distances);
+    scalarField cutDistances(distances);
     for (const label p : onPlane)
     {
-        cutAt[p] = 0;
+        cutDistances[p] = 0;
     }
-    planeCutter{plane, cutAt, surface}.cutFaces();
+    planeCutter{plane, cutDistances, surface}.cutFaces();
 
-    return findContacts(surface).points;
+    return surface;
+}
+
+
+//- Returns the points of a surface where faces touch that have no edge in
+//  common there once the surface is cut
+static DynamicList<label> pinchedPoints
+(
+    const sidePatch& plane,
+    const scalarField& distances,
+    const bitSet& onPlane,
+    const wallSurface& surface
+)
+{
+    return findContacts(cutAt(plane, distances, onPlane, surface)).points;
+}
+
+
+//- Returns the points on a plane at which a surface will not end once it is
+//  cut: it would touch the plane there
+static labelList touchingPoints
+(
+    const sidePatch& plane,
+    const scalarField& distances,
+    const bitSet& onPlane,
+    const wallSurface& surface
+)
+{
+    const wallSurface cut(cutAt(plane, distances, onPlane, surface));
+    bitSet touching(cut.points.size());
+    for (const face& f : cut.faces)
+    {
+        touching.set(f);
+    }
+    touching.resize(onPlane.size());
+    touching &= onPlane;
+    touching -= borderPoints(cut);
+
+    return touching.sortedToc();
 }
 
 
@@ -546,6 +531,10 @@ static void takeBackConflicts
                 distances[p] = near[p];
             }
         }
+        for (const label p : touchingPoints(plane, distances, onPlane, surface))
+        {
+            takeBack(p);
+        }
     }
 }
 
@@ -625,24 +614,17 @@ void cutSurface
     const bool isCyclic = plane.type == "cyclic";
     const auto find = isCyclic ? nearTheCutOfBoth : nearTheCut;
     bitSet onPlane(find(surface, distances, near));
-    const bitSet onBorder(borderPoints(surface));
-    const scalar rounding =
-        touchShare*sideTolerance*boundBox(surface.points, false).mag();
+    const waysOnSurface ways(plane, ends, surface, onPlane);
     for (const label p : onPlane)
     {
-        point& x = surface.points[p];
-        const vector way
-        (
-            onBorder.test(p)
-          ? wayAlong(plane, ends, x, rounding) : plane.normal
-        );
-        if (magSqr(way) < leastWay)
+        const vector move(ways.move(p));
+        if (move == vector(Zero) && distances[p] != 0)
         {
             onPlane.unset(p);
         }
         else
         {
-            x -= distances[p]/magSqr(way)*way;
+            surface.points[p] += move;
         }
     }
 

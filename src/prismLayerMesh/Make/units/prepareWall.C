@@ -5,6 +5,7 @@
 
 #include "prepareWall/fluidSide.C"
 #include "prepareWall/givenParts.C"
+#include "prepareWall/hidingParts.C"
 #include "prepareWall/wallAccount.C"
 #include "prepareWall/prepareWall.C"
 #include "prepareWall/prepareRegion.C"

@@ -13,6 +13,7 @@
 #include "surfaceRepair/soundBody.C"
 #include "surfaceRepair/joinBodies.C"
 #include "surfaceRepair/wrapSurface.C"
+#include "surfaceRepair/waysOnSurface.C"
 #include "surfaceRepair/cutSurface.C"
 #include "surfaceRepair/wrapTargets.C"
 #include "surfaceRepair/snapToSurface.C"
