@@ -4,7 +4,9 @@
 \*---------------------------------------------------------------------------*/
 
 #include "plainScheme.H"
+#include "explicitGains.H"
 #include "fixedValueFvPatchFields.H"
+#include "fvcGrad.H"
 #include "fvMatrices.H"
 #include "fvMesh.H"
 #include "fvmLaplacian.H"
@@ -12,9 +14,14 @@
 #include "OFstream.H"
 #include "OSspecific.H"
 #include "Random.H"
+#include "ranges.H"
 #include "StringStream.H"
+#include "throwingErrors.H"
 #include "Time.H"
 #include "volFields.H"
+
+#include <cmath>
+#include <sstream>
 
 namespace Foam
 {
@@ -109,18 +116,65 @@ static scalar normalise(scalarField& field)
 }
 
 
-//- Solves for T, so many times. Returns by how much an iteration multiplies T,
-//  as the geometric mean of the second half
+//- Small meshes, which GAMG refuses to make coarser, have no coarser levels
+static dictionary solverFor(const fvMesh& mesh)
+{
+    const label small = 1000;
+
+    return parsed
+    (
+        std::string
+        (
+            mesh.nCells() < small
+          ? "solver PCG; preconditioner DIC;"
+          : "solver GAMG; smoother DICGaussSeidel; nCellsInCoarsestLevel 100;"
+        )
+      + " tolerance 1e-14; relTol 0.01; minIter 1;"
+    );
+}
+
+
+static bool hasFixedValue(const volScalarField& T)
+{
+    return anyOf
+    (
+        T.boundaryField(),
+        [](const fvPatchScalarField& p) { return p.size() && p.fixesValue(); }
+    );
+}
+
+
+//- Errors: FatalError that names the first cell without a finite gradient
+static void requireGradients(const volScalarField& T)
+{
+    const tmp<volVectorField> gradients(fvc::grad(T));
+    forAll(gradients(), celli)
+    {
+        if (!std::isfinite(magSqr(gradients()[celli])))
+        {
+            FatalErrorInFunction
+                << "the gradient in cell " << celli << " at "
+                << T.mesh().C()[celli] << " is not finite"
+                << exit(FatalError);
+        }
+    }
+}
+
+
+//- Solves for T, so many times, or until T is 0: the initial error is then the
+//  mode. Returns by how much an iteration multiplies T, as the geometric mean
+//  of the second half.
+//  Errors: FatalError if T is not finite
 static scalar iterate(const label nIterations, volScalarField& T)
 {
-    const dictionary solver
-    (
-        parsed
-        (
-            "solver GAMG; smoother DICGaussSeidel; tolerance 1e-14;"
-            " relTol 0.01; minIter 1; nCellsInCoarsestLevel 100;"
-        )
-    );
+    const dictionary solver(solverFor(T.mesh()));
+    const bool forceReference = !hasFixedValue(T);
+    if (forceReference && !T.mesh().nInternalFaces())
+    {
+        FatalErrorInFunction
+            << "no face fixes a value or is between cells" << exit(FatalError);
+    }
+    requireGradients(T);
     lduMatrix::debug = 0;
     solverPerformance::debug = 0;
 
@@ -128,18 +182,107 @@ static scalar iterate(const label nIterations, volScalarField& T)
     label nSummed = 0;
     for (label i = 0; i < nIterations; ++i)
     {
+        const scalarField last(T.primitiveField());
         T.correctBoundaryConditions();
         fvScalarMatrix equation(fvm::laplacian(T));
+        equation.setReference(0, 0, forceReference);
         equation.solve(solver);
         const scalar factor = normalise(T.primitiveFieldRef());
+        if (!std::isfinite(factor))
+        {
+            FatalErrorInFunction
+                << "the solution of iteration " << i + 1 << " is not finite"
+                << exit(FatalError);
+        }
+        if (factor <= VSMALL)
+        {
+            T.primitiveFieldRef() = last;
+            return 0;
+        }
         if (2*i >= nIterations)
         {
-            logSum += Foam::log(max(factor, VSMALL));
+            logSum += Foam::log(factor);
             ++nSummed;
         }
     }
 
     return Foam::exp(logSum/max(nSummed, label(1)));
+}
+
+
+//- Solves in a case in a folder
+static plainScheme solveIn(const fileName& folder, const label nIterations)
+{
+    Time time
+    (
+        parsed("deltaT 1; endTime 1; writeFrequency 1;"),
+        folder.path(), folder.name(), "system", "constant", false
+    );
+    fvMesh mesh
+    (
+        IOobject
+        (
+            polyMesh::defaultRegion, time.timeName(), time, IOobject::MUST_READ
+        )
+    );
+    volScalarField T
+    (
+        IOobject("T", time.timeName(), mesh), mesh,
+        dimensionedScalar("zero", dimless, 0), patchFieldTypes(mesh)
+    );
+
+    Random random(1);
+    for (scalar& value : T.primitiveFieldRef())
+    {
+        value = random.sample01<scalar>() - 0.5;
+    }
+    normalise(T.primitiveFieldRef());
+
+    plainScheme tested;
+    tested.factor = iterate(nIterations, T);
+    tested.mode = T.primitiveField();
+
+    return tested;
+}
+
+
+//- A message of OpenFOAM in one line
+static std::string inOneLine(const std::string& message)
+{
+    std::istringstream words(message);
+    std::string line;
+    for (std::string next; words >> next; )
+    {
+        line += (line.empty() ? "" : " ") + next;
+    }
+
+    return line;
+}
+
+
+//- As solveIn, with errors of OpenFOAM as the failure of the result
+static plainScheme solveGuarded
+(
+    const fileName& folder,
+    const label nIterations
+)
+{
+    const throwingErrors throwing(true);
+    plainScheme tested;
+    try
+    {
+        tested = solveIn(folder, nIterations);
+    }
+    catch (const Foam::error& e)
+    {
+        tested.failure = inOneLine(e.message());
+    }
+    catch (const std::exception& e)
+    {
+        tested.failure = e.what();
+    }
+
+    return tested;
 }
 
 } // End namespace Foam
@@ -177,34 +320,48 @@ Foam::plainScheme Foam::testPlainScheme
     const scratchFolder folder;
     makeCase(given, gradients, folder.path());
 
-    Time time
+    plainScheme tested;
+    const processEnd end = isolatedProcess
     (
-        parsed("deltaT 1; endTime 1; writeFrequency 1;"),
-        folder.path().path(), folder.path().name(), "system", "constant", false
+        [&](pipeWriter& write)
+        {
+            const plainScheme s(solveGuarded(folder.path(), nIterations));
+            write(s.factor, s.mode, s.failure);
+        },
+        [&](pipeReader& read)
+        {
+            read(tested.factor, tested.mode, tested.failure);
+        }
     );
-    fvMesh mesh
-    (
-        IOobject
-        (
-            polyMesh::defaultRegion, time.timeName(), time, IOobject::MUST_READ
-        )
-    );
-    volScalarField T
-    (
-        IOobject("T", time.timeName(), mesh), mesh,
-        dimensionedScalar("zero", dimless, 0), patchFieldTypes(mesh)
-    );
-
-    Random random(1);
-    for (scalar& value : T.primitiveFieldRef())
+    if (end != processEnd::complete)
     {
-        value = random.sample01<scalar>() - 0.5;
+        tested.failure = "the process that solves ended without a result";
     }
-    normalise(T.primitiveFieldRef());
 
-    const scalar factor = iterate(nIterations, T);
+    return tested;
+}
 
-    return plainScheme{factor, T.primitiveField()};
+
+Foam::scalarField Foam::guardedGains(const polyMesh& mesh)
+{
+    const finiteVolumes volumes(volumesOf(mesh));
+    scalarField gains;
+    const processEnd end = isolatedProcess
+    (
+        [&](pipeWriter& write) { write(explicitGains(volumes)); },
+        [&](pipeReader& read) { read(gains); }
+    );
+    if (end != processEnd::complete)
+    {
+        gains = scalarField(mesh.nCells(), invalidGain);
+    }
+
+    for (scalar& gain : gains)
+    {
+        gain = std::isfinite(gain) ? gain : invalidGain;
+    }
+
+    return gains;
 }
 
 
