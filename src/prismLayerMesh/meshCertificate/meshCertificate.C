@@ -35,6 +35,21 @@ static bool isLastLayer
 }
 
 
+//- The face through which a stack leaves a cell: the face and the given one are
+//  opposite to each other; -1 if there is none. A walk along these faces ends.
+static label topOfStack
+(
+    const polyhedralMesh& mesh,
+    const label facei,
+    const label celli
+)
+{
+    const label top = mesh.opposite(facei, celli);
+
+    return top >= 0 && mesh.opposite(top, celli) == facei ? top : -1;
+}
+
+
 //- Number of layers of positive cells on each face of the wall. A stack goes on
 //  from a face to the opposite face of the cell, the only one without a common
 //  point, and from there to the next cell. It ends at the boundary, or at a
@@ -63,10 +78,8 @@ static labelList countLayers
         while (celli >= 0 && !(hasLayers && beyondLayers.test(celli)))
         {
             counts = counts && positive[celli];
-            const label next = mesh.opposite(facei, celli);
-
-            // A walk ends because faces are opposite to each other
-            if (next < 0 || mesh.opposite(next, celli) != facei)
+            const label next = topOfStack(mesh, facei, celli);
+            if (next < 0)
             {
                 nLayers[i] += counts
                  && (
@@ -248,6 +261,36 @@ meshCertificate certifyMesh
     }
 
     return certificate;
+}
+
+
+bool isBelowLayers
+(
+    const polyhedralMesh& mesh,
+    const label wallFace,
+    const bitSet& beyondLayers,
+    const bitSet& outerFaces
+)
+{
+    label facei = wallFace;
+    label celli = mesh.owner(facei);
+    if (beyondLayers.test(celli))
+    {
+        return false;
+    }
+
+    while (celli >= 0 && !beyondLayers.test(celli))
+    {
+        const label top = topOfStack(mesh, facei, celli);
+        if (top < 0)
+        {
+            return isLastLayer(mesh, facei, celli, beyondLayers);
+        }
+        facei = top;
+        celli = mesh.across(facei, celli);
+    }
+
+    return celli >= 0 || outerFaces.test(facei);
 }
 
 

@@ -296,50 +296,6 @@ TEST(meshCertificate, aStackEndsBelowCellsBeyondTheLayers)
 }
 
 
-TEST(meshCertificate, aLastCellMayHaveSeveralFacesToThoseBeyond)
-{
-    // On a cube, on the wall z = 0, there are two halves of a cube
-    const pointField points
-    ({
-        {0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0},
-        {0, 0, 1}, {0.5, 0, 1}, {1, 0, 1}, {1, 1, 1}, {0.5, 1, 1}, {0, 1, 1},
-        {0, 0, 2}, {0.5, 0, 2}, {1, 0, 2}, {1, 1, 2}, {0.5, 1, 2}, {0, 1, 2}
-    });
-    const faceList faces
-    ({
-        face({4, 5, 8, 9}), face({5, 6, 7, 8}), face({5, 8, 14, 11}),
-        face({0, 3, 2, 1}), face({0, 1, 6, 5, 4}), face({1, 2, 7, 6}),
-        face({2, 3, 9, 8, 7}), face({3, 0, 4, 9}),
-        face({4, 5, 11, 10}), face({8, 9, 15, 14}), face({9, 4, 10, 15}),
-        face({10, 11, 14, 15}),
-        face({5, 6, 12, 11}), face({6, 7, 13, 12}), face({7, 8, 14, 13}),
-        face({11, 12, 13, 14})
-    });
-    const labelList owner({0, 0, 1, 0, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2, 2});
-    const labelList neighbour({1, 2, 2});
-    const polyhedralMesh mesh(points, faces, owner, neighbour);
-    const auto count = [&](const bitSet& beyondLayers)
-    {
-        const meshCertificate certificate
-        (
-            certifyMesh(mesh, labelList({3}), {}, beyondLayers)
-        );
-        EXPECT_TRUE(certificate.invalidCells.empty());
-
-        return certificate.nLayers[0];
-    };
-
-    bitSet beyond(3);
-    beyond.set(labelList({1, 2}));
-    EXPECT_EQ(count(beyond), 1);
-
-    // One of them may be in the layers, and then they are not complete
-    beyond.unset(1);
-    EXPECT_EQ(count(beyond), 0);
-    EXPECT_EQ(count(bitSet()), 0);
-}
-
-
 //- A hexahedron. The corner that was at (1 1 1) is behind its neighbours.
 static const pointField snapped
 ({

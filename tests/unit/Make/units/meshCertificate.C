@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "meshCertificate/cellCornersTest.C"
+#include "meshCertificate/layerStacksTest.C"
 #include "meshCertificate/meshCellTest.C"
 #include "meshCertificate/meshCertificateTest.C"
 
