@@ -5,6 +5,7 @@
 
 #include "certificateLog.H"
 #include "IOmanip.H"
+#include "ranges.H"
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
@@ -42,19 +43,19 @@ static word nameOfPatch(const polyMesh& mesh, const label facei)
 
 
 //- Write a row for faces of walls, with the share of their area that has as
-//  many layers as asked, or as the face with most layers if asked is 0. Returns
-//  whether all faces have as many.
+//  many layers as are asked for on the face, or as the face with most layers if
+//  0 are. Returns whether all faces have as many.
 static bool writeRow
 (
     const string& name,
     const polyMesh& mesh,
     const labelUList& faces,
     const labelUList& layers,
-    const label asked
+    const labelUList& asked
 )
 {
     const label most = faces.empty() ? 0 : max(layers);
-    const label enough = asked ? asked : most;
+    const bool same = faces.size() && min(asked) == max(asked);
     label nIncomplete = 0;
     scalar area = 0;
     scalar incomplete = 0;
@@ -63,13 +64,15 @@ static bool writeRow
     {
         const scalar a =
             mag(mesh.faces()[faces[i]].areaNormal(mesh.points()));
+        const bool lacks = layers[i] < (asked[i] ? asked[i] : most);
 
         area += a;
-        incomplete += layers[i] < enough ? a : 0;
-        nIncomplete += layers[i] < enough;
+        incomplete += lacks ? a : 0;
+        nIncomplete += lacks;
     }
 
     Info<< "    " << padded(name).c_str() << setw(10) << faces.size()
+        << setw(8) << (same && asked[0] ? Foam::name(asked[0]) : word("-"))
         << setw(8) << (faces.empty() ? 0 : min(layers)) << setw(8) << most
         << setw(12)
         << (nIncomplete && area > 0 ? 100*(1 - incomplete/area) : 100)
@@ -176,30 +179,38 @@ bool Foam::writeLayers
     const meshCertificate& certificate,
     const polyMesh& mesh,
     const labelUList& walls,
-    const label asked
+    const labelUList& asked
 )
 {
-    Info<< nl << "Layers                       faces     min     max  area [%]"
-        << " with " << (asked ? name(asked) : word("max")).c_str() << nl;
+    Info<< nl << "Layers                       faces   asked     min     max"
+        << "  area [%] with "
+        << (anyOf(asked, [](const label n) { return n > 0; }) ? "asked" : "max")
+        << nl;
 
-    label start = 0;
+    bool complete = true;
     DynamicList<label> allFaces;
+    DynamicList<label> allAsked;
 
-    for (const label patchi : walls)
+    forAll(walls, i)
     {
-        const polyPatch& patch = mesh.boundaryMesh()[patchi];
+        const polyPatch& patch = mesh.boundaryMesh()[walls[i]];
         const labelList faces(identity(patch.size(), patch.start()));
-        const SubList<label> layers(certificate.nLayers, patch.size(), start);
+        const labelList askedOfFaces(patch.size(), asked[i]);
+        const SubList<label> layers
+        (
+            certificate.nLayers, patch.size(), allFaces.size()
+        );
 
-        writeRow(patch.name(), mesh, faces, layers, asked);
-        start += patch.size();
+        const bool hasAll =
+            writeRow(patch.name(), mesh, faces, layers, askedOfFaces);
+        complete = complete && (hasAll || !asked[i]);
         allFaces.append(faces);
+        allAsked.append(askedOfFaces);
     }
 
-    const bool complete =
-        writeRow("all walls", mesh, allFaces, certificate.nLayers, asked);
+    writeRow("all walls", mesh, allFaces, certificate.nLayers, allAsked);
 
-    return !asked || (complete && allFaces.size());
+    return complete;
 }
 
 

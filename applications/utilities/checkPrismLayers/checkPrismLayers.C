@@ -25,15 +25,17 @@ Usage
         Check the mesh of that region
 
       - \par -walls \<wordRes\>
-        Patches with layers; default those of type wall, but for walls on which
-        the mesh has no cell of its cellZone boundaryLayer
+        Patches with layers; default those on which a stack of layers stands, if
+        a cellZone boundaryLayer or an outer patch tells; else all of type wall
 
       - \par -outer \<wordRes\>
         Patches of the outer surface of the layers; default layerOuter. Without
         an outer surface no intersections are looked for.
 
-      - \par -layers \<n\>
-        Ask for n layers on every face of the walls
+      - \par -layers \<n\>|\<dictionary\>
+        Ask for n layers on every face of the walls, or for numbers of layers by
+        patch: 'body 3; "wing.*" 5;'. Patches of type wall that are named here
+        are walls with layers.
 
       - \par -plainScheme
         Solve heat conduction by the plain scheme "Gauss linear corrected", with
@@ -54,6 +56,7 @@ Usage
 #include "cellSet.H"
 #include "certificateLog.H"
 #include "explicitGains.H"
+#include "layeredWalls.H"
 #include "patchOptions.H"
 #include "plainScheme.H"
 #include "pluginVersion.H"
@@ -95,7 +98,7 @@ static void addOptions()
         "walls",
         "wordRes",
         "Patches with layers, eg, '(body \"wing.*\")'."
-        " Default: patches of type wall with cells of layers"
+        " Default: patches on which layers stand"
     );
     argList::addOption
     (
@@ -106,7 +109,10 @@ static void addOptions()
     );
     argList::addOption
     (
-        "layers", "n", "Ask for n layers on every face of the walls"
+        "layers",
+        "n|dictionary",
+        "Ask for n layers on every face of the walls, or by patch, eg,"
+        " 'body 3; \"wing.*\" 5;'"
     );
     argList::addBoolOption
     (
@@ -183,21 +189,6 @@ static void writeGains(const polyMesh& mesh)
         << mesh.cellCentres()[findMax(gains)] << ", above 1 "
         << count(gains, 1) << ", above " << name(large) << ' '
         << count(gains, large) << " cells" << endl;
-}
-
-
-//- The layers that -layers asks for, 0 if there is none
-static label layersAsked(const argList& args)
-{
-    const label asked = args.lookupOrDefault<label>("layers", 0);
-
-    if (asked < 0)
-    {
-        FatalErrorInFunction
-            << "-layers " << asked << " is negative" << exit(FatalError);
-    }
-
-    return asked;
 }
 
 
@@ -301,31 +292,30 @@ int main(int argc, char *argv[])
     #include "setRootCase.H"
     #include "createTime.H"
 
-    const label asked = layersAsked(args);
     const autoPtr<polyMesh> read(readMesh(args, runTime));
     const polyMesh& mesh = read();
 
     const polyBoundaryMesh& boundary = mesh.boundaryMesh();
     const bitSet beyond(beyondLayers(mesh));
-    const namedPatches named(readPatchOptions(args, boundary, beyond));
-
     const polyhedralMesh cells
     (
         mesh.points(), mesh.faces(), mesh.faceOwner(), mesh.faceNeighbour()
     );
-    const meshCertificate certificate
+    const namedPatches named(readPatchOptions(args, boundary, cells, beyond));
+    const labelList wallFaces(facesOf(boundary, named.walls));
+    const labelList outerFaces(facesOf(boundary, named.outer));
+    meshCertificate certificate
     (
-        certifyMesh
-        (
-            cells, facesOf(boundary, named.walls),
-            facesOf(boundary, named.outer), beyond
-        )
+        certifyMesh(cells, wallFaces, outerFaces, beyond)
     );
+    leaveOutSides(cells, wallFaces, beyond, outerFaces, certificate.nLayers);
 
     writeCells(certificate, cells);
     writeIntersections(certificate, mesh, named.outer);
     writeWhole(certificate, mesh);
-    const bool complete = writeLayers(certificate, mesh, named.walls, asked);
+    const bool complete =
+        writeLayers(certificate, mesh, named.walls, named.layersAsked)
+     && (wallFaces.size() || !args.found("layers"));
 
     writeOptional(args, mesh, certificate.invalidCells);
 

@@ -6,6 +6,8 @@
 #include "patchOptions.H"
 #include "prismPolyMesh.H"
 #include "ranges.H"
+#include "StringStream.H"
+#include "throwingErrors.H"
 #include "wallPolyPatch.H"
 
 namespace Foam
@@ -61,43 +63,118 @@ static void requireApart
 }
 
 
-//- The patches of type wall that have layers, or might have; names the others.
-//  beyond: cells that are not of the layers, empty if that is unknown
-static labelList wallsOf(const polyBoundaryMesh& patches, const bitSet& beyond)
+//- The numbers of layers of -layers, for patches by their names and for all
+struct layersOption
 {
-    DynamicList<label> walls;
-    DynamicList<word> bare;
-    for
-    (
-        const label patchi : patches.findPatchIDs<wallPolyPatch>().sortedToc()
-    )
+    label onAll = 0;
+    dictionary onPatches;
+};
+
+
+//- Errors: FatalError if a number is not positive; FatalError and FatalIOError
+//  if the text is not a dictionary
+static layersOption parseLayers(const std::string& text)
+{
+    layersOption layers;
+    if (read(text, layers.onAll))
     {
-        const polyPatch& patch = patches[patchi];
-        const bool isBare =
-            patch.size() && beyond.size()
-         && allOf
-            (
-                patch.faceCells(),
-                [&](const label celli) { return beyond.test(celli); }
-            );
-        if (isBare)
+        return layers;
+    }
+
+    IStringStream entries(text);
+    layers.onPatches = dictionary(entries);
+    label least = layers.onPatches.size();
+    for (const entry& e : layers.onPatches)
+    {
+        least = min(least, layers.onPatches.get<label>(e.keyword()));
+    }
+    if (least < 1)
+    {
+        FatalErrorInFunction << "no positive number" << exit(FatalError);
+    }
+
+    return layers;
+}
+
+
+//- Errors: FatalError with the text of -layers
+static layersOption readLayers(const argList& args)
+{
+    layersOption layers;
+    layers.onAll = -1;
+    try
+    {
+        const throwingErrors throwing(true);
+        layers = parseLayers(args.opt<string>("layers", "0"));
+    }
+    catch (const Foam::error&)
+    {}
+
+    if (layers.onAll < 0)
+    {
+        FatalErrorInFunction
+            << "-layers " << args["layers"].c_str() << " is neither a number"
+            << " of layers nor a dictionary of numbers of layers, such as"
+            << " 'body 3; \"wing.*\" 5;'" << exit(FatalError);
+    }
+
+    return layers;
+}
+
+
+//- The patches that the dictionary of -layers names
+//  candidates: patches that may be named
+//  Errors: FatalError if a name is not the name of a candidate
+static labelList patchesNamed
+(
+    const dictionary& layers,
+    const polyBoundaryMesh& patches,
+    const labelUList& candidates
+)
+{
+    DynamicList<word> names;
+    DynamicList<label> named;
+    for (const label patchi : candidates)
+    {
+        names.append(patches[patchi].name());
+        if (layers.found(names.last()))
         {
-            bare.append(patch.name());
-        }
-        else
-        {
-            walls.append(patchi);
+            named.append(patchi);
         }
     }
 
-    if (bare.size())
+    for (const entry& e : layers)
     {
-        Info<< "Walls that no cell of the cellZone " << boundaryLayerName
-            << " is on, and that are not counted: " << listed(bare).c_str()
-            << nl << endl;
+        const keyType& key = e.keyword();
+        if (!anyOf(names, [&](const word& n) { return key.match(n); }))
+        {
+            FatalErrorInFunction
+                << "-layers: no wall is called " << key << ", only "
+                << listed(names).c_str() << exit(FatalError);
+        }
     }
 
-    return labelList(std::move(walls));
+    return labelList(std::move(named));
+}
+
+
+static labelList layersOn
+(
+    const polyBoundaryMesh& patches,
+    const labelUList& walls,
+    const layersOption& layers
+)
+{
+    labelList asked(walls.size());
+    forAll(walls, i)
+    {
+        asked[i] = layers.onPatches.lookupOrDefault<label>
+        (
+            patches[walls[i]].name(), layers.onAll
+        );
+    }
+
+    return asked;
 }
 
 
@@ -107,39 +184,40 @@ namedPatches readPatchOptions
 (
     const argList& args,
     const polyBoundaryMesh& patches,
+    const polyhedralMesh& mesh,
     const bitSet& beyond
 )
 {
     const label outeri = patches.findPatchID(layerOuterName);
-    const namedPatches named
+    const layersOption layers(readLayers(args));
+
+    namedPatches named;
+    named.outer = patchesOf
+    (
+        args, "outer", patches, labelList(outeri < 0 ? 0 : 1, outeri)
+    );
+    const labelList layered
+    (
+        patchesWithLayers(patches, mesh, beyond, named.outer)
+    );
+    labelHashSet mayHave(patches.findPatchIDs<wallPolyPatch>());
+    mayHave.insert(layered);
+    named.walls = patchesOf(args, "walls", patches, mayHave.sortedToc());
+    const labelList byLayers
+    (
+        patchesNamed(layers.onPatches, patches, named.walls)
+    );
+    if (!args.found("walls"))
     {
-        patchesOf
-        (
-            args, "walls", patches,
-            args.found("walls") ? labelList() : wallsOf(patches, beyond)
-        ),
-        patchesOf
-        (
-            args, "outer", patches, labelList(outeri < 0 ? 0 : 1, outeri)
-        )
-    };
+        labelHashSet walls(layered);
+        walls.insert(byLayers);
+        named.walls = walls.sortedToc();
+        writeBareWalls(patches, named.walls, beyond, named.outer);
+    }
+    named.layersAsked = layersOn(patches, named.walls, layers);
     requireApart(patches, named.walls, named.outer);
 
     return named;
-}
-
-
-labelList facesOf(const polyBoundaryMesh& patches, const labelUList& which)
-{
-    DynamicList<label> faces;
-
-    for (const label patchi : which)
-    {
-        const polyPatch& patch = patches[patchi];
-        faces.append(identity(patch.size(), patch.start()));
-    }
-
-    return labelList(std::move(faces));
 }
 
 } // End namespace Foam

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "certificateLog.C"
+#include "layeredWalls.C"
 #include "patchOptions.C"
 #include "plainScheme.C"
 #include "checkPrismLayers.C"
