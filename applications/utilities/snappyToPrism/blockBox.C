@@ -6,8 +6,10 @@
 #include "blockBox.H"
 #include "blockMesh.H"
 #include "boxSides.H"
+#include "controlEntries.H"
 #include "IOdictionary.H"
 #include "OSspecific.H"
+#include "StringStream.H"
 
 namespace Foam
 {
@@ -128,6 +130,30 @@ static IOobject findDict(const Time& time)
 }
 
 
+//- Checks that vertices and blocks are there. Adds an empty boundary if there
+//  is none.
+static void complete(dictionary& dict, remarkList& remarks)
+{
+    for (const char* key : {"vertices", "blocks"})
+    {
+        if (!dict.found(key))
+        {
+            missingEntry(dict, key);
+        }
+    }
+    if (!dict.found("boundary") && !dict.found("patches"))
+    {
+        IStringStream none("boundary ();");
+        dict.merge(dictionary(none));
+        remarks.append
+        (
+            "blockMeshDict has no boundary: all sides of the box are one patch."
+            " Name others in farField.boundary.patches"
+        );
+    }
+}
+
+
 blockBox readBlockBox(const Time& time, remarkList& remarks)
 {
     blockBox box;
@@ -138,6 +164,7 @@ blockBox readBlockBox(const Time& time, remarkList& remarks)
     }
     IOdictionary dict(io);
     dict.set("verbose", false);
+    complete(dict, remarks);
     const blockMesh blocks(dict, polyMesh::defaultRegion);
     const pointField& points = blocks.points();
 

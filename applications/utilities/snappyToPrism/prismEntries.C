@@ -5,7 +5,9 @@
 
 #include "prismEntries.H"
 #include "boxSides.H"
+#include "controlEntries.H"
 #include "HashSet.H"
+#include "layerEntries.H"
 #include "OStringStream.H"
 #include "ranges.H"
 #include "surfacePart.H"
@@ -14,51 +16,16 @@
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- A number of four digits
-static scalar rounded(const scalar x)
-{
-    const scalar unit = pow(10.0, floor(log10(mag(x) + VSMALL)) - 3);
-
-    return std::round(x/unit)*unit;
-}
-
-
-//- Adds a dictionary that is not empty
-static void addFilled(dictionary& dict, const word& key, const dictionary& sub)
-{
-    if (sub.size())
-    {
-        dict.add(key, sub);
-    }
-}
-
-
-//- Width of snappyHexMesh's cells of a level [m]
-static scalar widthAt(const snappyCase& given, const label level)
-{
-    return rounded(given.box.width/pow(2.0, level));
-}
-
-
 // * * * * * * * * * * * * * * * * *  Surface  * * * * * * * * * * * * * * * //
-
-//- Whether the surface goes through a side of the box
-static bool isCrossed(const snappyCase& given)
-{
-    const boundBox bounds(given.walls.surface.points, false);
-
-    return
-        given.box.isBox
-     && !widened(given.box.bounds, 1e-4*bounds.mag()).contains(bounds);
-}
-
 
 //- Whether the surface is open on a side of the box
 static bool isOpenOnBox(const snappyCase& given)
 {
     const pointField& x = given.walls.surface.points;
+    if (!given.box.isFound || x.empty())
+    {
+        return false;
+    }
     const scalar tolerance = 1e-4*boundBox(x, false).mag();
     const List<sidePatch> sides(sidesOf(given.box.bounds));
 
@@ -76,6 +43,10 @@ static bool isOpenOnBox(const snappyCase& given)
 static label featureLevel(const dictionary& castellated)
 {
     label highest = -1;
+    if (!castellated.found("features"))
+    {
+        return highest;
+    }
     const PtrList<dictionary> features(castellated.lookup("features"));
     for (const dictionary& feature : features)
     {
@@ -104,7 +75,7 @@ static dictionary remeshEntries(const snappyCase& given, const word& repair)
     const scalar least = repair == "wrap" ? 45 : angle < 10 ? 30 : 10;
 
     dictionary remesh;
-    remesh.add("maxEdge", widthAt(given, level));
+    remesh.add("maxEdge", given.widthAt(level));
     remesh.add("featureAngle", min(max(angle, least), 90.0));
     dictionary patches;
     for (const snappyPatch& patch : given.walls.patches)
@@ -113,20 +84,79 @@ static dictionary remeshEntries(const snappyCase& given, const word& repair)
         if (patch.level != level)
         {
             dictionary entry;
-            entry.add("maxEdge", widthAt(given, patch.level));
+            entry.add("maxEdge", given.widthAt(patch.level));
             patches.set(patch.name, entry);
         }
     }
-    remesh.add("minEdge", rounded(0.5*widthAt(given, finest)));
+    remesh.add("minEdge", rounded(0.5*given.widthAt(finest)));
     addFilled(remesh, "patches", patches);
     if (sharp > level)
     {
         dictionary edges;
-        edges.add("maxEdge", widthAt(given, sharp));
+        edges.add("maxEdge", given.widthAt(sharp));
         remesh.add("sharpEdges", edges);
     }
 
     return remesh;
+}
+
+
+//- Adds what one region without baffles has, and several regions have not
+static void addRepairAndRemesh
+(
+    const snappyCase& given,
+    const bool isFluidInside,
+    const point& location,
+    dictionary& surface
+)
+{
+    word repair(given.repair);
+    if (repair.empty())
+    {
+        repair = given.isCrossed() ? "stitch" : "none";
+    }
+    surface.add("fluid", word(isFluidInside ? "inside" : "outside"));
+    surface.add("repair", repair);
+    dictionary wrap;
+    if (given.box.hasWidths())
+    {
+        wrap.add("size", given.widthAt(given.walls.level()));
+        surface.add("remesh", remeshEntries(given, repair));
+    }
+    if (isFluidInside)
+    {
+        wrap.add("seeds", pointField(1, location));
+    }
+    addFilled(surface, "wrapCoeffs", wrap);
+}
+
+
+//- Adds the names of the baffles.
+//  Errors: FatalError if a repair is asked for
+static void addBaffles
+(
+    const snappyCase& given,
+    dictionary& surface,
+    remarkList& remarks
+)
+{
+    const wordList baffles(given.walls.baffles());
+    const string names(listed(baffles));
+    if (given.repair.size() && given.repair != "none")
+    {
+        FatalErrorInFunction
+            << "-repair " << given.repair << " is not possible: faceType"
+            << " baffle of " << names.c_str() << " needs regions, and regions"
+            << " have no repair" << nl << "Leave out -repair, or remove"
+            << " faceZone of " << names.c_str() << " from refinementSurfaces"
+            << exit(FatalError);
+    }
+    surface.add("baffles", baffles);
+    remarks.append
+    (
+        "The baffles " + names + " need regions, which have no remesh: the"
+        " levels of refinementSurfaces are not used, triangles stay as they are"
+    );
 }
 
 
@@ -139,220 +169,25 @@ static dictionary surfaceEntries
 )
 {
     const snappyWalls& walls = given.walls;
-    word repair(given.repair);
-    if (isCrossed(given))
+    if (given.isCrossed())
     {
         remarks.append("The surface goes through a side of the box");
-    }
-    if (repair.empty())
-    {
-        repair = isCrossed(given) ? "stitch" : "none";
     }
 
     dictionary surface;
     surface.add("files", walls.files);
     surface.add("patches", walls.names);
-    surface.add("fluid", word(isFluidInside ? "inside" : "outside"));
     surface.add("scale", walls.scale);
-    surface.add("repair", repair);
-    dictionary wrap;
-    if (given.box.hasWidths())
+    if (given.hasBaffles())
     {
-        wrap.add("size", widthAt(given, walls.level()));
-        surface.add("remesh", remeshEntries(given, repair));
+        addBaffles(given, surface, remarks);
     }
-    if (isFluidInside)
+    else
     {
-        wrap.add("seeds", pointField(1, location));
+        addRepairAndRemesh(given, isFluidInside, location, surface);
     }
-    addFilled(surface, "wrapCoeffs", wrap);
 
     return surface;
-}
-
-
-// * * * * * * * * * * * * * * * * * Layers  * * * * * * * * * * * * * * * * //
-
-//- The last entry of layers that matches a patch; nullptr if there is none
-static const entry* layersOf(const dictionary& layers, const snappyPatch& patch)
-{
-    wordList names(patch.groups);
-    names.append(patch.name);
-    const entry* last = nullptr;
-    for (const entry& e : layers)
-    {
-        for (const word& name : names)
-        {
-            last = e.isDict() && e.keyword().match(name) ? &e : last;
-        }
-    }
-
-    return last;
-}
-
-
-//- Heights of the layers of a patch, in metres
-static dictionary heightsOf
-(
-    const snappyCase& given,
-    const dictionary& controls,
-    const dictionary& own,
-    const label level
-)
-{
-    static const wordList keys
-    ({
-        "firstLayerThickness", "finalLayerThickness", "thickness",
-        "expansionRatio"
-    });
-    const bool isRelative = own.getOrDefault<bool>
-    (
-        "relativeSizes", controls.getOrDefault<bool>("relativeSizes", true)
-    );
-    const bool hasWidth = given.box.isFound;
-    const scalar unit =
-        isRelative && hasWidth ? given.box.shortest/pow(2.0, level) : 1;
-
-    dictionary heights;
-    for (const word& key : keys)
-    {
-        scalar value = 0;
-        if (controls.readIfPresent(key, value))
-        {
-            own.readIfPresent(key, value);
-            heights.add
-            (
-                key, key == "expansionRatio" ? value : rounded(unit*value)
-            );
-        }
-    }
-    if (isRelative && !hasWidth)
-    {
-        heights.add("relativeSizes", true);
-    }
-
-    return heights;
-}
-
-
-//- Entries of a patch
-//  n: number of layers, if snappyHexMesh makes none
-static dictionary patchEntries
-(
-    const snappyCase& given,
-    const snappyPatch& patch,
-    const label n,
-    remarkList& remarks
-)
-{
-    const dictionary& controls = given.snappy.subDict("addLayersControls");
-    const entry* found = layersOf(controls.subDict("layers"), patch);
-    const dictionary own(found ? found->dict() : dictionary());
-    const label nOwn = own.getOrDefault<label>("nSurfaceLayers", 0);
-    const bool isSide = nOwn == 0 && patch.type != "wall";
-
-    dictionary entries;
-    entries.add("nSurfaceLayers", isSide ? 0 : nOwn ? nOwn : n);
-    if (!isSide)
-    {
-        entries.merge(heightsOf(given, controls, own, patch.level));
-    }
-    if (patch.type != (isSide ? "patch" : "wall"))
-    {
-        entries.add("type", patch.type);
-    }
-    if (!isSide && nOwn == 0)
-    {
-        remarks.append("All walls have layers here, also " + patch.name);
-    }
-
-    return entries;
-}
-
-
-//- Says which entries of layers are of no patch of the surface. Returns the
-//  largest number of layers, 3 if there are none.
-static label checkLayers(const snappyCase& given, remarkList& remarks)
-{
-    const dictionary& layers =
-        given.snappy.subDict("addLayersControls").subDict("layers");
-    label n = 0;
-    for (const entry& e : layers)
-    {
-        bool isUsed = false;
-        for (const snappyPatch& patch : given.walls.patches)
-        {
-            isUsed = isUsed || layersOf(layers, patch) == &e;
-        }
-        for (const word& name : given.box.names)
-        {
-            if (e.keyword().match(name))
-            {
-                remarks.append
-                (
-                    "No layers on " + name + ", a side of the box: for layers"
-                    " there, add a surface file of the side"
-                );
-                isUsed = true;
-            }
-        }
-        if (!isUsed)
-        {
-            remarks.append("Layers of no patch here: " + e.keyword());
-        }
-        n = max(n, e.dict().get<label>("nSurfaceLayers"));
-    }
-    if (!given.snappy.getOrDefault<bool>("addLayers", true))
-    {
-        remarks.append("addLayers is false: the layers are made here");
-    }
-    if (n == 0)
-    {
-        remarks.append("snappyHexMeshDict asks for no layers: 3 are a guess");
-    }
-
-    return n > 0 ? n : 3;
-}
-
-
-//- Returns layers: it has the entries of the largest patch
-static dictionary layerEntries(const snappyCase& given, remarkList& remarks)
-{
-    const List<snappyPatch>& walls = given.walls.patches;
-    const label n = checkLayers(given, remarks);
-    List<dictionary> entries(walls.size());
-    label largest = -1;
-    forAll(walls, i)
-    {
-        entries[i] = patchEntries(given, walls[i], n, remarks);
-        if
-        (
-            entries[i].get<label>("nSurfaceLayers") > 0
-         && (largest < 0 || walls[i].area > walls[largest].area)
-        )
-        {
-            largest = i;
-        }
-    }
-    if (largest < 0)
-    {
-        FatalErrorInFunction
-            << "No patch of the surface is of type wall" << exit(FatalError);
-    }
-
-    dictionary layers(entries[largest]);
-    layers.remove("type");
-    dictionary patches;
-    forAll(walls, i)
-    {
-        if (entries[i] != layers)
-        {
-            patches.set(walls[i].name, entries[i]);
-        }
-    }
-    addFilled(layers, "patches", patches);
-
-    return layers;
 }
 
 
@@ -369,7 +204,13 @@ static void addRegions
 )
 {
     const word mode(refinement.get<word>("mode"));
-    const List<Tuple2<scalar, scalar>> levels(refinement.lookup("levels"));
+    List<Tuple2<scalar, scalar>> levels;
+    scalar only = 0;
+    if (refinement.readIfPresent("level", only))
+    {
+        levels.append(Tuple2<scalar, scalar>(GREAT, only));
+    }
+    refinement.readIfPresent("levels", levels);
     forAll(levels, i)
     {
         const label level = round(levels[i].second());
@@ -384,7 +225,7 @@ static void addRegions
         {
             region.add("distance", levels[i].first());
         }
-        region.add("cellSize", widthAt(given, level));
+        region.add("cellSize", given.widthAt(level));
         regions.add(i ? word(name + '_' + Foam::name(i)) : name, region);
     }
 }
@@ -448,7 +289,17 @@ static dictionary farFieldEntries
 )
 {
     const bool needsDomain =
-        !isFluidInside || isCrossed(given) || isOpenOnBox(given);
+        !isFluidInside || given.isCrossed() || isOpenOnBox(given);
+    if (needsDomain && !given.box.isBox && given.hasBaffles())
+    {
+        FatalErrorInFunction
+            << "faceType baffle of " << listed(given.walls.baffles()).c_str()
+            << " needs regions, and regions around bodies need blocks of"
+            << " blockMeshDict that fill a box along the axes: "
+            << (given.box.isFound ? "they do not" : "there is no blockMeshDict")
+            << nl << "Write such a blockMeshDict, or remove the baffles from"
+            << " refinementSurfaces" << exit(FatalError);
+    }
 
     dictionary farField;
     if (needsDomain && !given.box.isBox)
@@ -475,7 +326,7 @@ static dictionary farFieldEntries
     farField.add("growthRate", rounded(min(pow(2.0, 1.0/max(n, 1)), 1.3)));
     if (given.box.isFound)
     {
-        farField.add("maxCellSize", widthAt(given, 0));
+        farField.add("maxCellSize", given.widthAt(0));
     }
     if (given.box.hasWidths())
     {
@@ -544,6 +395,25 @@ static void appendOthers
 }
 
 
+//- Returns one region around a point.
+//  Errors: FatalIOError if castellatedMeshControls does not say the point
+static dictionary fluidAt(const dictionary& castellated, const point& location)
+{
+    if (!castellated.found("locationInMesh"))
+    {
+        entryError(castellated, "locationInMesh")
+            << "faceType baffle needs a point in the fluid" << nl
+            << "Write: locationInMesh (x y z);" << exit(FatalIOError);
+    }
+    dictionary fluid;
+    fluid.add("inside", location);
+    dictionary regions;
+    regions.add("fluid", fluid);
+
+    return regions;
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 dictionary prismEntries(const snappyCase& given, remarkList& remarks)
@@ -551,15 +421,24 @@ dictionary prismEntries(const snappyCase& given, remarkList& remarks)
     const dictionary& castellated =
         given.snappy.subDict("castellatedMeshControls");
     point location;
+    const bool hasLocation =
+        castellated.readIfPresent("locationInMesh", location);
+    if (hasLocation)
+    {
+        checkLocation(given.walls, location);
+    }
     const bool isInsideOfWall =
-        castellated.readIfPresent("locationInMesh", location)
-     && isInside(given.walls.surface, location, given.box);
+        hasLocation && isInside(given.walls.surface, location, given.box);
 
     dictionary entries;
     entries.add
     (
         "surface", surfaceEntries(given, isInsideOfWall, location, remarks)
     );
+    if (given.hasBaffles())
+    {
+        entries.add("regions", fluidAt(castellated, location));
+    }
     entries.add("layers", layerEntries(given, remarks));
     addFilled
     (
@@ -573,8 +452,9 @@ dictionary prismEntries(const snappyCase& given, remarkList& remarks)
         "castellatedMesh|snap|addLayers|singleRegionName|geometry\\..*\\..*"
         "|castellatedMeshControls\\.(features|resolveFeatureAngle"
         "|locationInMesh|nCellsBetweenLevels"
-        "|refinementRegions\\..*\\.(mode|levels)"
-        "|refinementSurfaces\\..*\\.(level|faceZone|cellZone|patchInfo))"
+        "|refinementRegions\\..*\\.(mode|levels|level)"
+        "|refinementSurfaces\\..*"
+        "\\.(level|faceZone|faceType|cellZone|patchInfo))"
         "|addLayersControls\\.(.*\\.)?(nSurfaceLayers|expansionRatio|thickness"
         "|relativeSizes|firstLayerThickness|finalLayerThickness)"
         "|meshQualityControls\\.(maxNonOrtho|maxInternalSkewness|minFaceWeight"

@@ -35,7 +35,9 @@ Usage
 #include "pluginVersion.H"
 #include "prismEntries.H"
 #include "readPrismLayerControls.H"
+#include "readRegionControls.H"
 #include "StringStream.H"
+#include "throwingErrors.H"
 
 using namespace Foam;
 
@@ -60,8 +62,38 @@ static void addOptions()
 }
 
 
+//- Checks entries as harmonicPrismMesh does.
+//  Errors: FatalError with the entry that is out of bounds
+static void checkEntries(const dictionary& entries)
+{
+    try
+    {
+        const throwingErrors guard(true);
+        if (entries.found("regions"))
+        {
+            const auto sides = [](const farBoundaryControls&)
+            {
+                return farBoundary();
+            };
+            readRegionControls(entries, sides);
+        }
+        else
+        {
+            readPrismLayerControls(entries);
+        }
+    }
+    catch (const Foam::error& e)
+    {
+        FatalErrorInFunction
+            << "snappyHexMeshDict leads to an entry that harmonicPrismMesh"
+            << " refuses:" << nl << e.message().c_str() << nl
+            << "Change the entry of snappyHexMeshDict that it comes from, see"
+            << " doc/fromSnappyHexMesh.md" << exit(FatalError);
+    }
+}
+
+
 //- Returns entries as they will be written, after a check.
-//  Errors: FatalIOError of readPrismLayerControls, as harmonicPrismMesh has it
 static string readableText(const dictionary& entries)
 {
     OStringStream os;
@@ -71,7 +103,7 @@ static string readableText(const dictionary& entries)
         os << e << nl;
     }
     IStringStream is(os.str());
-    readPrismLayerControls(dictionary(is));
+    checkEntries(dictionary(is));
 
     return os.str();
 }
@@ -154,7 +186,9 @@ int main(int argc, char *argv[])
 
     Info<< nl << "Surfaces: " << flatOutput(given.walls.files) << nl
         << "Comments: " << remarks.size() << nl << "Dictionary: " << file << nl
-        << "Next: harmonicPrismMesh -checkSurface, then harmonicPrismMesh" << nl
+        << "Next: "
+        << (given.hasBaffles() ? "" : "harmonicPrismMesh -checkSurface, then ")
+        << "harmonicPrismMesh" << nl
         << nl << "End" << nl << endl;
 
     return 0;

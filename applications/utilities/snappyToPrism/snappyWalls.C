@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "snappyWalls.H"
+#include "controlEntries.H"
 #include "OSspecific.H"
 #include "ranges.H"
 #include "readWallSurface.H"
@@ -47,6 +48,41 @@ static void readPatch(const dictionary& dict, snappyPatch& patch)
 }
 
 
+//- Whether refinementSurfaces asks for baffles on a faceZone
+static bool isBaffle(const dictionary& refinement)
+{
+    const word type(refinement.getOrDefault<word>("faceType", "internal"));
+
+    return refinement.found("faceZone") && type != "internal";
+}
+
+
+//- Whether a surface is a zone in the fluid alone, and no wall
+static bool isZone
+(
+    const word& name,
+    const dictionary& refinement,
+    remarkList& remarks
+)
+{
+    const bool hasCells = refinement.found("cellZone");
+    if (!hasCells && (isBaffle(refinement) || !refinement.found("faceZone")))
+    {
+        return false;
+    }
+    remarks.append
+    (
+        isBaffle(refinement)
+      ? "The baffle " + name + " has the cellZone "
+      + refinement.get<word>("cellZone") + " and is left out. Name it in"
+        " surface.baffles, and give a point of each side in regions"
+      : "The zone " + name + " is in the fluid, no wall"
+    );
+
+    return true;
+}
+
+
 //- Appends a file, and the patches that snappyHexMesh makes of its regions
 static void appendFile
 (
@@ -67,11 +103,12 @@ static void appendFile
     const dictionary& refined = refinement.subOrEmptyDict("regions");
     forAll(measures, i)
     {
-        const word& region = part.patchNames[i];
+        const word region(part.patchNames[i]);
         const bool isAlone = measures.size() == 1 && !isRegionNamed;
         snappyPatch patch;
         patch.name = isAlone ? name : word(name + '_' + region);
         patch.area = measures[i].area;
+        patch.isBaffle = isBaffle(refinement);
         readPatch(refinement, patch);
         if (const dictionary* dict = refined.findDict(region, keyType::REGEX))
         {
@@ -85,9 +122,13 @@ static void appendFile
         entry.add("solid", patternOf(region));
         walls.names.set(patch.name, entry);
         walls.patches.append(patch);
+        part.patchNames[i] = patch.name;
     }
     walls.files.append(path.name());
-    appendSurface(part, labelList(), walls.surface);
+    appendSurface
+    (
+        part, labelList(), isBaffle(refinement) ? walls.sheets : walls.surface
+    );
 }
 
 
@@ -104,7 +145,9 @@ static void requireFiles
         FatalErrorInFunction
             << "Walls of refinementSurfaces without a surface file in"
             << " constant/triSurface: " << listed(missing).c_str() << nl
-            << "Write them as surface files." << exit(FatalError);
+            << "Write each as an STL or OBJ file into this folder, and name it"
+            << " in geometry: <name> { type triSurfaceMesh; file \"...\"; }"
+            << exit(FatalError);
     }
     if (walls.files.empty())
     {
@@ -163,6 +206,21 @@ label snappyWalls::level() const
 }
 
 
+wordList snappyWalls::baffles() const
+{
+    DynamicList<word> names;
+    for (const snappyPatch& patch : patches)
+    {
+        if (patch.isBaffle)
+        {
+            names.append(patch.name);
+        }
+    }
+
+    return wordList(names);
+}
+
+
 snappyWalls readSnappyWalls
 (
     const dictionary& snappy,
@@ -170,24 +228,23 @@ snappyWalls readSnappyWalls
     remarkList& remarks
 )
 {
-    const dictionary& refined =
-        snappy.subDict("castellatedMeshControls").subDict("refinementSurfaces");
+    const dictionary& refined = mandatoryDict
+    (
+        mandatoryDict(snappy, "castellatedMeshControls"), "refinementSurfaces"
+    );
+    const dictionary& layers =
+        mandatoryDict(mandatoryDict(snappy, "addLayersControls"), "layers");
     const bool isNamed = !snappy.getOrDefault<bool>("singleRegionName", true);
     snappyWalls walls;
     DynamicList<string> missing;
-    for (const entry& e : snappy.subDict("geometry"))
+    for (const entry& e : mandatoryDict(snappy, "geometry"))
     {
         const dictionary& geometry = e.dict();
         const word key(e.keyword());
         const word name(geometry.getOrDefault<word>("name", key));
         const dictionary* refinement = refined.findDict(name, keyType::REGEX);
-        if (!refinement)
+        if (!refinement || isZone(name, *refinement, remarks))
         {
-            continue;
-        }
-        if (refinement->found("faceZone") || refinement->found("cellZone"))
-        {
-            remarks.append("The zone " + name + " is in the fluid, no wall");
             continue;
         }
         const word type(geometry.get<word>("type"));
@@ -202,8 +259,10 @@ snappyWalls readSnappyWalls
         if (walls.files.size() && scale != walls.scale)
         {
             FatalIOErrorInFunction(geometry)
-                << "The surfaces have different scales, here all have one:"
-                << " scale the files" << exit(FatalIOError);
+                << "All surfaces must have the same scale: " << name
+                << " has the scale " << scale << ", the surfaces before it "
+                << walls.scale << nl << "Scale its file:"
+                << " surfaceTransformPoints -scale" << exit(FatalIOError);
         }
         walls.scale = scale;
         appendFile
@@ -212,14 +271,41 @@ snappyWalls readSnappyWalls
             geometry, *refinement, isNamed, walls
         );
     }
-    requireFiles
-    (
-        walls, missing, snappy.subDict("addLayersControls").subDict("layers")
-    );
-    wallReading reading;
-    mergeNearPoints(walls.surface, 0, reading);
+    requireFiles(walls, missing, layers);
+    if (walls.surface.faces.size())
+    {
+        wallReading reading;
+        mergeNearPoints(walls.surface, 0, reading);
+    }
 
     return walls;
+}
+
+
+void checkLocation(const snappyWalls& walls, const point& location)
+{
+    for (const wallSurface* surface : {&walls.surface, &walls.sheets})
+    {
+        const scalar tolerance =
+            1e-6*boundBox(surface->points, false).mag();
+        labelList triangleFace;
+        const faceList triangles(wallTriangles(*surface, triangleFace));
+        forAll(triangles, i)
+        {
+            const scalar distance =
+                triangles[i].nearestPoint(location, surface->points).distance();
+            if (distance > tolerance)
+            {
+                continue;
+            }
+            const label patchi = surface->patchIDs[triangleFace[i]];
+            FatalErrorInFunction
+                << "locationInMesh " << location << " is on the surface: the"
+                << " patch " << surface->patchNames[patchi] << " is "
+                << distance << " m from it" << nl
+                << "Move the point into the fluid" << exit(FatalError);
+        }
+    }
 }
 
 

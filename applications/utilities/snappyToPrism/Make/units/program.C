@@ -5,6 +5,8 @@
 
 #include "blockBox.C"
 #include "snappyWalls.C"
+#include "snappyCase.C"
+#include "layerEntries.C"
 #include "prismEntries.C"
 #include "snappyToPrism.C"
 
