@@ -157,7 +157,7 @@ scalar columnCells::sumOfFaces()
     {
         const vector r(residualsOf(f, points, owner, neighbour));
 
-        // Who meets a target that is not less meets this one, too
+        // A face that meets the stricter target also meets this one
         nFacesWithoutDecomposition_ +=
             (r.z() > 0 || targets_.faces.planarity < SMALL)
          && planarityViolation(f, points, owner, neighbour, SMALL) > 0;
