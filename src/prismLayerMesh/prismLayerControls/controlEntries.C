@@ -137,7 +137,8 @@ const dictionary& mandatoryDict(const dictionary& dict, const word& key)
     if (!dict.found(key, keyType::LITERAL))
     {
         entryError(dict, key)
-            << "The dictionary " << key << " is missing"
+            << "The dictionary " << key << " of " << dict.dictName()
+            << " is missing" << nl << "Write: " << key << " { ... }"
             << exit(FatalIOError);
     }
 

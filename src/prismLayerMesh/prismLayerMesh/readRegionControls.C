@@ -23,8 +23,9 @@ static void refuseEntries(const dictionary& dict)
             if (entries.found(key, keyType::LITERAL))
             {
                 entryError(entries, key)
-                    << "There are regions. " << entries.dictName() << " cannot"
-                    << " have " << key << " then" << exit(FatalIOError);
+                    << "The entry " << key << " of " << entries.dictName()
+                    << " is not possible with regions. Remove it"
+                    << exit(FatalIOError);
             }
         }
     };
@@ -35,6 +36,30 @@ static void refuseEntries(const dictionary& dict)
         optionalDict(dict, "surface"),
         {"fluid", "sidePlanes", "repair", "remesh"}
     );
+}
+
+
+//- Refuses cyclic sides of the far boundary. Each region would have a part of
+//  them.
+static void refuseCyclic
+(
+    const dictionary& dict,
+    const farBoundaryControls& boundary
+)
+{
+    for (const farPatch& patch : boundary.patches)
+    {
+        if (patch.type == "cyclic")
+        {
+            const dictionary& entries = dict.subDict("farField")
+               .subDict("boundary").subDict("patches");
+            entryError(entries.subDict(patch.name), "type")
+                << "farField.boundary.patches." << patch.name << ".type is"
+                << " cyclic. Cyclic sides are not possible with regions" << nl
+                << "Write type patch, wall, symmetry or symmetryPlane"
+                << exit(FatalIOError);
+        }
+    }
 }
 
 
@@ -73,6 +98,23 @@ static bool mergeLayers(const dictionary& region, dictionary& dict)
 }
 
 
+//- Returns the dictionaries of the regions.
+//  Errors: FatalIOError if there are none
+static const dictionary& regionsOf(const dictionary& dict)
+{
+    const dictionary& regions = mandatoryDict(dict, "regions");
+    if (regions.empty())
+    {
+        entryError(dict, "regions")
+            << "The entry regions has no region" << nl
+            << "Write: regions { air { inside (x y z); } }"
+            << exit(FatalIOError);
+    }
+
+    return regions;
+}
+
+
 static regionControls readRegion
 (
     const keyType& name,
@@ -85,7 +127,10 @@ static regionControls readRegion
 
     regionControls result;
     result.seed.name = name;
-    region.readEntry("inside", result.seed.inside);
+    if (!region.readIfPresent("inside", result.seed.inside))
+    {
+        missingEntry(region, "inside");
+    }
     result.hasLayers = mergeLayers(region, dict);
     dictionary& farField = entriesIn(dict, "farField");
     farField.merge(optionalDict(region, "farField"));
@@ -102,20 +147,12 @@ static regionControls readRegion
     }
 
     result.controls = readPrismLayerControls(dict);
-    for (const patchLayers& patch : result.controls.layers.patches)
-    {
-        if (result.controls.polygons && patch.type == "cyclic")
-        {
-            entryError(dict, "cells")
-                << "There are regions, and cyclic patches. cells cannot be"
-                << " polygons then" << exit(FatalIOError);
-        }
-    }
     if (result.controls.layers.fromRun.isGiven())
     {
         const dictionary& yPlus = dict.subDict("layers").subDict("yPlus");
         entryError(yPlus, "from")
-            << "There are regions. yPlus cannot have from then"
+            << "layers.yPlus.from cannot be combined with regions" << nl
+            << "Write U, nu and L in yPlus, or firstLayerThickness"
             << exit(FatalIOError);
     }
     const farFieldType type = result.controls.farField.type;
@@ -123,7 +160,8 @@ static regionControls readRegion
     {
         entryError(region, "farField")
             << "The farField.type of the region " << name << " must be tet or"
-            << " hexCore" << exit(FatalIOError);
+            << " hexCore, and is " << farFieldTypes[int(type)]
+            << exit(FatalIOError);
     }
 
     return result;
@@ -167,12 +205,13 @@ regionsControls readRegionControls
 
     result.surface = controls.surface;
     result.boundary = controls.farField.boundary;
+    refuseCyclic(dict, result.boundary);
     if (hasBoundary)
     {
         result.sides = farSides(result.boundary);
     }
 
-    const dictionary& regions = mandatoryDict(dict, "regions");
+    const dictionary& regions = regionsOf(dict);
     for (const entry& e : regions)
     {
         result.regions.append
@@ -183,11 +222,6 @@ regionsControls readRegionControls
                 result.sides
             )
         );
-    }
-    if (result.regions.empty())
-    {
-        entryError(dict, "regions")
-            << "There are no regions" << exit(FatalIOError);
     }
 
     return result;
