@@ -132,8 +132,15 @@ static regionControls readRegion
         missingEntry(region, "inside");
     }
     result.hasLayers = mergeLayers(region, dict);
+    const dictionary& ownFarField = optionalDict(region, "farField");
+    if (ownFarField.found("boundary", keyType::LITERAL))
+    {
+        entryError(ownFarField, "boundary")
+            << "The far boundary is around all regions. Move boundary from "
+            << name << ".farField to farField" << exit(FatalIOError);
+    }
     dictionary& farField = entriesIn(dict, "farField");
-    farField.merge(optionalDict(region, "farField"));
+    farField.merge(ownFarField);
     farField.remove("boundary");
     dict.subDict("surface").set("fluid", "inside");
 
