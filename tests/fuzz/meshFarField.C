@@ -54,7 +54,7 @@ const struct
     {"meshNotAround", "mesh is not around the layers", reasons::nearLayers},
     {"bodyOutside", "is outside of the fluid", reasons::bodies},
     {"edgesCross", "crosses another edge of its side", reasons::nearLayers},
-    {"notInPlane", "It must end in that plane", reasons::offPlane},
+    {"notInPlane", "no faces at the layers on the plane", reasons::offPlane},
     {"meshOnParts", "which is no plane of surface.sidePlanes", reasons::parts}
 };
 

@@ -30,7 +30,9 @@ static auto inTeam(const parallelRun& parallel, const Work& work)
         catch (const std::bad_alloc&)
         {
             FatalErrorInFunction
-                << "There is not enough memory" << exit(FatalError);
+                << "There is not enough memory for the layers. Ask for fewer"
+                << " layers, or for larger faces (surface.remesh.maxEdge)"
+                << exit(FatalError);
             throw;
         }
     };

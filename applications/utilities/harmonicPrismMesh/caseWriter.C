@@ -255,7 +255,7 @@ void Foam::caseWriter::requireDivisible(const farFieldMesh& far) const
         FatalErrorInFunction
             << "The mesh has the " << name.c_str() << ". A run in parallel"
             << " cannot write it" << nl
-            << "Make the mesh in one process, and decompose it then"
+            << "Run without -parallel, then decomposePar"
             << exit(FatalError);
     }
 }

@@ -206,8 +206,8 @@ static void meshAllRegions
         if (args.found(option))
         {
             FatalErrorInFunction
-                << "The dictionary has regions: -" << option
-                << " cannot be used" << exit(FatalError);
+                << "-" << option << " is not possible with regions" << nl
+                << "Run without it" << exit(FatalError);
         }
     }
 

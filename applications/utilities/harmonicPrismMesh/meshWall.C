@@ -28,7 +28,8 @@ static void requireNotOf(const wallSurface& wall, const word& farPatch)
     {
         FatalErrorInFunction
             << "The far boundary and the wall both have a patch " << farPatch
-            << ". Rename one of them" << exit(FatalError);
+            << ". Rename one of them, by farField.boundary.patches or by"
+            << " surface.patches" << exit(FatalError);
     }
 }
 
@@ -147,8 +148,8 @@ farFieldDomain readFarField
     )
     {
         FatalErrorInFunction
-            << "The fluid is inside of the wall: there is no far boundary"
-            << exit(FatalError);
+            << "The fluid is inside of the wall: remove farField.boundary, or"
+            << " write surface { fluid outside; }" << exit(FatalError);
     }
 
     domain.bounds = makeSizeBounds(controls, time);

@@ -155,7 +155,8 @@ void Foam::checkEnd(const fileName& file, const string& end)
     if (!last.ends_with(end))
     {
         FatalErrorInFunction
-            << "The end of " << file << " is missing" << exit(FatalError);
+            << "The end of " << file << " is missing. Is the disk full?"
+            << exit(FatalError);
     }
 }
 

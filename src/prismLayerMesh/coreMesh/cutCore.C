@@ -212,7 +212,8 @@ struct coreCutter
                     << "The mesh around the layers has no faces at the layers"
                     << " on the plane of " << planes[s].name << ", through "
                     << planes[s].origin << nl
-                    << "It must end in that plane" << exit(FatalError);
+                    << "Make the mesh end in this plane, or move the side"
+                    << " plane to a side of the mesh" << exit(FatalError);
             }
         }
     }
@@ -300,7 +301,8 @@ struct coreCutter
             FatalErrorInFunction
                 << "No cell of the mesh around the layers stays: each is too"
                 << " near to them for farField.gap" << nl
-                << "Make the cells smaller, or the gap" << exit(FatalError);
+                << "Refine the mesh near the wall, or reduce farField.gap"
+                << exit(FatalError);
         }
 
         addPatches();

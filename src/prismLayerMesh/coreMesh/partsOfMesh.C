@@ -89,7 +89,8 @@ static void checkPatches(const polyMesh& mesh)
             FatalErrorInFunction
                 << "The patch " << patch.name() << " of the mesh around the"
                 << " layers is of type " << patch.type() << nl
-                << "Layers need a mesh in three dimensions, of one process"
+                << "Layers need a mesh in three dimensions, of one process:"
+                << " reconstructParMesh joins the pieces of several"
                 << exit(FatalError);
         }
     }
@@ -133,7 +134,8 @@ static void checkCells(const polyMesh& mesh)
         {
             FatalError
                 << ": cell " << worst << " at " << mesh.cellCentres()[worst]
-                << ", volume " << volumes[worst];
+                << ", volume " << volumes[worst] << nl
+                << "checkMesh names all such cells";
         }
         FatalError << exit(FatalError);
     }

@@ -404,7 +404,8 @@ void checkFarBoundary(const wallSurface& both, const label nOuter)
             << (pairs[0].first() < nOuter ? "the layers" : "itself") << " at "
             << pairs.size() << " places, first at "
             << f.centre(both.points) << nl
-            << "Move it away from the wall, or make the layers thinner"
+            << "Move farField.boundary away from the wall, or make the layers"
+            << " thinner"
             << exit(FatalError);
     }
 
@@ -413,7 +414,10 @@ void checkFarBoundary(const wallSurface& both, const label nOuter)
     {
         FatalErrorInFunction
             << "The far boundary is not around the wall: it is open at "
-            << open[0].centre(both.points) << exit(FatalError);
+            << open[0].centre(both.points) << nl
+            << "Enlarge farField.boundary. Or, if the fluid is inside of the"
+            << " wall, write surface { fluid inside; } and no boundary"
+            << exit(FatalError);
     }
 
     checkBodies(both, nOuter);
@@ -446,7 +450,9 @@ void checkBodies(const wallSurface& both, const label nOuter)
             FatalErrorInFunction
                 << "The far boundary is not around the wall: the body at " << x
                 << " is outside of the fluid, whose boundary is "
-                << search.footOf(x).distance << " from it" << exit(FatalError);
+                << search.footOf(x).distance << " m from it" << nl
+                << "Enlarge farField.boundary, or remove the body from the"
+                << " surface" << exit(FatalError);
         }
     }
 }

@@ -136,7 +136,9 @@ static void improve
         FatalErrorInFunction
             << "A tetrahedron of the far field could not be certified: it is"
             << " flat but for rounding, at "
-            << mesh.tets[flat].tet(mesh.points).centre() << exit(FatalError);
+            << mesh.tets[flat].tet(mesh.points).centre() << nl
+            << "Change farField.growthRate or maxCellSize a little, or remesh"
+            << " the surface there" << exit(FatalError);
     }
 }
 
@@ -157,7 +159,9 @@ static void checkBoundary
     {
         FatalErrorInFunction
             << "The mesh is not around the layers: none of its cells is near to"
-            << " them, at " << both.points[0] << exit(FatalError);
+            << " them, at " << both.points[0] << nl
+            << "Has the mesh other units than the surface (surface.scale)? Is"
+            << " it another region (farField.region)?" << exit(FatalError);
     }
     else
     {

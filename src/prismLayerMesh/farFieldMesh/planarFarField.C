@@ -93,7 +93,8 @@ void orderSidesAsImages
     {
         FatalErrorInFunction
             << "The face at " << at << " has no image on the second of two"
-            << " cyclic patches" << exit(FatalError);
+            << " cyclic patches" << nl
+            << "The wall must be the same on both" << exit(FatalError);
     };
     label lone;
     const Map<label> images
@@ -123,8 +124,8 @@ static void refusePrism(const char* how, const point& at)
 {
     FatalErrorInFunction
         << "A prism of the far field is " << how << ", at " << at << nl
-        << "Is this place in the fluid of all parts of the wall? To turn an"
-        << " open curve, reverse its points" << exit(FatalError);
+        << "Is this point inside the fluid? If an open curve faces the wrong"
+        << " way, reverse its points" << exit(FatalError);
 }
 
 

@@ -98,7 +98,8 @@ static void joinOutlines(const wallSurface& surface, patchPair& pair)
         FatalErrorInFunction
             << "The outlines of the cyclic patches " << pair.first << " and "
             << pair.second << " are no images of each other at "
-            << surface.points[lone] << exit(FatalError);
+            << surface.points[lone] << nl
+            << "The wall must be the same on both" << exit(FatalError);
     }
     forAllConstIters(pair.images, iter)
     {

@@ -278,7 +278,8 @@ class farFieldBoundaryMaker
             {
                 FatalErrorInFunction
                     << "The far boundary is not around the wall: the layers at "
-                    << top << " are outside of it" << exit(FatalError);
+                    << top << " are outside of it" << nl
+                    << "Enlarge farField.boundary" << exit(FatalError);
             }
         }
     }
@@ -380,7 +381,8 @@ class farFieldBoundaryMaker
                     FatalErrorInFunction
                         << "The fluid is open beyond the side planes at "
                         << f.centre(on_.points()) << nl
-                        << "Give the far field a boundary of type box"
+                        << "Write: farField { boundary { type box; min (...);"
+                        << " max (...); } }"
                         << exit(FatalError);
                 }
 
@@ -427,8 +429,9 @@ public:
             if (far_.surface.faces.size() && far_.boxPatches.empty())
             {
                 FatalErrorInFunction
-                    << "With side planes the far boundary has to be a box"
-                    << exit(FatalError);
+                    << "With side planes the far boundary has to be a box" << nl
+                    << "Write: farField { boundary { type box; min (...);"
+                    << " max (...); } }" << exit(FatalError);
             }
 
             const label first = on_.points().size();

@@ -98,9 +98,10 @@ static void solveKrylov
     if (unknowns.size() && solver.info() != Eigen::Success)
     {
         FatalErrorInFunction
-            << "No convergence after " << label(solver.iterations())
-            << " iterations: residual " << solver.error()
-            << ", tolerance " << tolerance << exit(FatalError);
+            << "The harmonic field does not converge in "
+            << label(solver.iterations()) << " iterations: residual "
+            << solver.error() << ", field.tolerance " << tolerance
+            << exit(FatalError);
     }
 
     forAll(unknowns, i)
@@ -159,9 +160,10 @@ static void iterate
     }
 
     FatalErrorInFunction
-        << "No convergence after " << maxIterations
+        << "The harmonic field does not converge in " << maxIterations
         << " iterations: energy " << energy << ", last change "
-        << mag(energy - previous) << exit(FatalError);
+        << mag(energy - previous) << ", field.tolerance " << tolerance
+        << ". field.solver krylov converges faster" << exit(FatalError);
 }
 
 

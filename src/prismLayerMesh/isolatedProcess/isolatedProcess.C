@@ -213,7 +213,9 @@ scratchFolder::scratchFolder()
     if (!::mkdtemp(&path[0]))
     {
         FatalErrorInFunction
-            << "no temporary folder " << path.c_str() << exit(FatalError);
+            << "Cannot make the temporary folder " << path.c_str() << nl
+            << "Set TMPDIR to a folder with room that you may write to"
+            << exit(FatalError);
     }
     path_ = path;
 }

@@ -49,8 +49,8 @@ static void checkRegions
         {
             FatalErrorInFunction
                 << "There is no point of the wall in the region "
-                << controls.regions[i].name << " of layers.regions"
-                << exit(FatalError);
+                << controls.regions[i].name << " of layers.regions" << nl
+                << "Check its geometry, mode and distance" << exit(FatalError);
         }
     }
 }

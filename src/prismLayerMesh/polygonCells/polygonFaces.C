@@ -263,7 +263,8 @@ polyMeshParts polygonFaces::makeParts
         {
             FatalErrorInFunction
                 << "A face between polygons is a line, at "
-                << points.position(pointsOf(facei)[0]) << exit(FatalError);
+                << points.position(pointsOf(facei)[0]) << nl
+                << "Use cells triangles" << exit(FatalError);
         }
         face f(kept);
         if (sides.second() < 0)

@@ -319,7 +319,8 @@ static farBoundaryControls readBoundary(const dictionary& dict)
     if (boundary.type != farBoundaryType::box && anyCyclic(boundary.patches))
     {
         entryError(dict, "type")
-            << "Patches of type cyclic are sides of a box"
+            << "Patches of type cyclic are possible with farField.boundary.type"
+            << " box alone"
             << exit(FatalIOError);
     }
 
@@ -421,7 +422,9 @@ farFieldControls readFarFieldControls
             << (fluidOutside
               ? "The far field has no boundary: give it one, a box, a sphere or"
                 " a surface"
-              : "The fluid is inside of the wall: there is no far boundary")
+              : "The fluid is inside of the wall: there is no far boundary."
+                " Remove the entry boundary, or write surface { fluid outside;"
+                " }")
             << exit(FatalIOError);
     }
 

@@ -89,7 +89,9 @@ static void readYPlus
     {
         entryError(dict, "yPlus")
             << "yPlus gives a height in metres, but the heights of "
-            << dict.dictName() << " are relativeSizes" << exit(FatalIOError);
+            << dict.dictName() << " are relativeSizes" << nl
+            << "Write relativeSizes false, or firstLayerThickness"
+            << exit(FatalIOError);
     }
 
     const dictionary& yPlus = mandatoryDict(dict, "yPlus");
@@ -105,8 +107,8 @@ static void readYPlus
     else
     {
         entryError(yPlus, "from")
-            << "The entry from of yPlus is for all of the wall: it stands in"
-            << " layers.yPlus, not in " << dict.dictName()
+            << "yPlus.from applies to the whole wall. Move it from "
+            << dict.dictName() << " to layers.yPlus"
             << exit(FatalIOError);
     }
 }
@@ -150,7 +152,8 @@ heightEntries readLayerHeights
         {
             entryError(dict, "yPlus")
                 << "Both yPlus and firstLayerThickness determine the first"
-                << " layer of " << dict.dictName() << exit(FatalIOError);
+                << " layer of " << dict.dictName() << ". Remove one"
+                << exit(FatalIOError);
         }
 
         readYPlus(dict, given, run);
@@ -214,7 +217,8 @@ static label readNumber(const dictionary& dict, const layerControls& general)
     {
         entryError(dict, "nSurfaceLayers")
             << "Value of nSurfaceLayers for " << dict.dictName() << " is " << n
-            << ", but the number of layers is auto, for all of the wall"
+            << ", but layers.nSurfaceLayers auto is for all of the wall" << nl
+            << "Remove nSurfaceLayers from " << dict.dictName()
             << exit(FatalIOError);
     }
 
@@ -286,7 +290,8 @@ static patchLayers readPatches
     else if (dict.size() > (patches.type.empty() ? 1 : 2))
     {
         entryError(dict, "nSurfaceLayers")
-            << "Patches " << key << " have no layers: they have no heights"
+            << "Patches " << key << " have no layers, and so no heights"
+            << nl << "Remove nSurfaceLayers 0, or all entries but type"
             << exit(FatalIOError);
     }
 
@@ -443,7 +448,8 @@ static void checkRun(const dictionary& dict, const layerControls& controls)
     {
         entryError(dict, "fields")
             << "Both yPlus.from and fields.firstLayerThickness determine the"
-            << " first layer of " << dict.dictName() << exit(FatalIOError);
+            << " first layer of " << dict.dictName() << ". Remove one"
+            << exit(FatalIOError);
     }
     if
     (

@@ -54,7 +54,8 @@ static void requireField(const wallFields& fields)
     {
         FatalErrorInFunction
             << "marchingDistances levelSets needs a field, but there is none: "
-            << fields.failure.c_str() << exit(FatalError);
+            << fields.failure.c_str() << nl
+            << "Write layers.marchingDistances requested" << exit(FatalError);
     }
 }
 

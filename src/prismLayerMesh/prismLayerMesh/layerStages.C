@@ -105,8 +105,8 @@ static shareOfWall makeWhole
     )
     {
         FatalErrorInFunction
-            << "A mesh of two dimensions, or with cyclic side patches, is made"
-            << " in one process" << exit(FatalError);
+            << "-parallel allows neither two dimensions nor cyclic sides. Run"
+            << " in serial, then decomposePar" << exit(FatalError);
     }
     checkSidesOf(wall, addressing);
     wallVisibility visibility(makeWallVisibility(wall, addressing));
@@ -369,7 +369,11 @@ layerCertificate makeCertificate
     if (!certificate.valid())
     {
         FatalErrorInFunction
-            << "The layers could not be certified" << exit(FatalError);
+            << "The layers could not be certified: the cells on "
+            << certificate.nStacksNotPositive << " faces are not positive, and "
+            << certificate.nOverlaps << " pairs of outer faces intersect" << nl
+            << "This is a fault of harmonicPrismMesh: please report it with the"
+            << " case" << exit(FatalError);
     }
     refuseFlatStacks(layers, certificate, team);
 
@@ -414,7 +418,9 @@ void requireHeights
             wall, certified.pointsWithoutHeight,
             certified.cause == squeezeCause::intersection
           ? "have columns whose outer faces intersect at any thickness"
-          : "have columns whose cells are not positive at any thickness"
+          : "have columns whose cells are not positive at any thickness",
+            "Remesh the surface there (surface.remesh), move apart walls that"
+            " nearly touch, or go around these places (surface.repair wrap)."
         );
     }
     processes.any(false);

@@ -289,10 +289,11 @@ static void refuseEmptySides
         if (type == "empty")
         {
             entryError(dict, "farField")
-                << "The side patch " << name.c_str() << " is of type empty,"
-                << " which needs a mesh of one cell between two sides. A far"
-                << " field has that only of type tet, between two planes in"
-                << " surface.sidePlanes: else use the type symmetry"
+                << "The side patch " << name.c_str() << " is of type empty, but"
+                << " the far field has several cells between two sides" << nl
+                << "Use the type symmetry. One cell between two planes is"
+                << " possible with farField.type tet and both planes in"
+                << " surface.sidePlanes"
                 << exit(FatalIOError);
         }
     };

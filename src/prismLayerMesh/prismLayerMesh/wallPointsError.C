@@ -102,8 +102,11 @@ string adviceOnPoints
     }
 
     return
-        advice + "Round off " + (advice.empty() ? "these" : "other")
-      + " corners in the surface.";
+        advice + "Several columns at each of these points were tried. Make new"
+        " triangles there (surface.remesh), go around "
+      + (advice.empty() ? "these" : "other") + " corners (surface.repair wrap,"
+        " with wrapCoeffs.size of the radius that may be lost), or round them"
+        " off in CAD.";
 }
 
 

@@ -33,7 +33,8 @@ Map<label> imagesOfColumns(const prismLayers& layers, const sidePair& pair)
             << "The column at " << layers(lone, 0)
             << " on the cyclic side patch "
             << layers.border.sides[pair.first].name << " has no image on "
-            << layers.border.sides[pair.second].name << exit(FatalError);
+            << layers.border.sides[pair.second].name << nl
+            << "The wall must be the same on both" << exit(FatalError);
     }
 
     return images;

@@ -91,8 +91,8 @@ public:
         if (r < 0)
         {
             FatalErrorInFunction
-                << "The point " << x << " is beyond the axis of the wedge"
-                << exit(FatalError);
+                << "The point " << x << " is beyond the axis of the wedge" << nl
+                << "Move the curve to one side of the axis" << exit(FatalError);
         }
 
         const scalar half = 0.5*controls_.wedgeAngle;

@@ -85,8 +85,8 @@ static void requirePositive
                 << "The boundary of the region " << region.name
                 << " touches itself, and a cell there is flat, at "
                 << cells.centre(celli) << nl
-                << "Remesh the surface there, move apart what touches, or give"
-                << " the region layers if it has none" << exit(FatalError);
+                << "Remesh the surface here, separate the touching parts, or"
+                << " add layers to this region" << exit(FatalError);
         }
     }
 }

@@ -145,13 +145,14 @@ public:
             {
                 FatalErrorInFunction
                     << "The mesh of the region " << region_.name
-                    << " has not the face that the region "
-                    << all.regions[other].name << " has, at "
+                    << " lacks a face of the region "
+                    << all.regions[other].name << ", at "
                     << region_.surface.faces[facei].centre
                        (
                            region_.surface.points
                        )
-                    << exit(FatalError);
+                    << nl << "This is a fault of harmonicPrismMesh: please"
+                    << " report it with the case" << exit(FatalError);
             }
         }
         if (n != nFound)
@@ -159,7 +160,8 @@ public:
             FatalErrorInFunction
                 << "The mesh of the region " << region_.name << " has "
                 << nFound << " faces on other regions, and its surface "
-                << n << exit(FatalError);
+                << n << nl << "This is a fault of harmonicPrismMesh: please"
+                << " report it with the case" << exit(FatalError);
         }
     }
 
@@ -460,7 +462,9 @@ class regionJoiner
                         << "The patch " << own.names[patchi] << " has the type "
                         << patches.types()[known] << " in one region, and "
                         << own.types()[patchi] << " in the region "
-                        << all_.regions[r].name << exit(FatalError);
+                        << all_.regions[r].name << nl
+                        << "Write the same type in patches of both regions, or"
+                        << " one in layers.patches" << exit(FatalError);
                 }
             }
         }

@@ -221,7 +221,8 @@ List<sidePair> pairsOf(const UList<sidePatch>& sides)
                 << (t < 0 || t == s
                   ? ", which is no other side patch of type cyclic on which"
                     " the wall ends"
-                  : ", which has another partner")
+                  : ", which has another partner") << nl
+                << "Write the names of both sides into each other's partner"
                 << exit(FatalError);
         }
         requirePlane(sides[t]);
@@ -242,7 +243,9 @@ List<sidePair> pairsOf(const UList<sidePatch>& sides)
         {
             FatalErrorInFunction
                 << "The side patch " << sides[s].name << " of type cyclic has"
-                << " no partner on which the wall ends" << exit(FatalError);
+                << " no partner on which the wall ends" << nl
+                << "Write partner <name>; of a second side of type cyclic"
+                << exit(FatalError);
         }
     }
 

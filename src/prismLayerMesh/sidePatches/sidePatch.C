@@ -376,7 +376,8 @@ void checkSides
         {
             FatalErrorInFunction
                 << "The side patch " << side.name << " has the name of a patch"
-                << " of the wall" << exit(FatalError);
+                << " of the wall" << nl << "Rename the side, or the patch by"
+                << " surface.patches" << exit(FatalError);
         }
 
         if
@@ -387,7 +388,9 @@ void checkSides
         {
             FatalErrorInFunction
                 << "The side patch " << side.name << " of type " << side.type
-                << " is curved near " << side.origin << exit(FatalError);
+                << " is curved near " << side.origin << nl
+                << "Give it the type patch, wall or symmetry"
+                << exit(FatalError);
         }
 
         for (const sidePatch& other : sides)

@@ -308,7 +308,9 @@ void spaceRegions::open
             FatalErrorInFunction
                 << "The sheet " << region.surface.patchNames[patchi]
                 << " is to have no layers, and the region " << region.name
-                << " has layers" << exit(FatalError);
+                << " has layers" << nl << "Remove nSurfaceLayers 0 of the"
+                << " sheet, or write layers no; for the region"
+                << exit(FatalError);
         }
     }
 

@@ -203,7 +203,9 @@ spaceParts::rayHits spaceParts::findHits(const point& x) const
     }
 
     FatalErrorInFunction
-        << "The point " << x << " is on the surface" << exit(FatalError);
+        << "The point " << x << " is on the surface" << nl
+        << "Choose a point off the surface: the entry inside of a region"
+        << exit(FatalError);
 
     return rayHits();
 }

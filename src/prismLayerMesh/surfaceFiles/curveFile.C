@@ -193,6 +193,7 @@ List<planeCurve> readCurveFile(const fileName& file)
             FatalErrorInFunction
                 << "Cannot use the curve " << file << ": one of its curves has "
                 << curve.points.size() << " points, at " << curve.points[0]
+                << nl << "An open curve needs two points, a closed one three"
                 << exit(FatalError);
         }
         curves.append(curve);

@@ -147,6 +147,7 @@ void edgeBounds::requirePointsInRegions(const wallSurface& surface) const
             FatalErrorInFunction
                 << "There is no point of the surface in the region "
                 << controls_.regions[i].name << " of surface.remesh.regions"
+                << nl << "Check its geometry, mode and distance"
                 << exit(FatalError);
         }
     }

@@ -23,8 +23,8 @@ namespace Foam
 //- Points nearer to the plane than this share of their mean edge are put on it
 static constexpr scalar nearShare = 0.25;
 
-//- Points nearer to the plane than this share of that are on it: their edges
-//  would all be cut at one place
+//- Points closer than onShare*nearShare of their mean edge count as on the
+//  plane: their edges would all be cut at one place
 static constexpr scalar onShare = 1e-3;
 
 
@@ -649,7 +649,7 @@ void cutSurface
     );
     addStep
     (
-        steps, "faces less, beyond the side plane " + plane.name,
+        steps, "faces removed beyond the side plane " + plane.name,
         max(nFaces - surface.faces.size(), label(1))
     );
 }

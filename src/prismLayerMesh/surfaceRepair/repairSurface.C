@@ -241,8 +241,8 @@ class surfaceRepairer
         );
         addStep(steps, "points brought back to sharp edges", counts.nOnEdges);
         addStep(steps, "points brought back to faces", counts.nOnFaces);
-        addStep(steps, "points brought half way", counts.nHalfWay);
-        addStep(steps, "points left at their distance", counts.nLeft);
+        addStep(steps, "points moved half way to the surface", counts.nHalfWay);
+        addStep(steps, "points left in place", counts.nLeft);
     }
 
     //- Sets the distances between both surfaces, in front of the side planes

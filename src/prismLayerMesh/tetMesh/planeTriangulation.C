@@ -93,7 +93,9 @@ class planeTriangulator
             FatalErrorInFunction
                 << "The edge from " << points_[e.start()] << " to "
                 << points_[e.end()] << " crosses another edge of its side"
-                << " patch" << exit(FatalError);
+                << " patch" << nl << "The border of the wall on the side patch"
+                << " must not cross itself: check the surface there"
+                << exit(FatalError);
         }
     }
 
@@ -178,7 +180,9 @@ faceList planeTriangulator::inside(const planeRegion& region) const
         {
             FatalErrorInFunction
                 << "The boundary of a side patch is not closed near "
-                << points_[region.boundary[0].start()] << exit(FatalError);
+                << points_[region.boundary[0].start()] << nl
+                << "The border of the wall on the side patch must be closed:"
+                << " check the surface there" << exit(FatalError);
         }
         if (visited.insert(f).second)
         {

@@ -268,7 +268,8 @@ tetMesh tetrahedralize(const tetDomain& domain)
     FatalErrorInFunction
         << "TetGen failed, or took too long, on "
         << domain.facets.size() << " facets and "
-        << domain.points.size() << " points, " << tuned.maxAttempts << " times"
+        << domain.points.size() << " points, " << tuned.maxAttempts << " times."
+        << " Remesh the surface, or move apart walls that nearly touch"
         << exit(FatalError);
 
     return mesh;

@@ -332,10 +332,11 @@ public:
                 FatalErrorInFunction
                     << "The wall does not end on the side patch "
                     << parts_.sides[s].name << " at " << parts_.sides[s].origin
-                    << nl << "Stitch the patch to the wall (surface { repair"
-                    << " stitch; }), or give it layers, or remove it from the"
-                    << " files. A patch without layers that encloses the wall"
-                    << " without touching it is the far boundary" << nl
+                    << nl << "No face beside this part of the patch has layers."
+                    << " Stitch the part to the wall (surface { repair stitch;"
+                    << " }), give the patch layers (remove nSurfaceLayers 0"
+                    << " from layers.patches), or remove the part from the"
+                    << " surface"
                     << exit(FatalError);
             }
         }

@@ -109,7 +109,9 @@ void checkInFront
     (
         beyond,
         "The surface is beyond the side plane " + plane.name
-      + ", whose normal must point out of the fluid,"
+      + ", whose normal must point out of the fluid,",
+        "Move the plane out, turn its normal, or let surface.repair stitch cut"
+        " the surface there"
     );
     refuseAt
     (
@@ -207,7 +209,9 @@ struct borderFinder
         (
             places,
             "The surface is open and its border is further than " + bound.str()
-          + " m from all side planes"
+          + " m from all side planes",
+            "Put a side plane there (surface.sidePlanes), or close the surface"
+            " (surface.repair stitch fills holes)"
         );
     }
 
@@ -321,7 +325,9 @@ struct wallSplitter
             {
                 FatalErrorInFunction
                     << "No border of the wall is on the side plane "
-                    << sides[s].name << " at " << sides[s].origin
+                    << sides[s].name << " at " << sides[s].origin << nl
+                    << "Move the plane to the border, or remove it. To cut the"
+                    << " surface at the plane, write surface { repair stitch; }"
                     << exit(FatalError);
             }
 
@@ -334,7 +340,8 @@ struct wallSplitter
             {
                 FatalErrorInFunction
                     << "More than two side patches meet at the point "
-                    << surface.points[e.start()] << " of the wall"
+                    << surface.points[e.start()] << " of the wall" << nl
+                    << "Give two of them one name, or move one away"
                     << exit(FatalError);
             }
         }

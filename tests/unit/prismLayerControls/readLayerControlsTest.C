@@ -34,7 +34,7 @@ TEST(readLayerControls, patchesWithoutLayersAreSides)
         (
             "patches { inlet { nSurfaceLayers 0; thickness 0.1; } }"
         ),
-        {"inlet have no layers", "no heights"}
+        {"inlet have no layers", "no heights", "Remove nSurfaceLayers 0"}
     );
     expectWords
     (

@@ -139,7 +139,7 @@ TEST(sidePlanes, emptyNeedsAMeshWithoutAFarField)
     expectWords
     (
         errorOf(planes + "farField { type tet; }"),
-        {"front", "type empty", "one cell", "symmetry"}
+        {"front", "type empty", "One cell", "symmetry"}
     );
 }
 

@@ -126,7 +126,7 @@ TEST(yPlusRun, isForAllOfTheWall)
         (
             "firstLayerThickness 1; patches { wing { " + fromRun + " } }"
         ),
-        {"for all of the wall", "not in wing"}
+        {"applies to the whole wall", "from wing to layers.yPlus"}
     );
 }
 

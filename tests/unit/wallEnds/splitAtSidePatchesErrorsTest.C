@@ -171,7 +171,10 @@ TEST(splitAtSidePatchesErrors, sidePatchApartFromTheWallIsRefused)
     expectWords
     (
         errorOf(merge(duct(4), far), {}, withoutLayers({"inlet", "outlet"})),
-        {"wall does not end on the side patch inlet at ("}
+        {
+            "wall does not end on the side patch inlet at (",
+            "remove nSurfaceLayers 0 from layers.patches"
+        }
     );
 }
 
