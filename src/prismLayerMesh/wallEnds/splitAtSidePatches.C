@@ -341,7 +341,8 @@ struct wallSplitter
                 FatalErrorInFunction
                     << "More than two side patches meet at the point "
                     << surface.points[e.start()] << " of the wall" << nl
-                    << "Give two of them one name, or move one away"
+                    << "Move one of them away from the point, or give a patch"
+                    << " among them layers: remove its nSurfaceLayers 0"
                     << exit(FatalError);
             }
         }
