@@ -12,6 +12,8 @@ import subprocess
 __all__ = ["MeshError", "execute", "export", "read_dictionary", "run",
            "write_dictionary"]
 
+__version__ = "0.4.0"
+
 
 class MeshError(RuntimeError):
     """A program has failed; the text is its message."""
