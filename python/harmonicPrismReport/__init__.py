@@ -18,13 +18,20 @@ __all__ = ["FOLDER", "main", "read_report", "write_html"]
 FOLDER = os.path.join("postProcessing", "harmonicPrismMesh")
 
 
+def read_json(path):
+    """None if the file is not there"""
+    if not os.path.exists(path):
+        return None
+    with open(path, encoding="utf-8") as file:
+        return json.load(file)
+
+
 def read_report(folder):
     """report.json, or otherwise the dictionary report; None if there is
     neither"""
-    path = os.path.join(folder, "report.json")
-    if os.path.exists(path):
-        with open(path) as file:
-            return json.load(file)
+    report = read_json(os.path.join(folder, "report.json"))
+    if report is not None:
+        return report
     path = os.path.join(folder, "report")
     return hpm.read_dictionary(path) if os.path.exists(path) else None
 
@@ -45,12 +52,14 @@ def write_html(case=".", path=None):
             % (sys.executable, error, sys.argv[0])) from error
     case = os.path.abspath(case)
     folder = os.path.join(case, FOLDER)
-    reports = [(region, read_report(os.path.join(folder, region)))
+    reports = [(region, read_report(os.path.join(folder, region)),
+                read_json(os.path.join(folder, region, "refused.json")))
                for region in [""] + sorted(
                    name for name in (os.listdir(folder)
                                      if os.path.isdir(folder) else ())
                    if os.path.isdir(os.path.join(folder, name)))]
-    reports = [(region, report) for region, report in reports if report]
+    reports = [(region, report, refusal)
+               for region, report, refusal in reports if report or refusal]
     if not reports:
         raise hpm.MeshError("no report in %s; run harmonicPrismMesh" % folder)
 
@@ -60,13 +69,16 @@ def write_html(case=".", path=None):
             '<h1>Layers of %s</h1><p class="note">%s, '
             'harmonicPrismMesh %s, %s</p>'
             % (name, STYLE, name, text(case),
-               text(reports[0][1].get("version", "")),
+               text((reports[0][1] or reports[0][2]).get("version", "")),
                time.strftime("%Y-%m-%d %H:%M"))]
     with display():
-        for region, report in reports:
+        for region, report, refusal in reports:
             if region:
                 page.append("<h1>Region %s</h1>" % text(region))
-            page.extend(sections.of_region(case, region, report))
+            if refusal:
+                page.append(sections.refusal_section(refusal))
+            if report:
+                page.extend(sections.of_region(case, region, report))
     page.append("</body></html>\n")
     path = path or os.path.join(folder, "report.html")
     with open(path, "w", encoding="utf-8") as file:

@@ -64,14 +64,15 @@ def verdict_section(report):
     return page.table((), rows, (0, 1))
 
 
-def refusal_section(report):
-    """What a refused run has written"""
+def refusal_section(refusal):
+    """What a run that was refused has written: refused.json"""
     rows = [(page.text(key), page.text(json.dumps(value, ensure_ascii=False)
                                if isinstance(value, (dict, list)) else value))
-            for key, value in report.items()
+            for key, value in refusal.items()
             if key not in ("schemaVersion", "version", "status")]
-    return '<p><b class="useless">no mesh</b> The run was refused.</p>' + \
-        page.table((), rows, (0, 1))
+    return ('<h2>The last run was refused</h2><p>It has changed nothing. What '
+            'follows, if anything, is of the run before.</p>'
+            + page.table((), rows, (0, 1)))
 
 
 def wall_section(wall, report, thin):
@@ -400,9 +401,6 @@ def stages_section(report):
 def of_region(case, region, report):
     """The sections of one report"""
     yield "<h2>Verdict</h2>"
-    if report.get("status", "ok") != "ok" or "allPatches" not in report:
-        yield refusal_section(report)
-        return
     yield verdict_section(report)
 
     mesh = read_mesh(case, region)

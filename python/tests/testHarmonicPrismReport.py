@@ -192,12 +192,11 @@ class Page(Case):
         self.assertEqual(parser.links, [])
         return re.sub(r"base64,[^\"]*", "", text), parser.pictures
 
-    def write_json(self, **entries):
+    def write_json(self, name, entries):
         folder = os.path.join(self.case, page.FOLDER)
-        report = page.read_report(folder) or {}
         os.makedirs(folder, exist_ok=True)
-        with open(os.path.join(folder, "report.json"), "w") as file:
-            json.dump({**report, "status": "ok", **entries}, file)
+        with open(os.path.join(folder, name), "w") as file:
+            json.dump(entries, file)
 
     def test_has_all_sections_of_a_run(self):
         self.run_mesher({**ENTRIES, "farField": BOX}, "-writeFields")
@@ -221,21 +220,29 @@ class Page(Case):
         self.assertEqual(n_pictures, 7 + len(places))
 
     def test_has_the_verdict_of_the_json(self):
-        self.run_mesher()
-        self.write_json(verdict={"thickness": {
+        report = self.run_mesher()
+        self.write_json("report.json", {**report, "verdict": {"thickness": {
             "grade": "poor", "text": "half of <b>", "place": [1, 2.5, 3],
-            "remedy": "layers.thickness 0.05"}})
+            "remedy": "layers.thickness 0.05"}}})
         text, _ = self.read()
         self.assertIn('<b class="poor">poor</b>', text)
         self.assertIn("half of &lt;b&gt;<br>At (1 2.5 3)<br>To do: "
                       "layers.thickness 0.05", text)
 
     def test_of_a_refused_run_has_its_reason(self):
-        self.write_json(status="refused", stage="wallDefects",
-                        message="the wall is open at (0 0 1)")
+        refusal = {"status": "refused", "stage": "wallDefects",
+                   "message": "the wall is open at (0 0 1)"}
+        self.write_json("refused.json", refusal)
         text, n_pictures = self.read()
         self.assertIn("the wall is open at (0 0 1)", text)
         self.assertEqual(n_pictures, 0)
+
+        # The mesh of an earlier run follows
+        self.run_mesher()
+        self.write_json("refused.json", refusal)
+        text, n_pictures = self.read()
+        self.assertIn("the wall is open at (0 0 1)", text)
+        self.assertGreater(n_pictures, 0)
 
     def test_without_a_report_says_what_to_run(self):
         with self.assertRaisesRegex(hpm.MeshError, "run harmonicPrismMesh"):
