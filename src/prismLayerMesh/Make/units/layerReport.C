@@ -8,6 +8,7 @@
 #include "layerReport/stageLog.C"
 #include "layerReport/farFieldReport.C"
 #include "layerReport/polygonReport.C"
+#include "layerReport/writeJson.C"
 #include "layerReport/levelSetReport.C"
 #include "layerReport/writeVtk.C"
 #include "layerReport/writeStageFields.C"

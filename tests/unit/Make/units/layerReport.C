@@ -9,5 +9,6 @@
 #include "layerReport/faceHeightsTest.C"
 #include "layerReport/writeVtkTest.C"
 #include "layerReport/polygonReportTest.C"
+#include "layerReport/writeJsonTest.C"
 
 // ************************************************************************* //
