@@ -5,6 +5,7 @@
 """Runs harmonicPrismMesh from Python: a dictionary from a dict, the report as a
 dict, a refusal as an exception. See README.md."""
 
+import json
 import os
 import re
 import subprocess
@@ -16,7 +17,18 @@ __version__ = "0.4.0"
 
 
 class MeshError(RuntimeError):
-    """A program has failed; the text is its message."""
+    """A program has failed; the text is its message. A refusal of
+    harmonicPrismMesh has the fields of refused.json as attributes: code,
+    exitStatus, stage, patch, entry, file, line, place, remedy, message. A
+    field that is not known is None."""
+
+    FIELDS = ("code", "exitStatus", "stage", "patch", "entry", "file", "line",
+              "place", "remedy", "message")
+
+    def __init__(self, text, fields=None):
+        super().__init__(text)
+        for name in self.FIELDS:
+            setattr(self, name, (fields or {}).get(name))
 
 
 # A word that needs no quotes, and the tokens of a dictionary
@@ -158,14 +170,31 @@ def execute(case, program, *options):
 
 
 def run(case, entries=None, *options):
-    """Runs harmonicPrismMesh in a case and returns the report as a dict.
+    """Runs harmonicPrismMesh in a case and returns report.json as a dict.
+    Raises MeshError with the fields of a refusal.
     entries: those of system/harmonicPrismMeshDict; None if it is there"""
     if entries is not None:
         write_dictionary(
             os.path.join(case, "system", "harmonicPrismMeshDict"), entries)
-    execute(case, "harmonicPrismMesh", *options)
-    return read_dictionary(os.path.join(case, "postProcessing",
-                                        "harmonicPrismMesh", "report"))
+    folder = os.path.join(case, "postProcessing", "harmonicPrismMesh")
+    if "-region" in options:
+        region = options[options.index("-region") + 1]
+        folder = os.path.join(folder, region)
+    refused = os.path.join(folder, "refused.json")
+    if os.path.exists(refused):
+        os.remove(refused)
+    try:
+        execute(case, "harmonicPrismMesh", *options)
+    except MeshError as error:
+        if not os.path.exists(refused):
+            raise
+        raise MeshError(str(error), _json(refused)) from None
+    return _json(os.path.join(folder, "report.json"))
+
+
+def _json(path):
+    with open(path, encoding="utf-8") as file:
+        return json.load(file)
 
 
 def export(case, file, *options):

@@ -53,6 +53,12 @@ class Run(unittest.TestCase):
         report = hpm.run(".", ENTRIES, "-overwrite")
         self.assertIs(report["certificate"]["valid"], True)
         self.assertEqual(report["allPatches"]["layersReached"], 3)
+        self.assertEqual(report["status"], "ok")
+        self.assertEqual(report["verdict"]["layers"]["grade"], "good")
+
+    def test_the_report_of_a_region(self):
+        report = hpm.run(".", ENTRIES, "-overwrite", "-region", "air")
+        self.assertEqual(report["wall"]["faces"], 12 * 4**2)
 
     def test_exports_the_mesh(self):
         hpm.run(".", ENTRIES, "-overwrite")
@@ -63,8 +69,19 @@ class Run(unittest.TestCase):
     def test_a_refusal_is_raised_with_its_message(self):
         entries = {**ENTRIES, "layers": {**ENTRIES["layers"],
                                          "expansionRatio": -1}}
-        with self.assertRaisesRegex(hpm.MeshError, "expansionRatio"):
+        with self.assertRaisesRegex(hpm.MeshError, "expansionRatio") as caught:
             hpm.run(".", entries, "-overwrite")
+        self.assertEqual(caught.exception.code, "dictionary")
+        self.assertEqual(caught.exception.exitStatus, 2)
+        self.assertEqual(caught.exception.entry, "layers.expansionRatio")
+        self.assertIsNone(caught.exception.place)
+
+    def test_a_refusal_of_a_surface_has_its_stage(self):
+        entries = {**ENTRIES, "surface": {"file": "missing.obj"}}
+        with self.assertRaises(hpm.MeshError) as caught:
+            hpm.run(".", entries, "-overwrite")
+        self.assertEqual(caught.exception.code, "surface")
+        self.assertEqual(caught.exception.stage, "wallSurface")
 
     def test_a_program_that_is_missing_is_named(self):
         with self.assertRaisesRegex(hpm.MeshError, "noSuchProgram.*bashrc"):

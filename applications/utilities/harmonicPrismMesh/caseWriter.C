@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "caseWriter.H"
+#include "layerReport.H"
 #include "ListOps.H"
 #include "meshFiles.H"
 #include "polyMesh.H"
@@ -139,6 +140,21 @@ void Foam::caseWriter::writeSurfaces
     if (surfaces.sides)
     {
         writeFaces(case_.sidesFile(), toMeshedSurface(*surfaces.sides), files);
+    }
+}
+
+
+void Foam::caseWriter::writeReports
+(
+    const prismCase& region,
+    const dictionary& entries,
+    replacedFiles& files
+) const
+{
+    IOstream::defaultPrecision(6);
+    for (const fileName& file : {region.reportFile(), region.jsonFile()})
+    {
+        writeReport(files.scratch(file, file.name())/file.name(), entries);
     }
 }
 

@@ -14,8 +14,11 @@ Description
 
     Reads system/harmonicPrismMeshDict and the surface in constant/triSurface
     that it names. Writes constant/polyMesh, constant/triSurface/layerOuter.obj,
-    postProcessing/harmonicPrismMesh/report, and, if the wall ends on side
-    patches, constant/triSurface/sides.obj.
+    postProcessing/harmonicPrismMesh/report and report.json, and, if the wall
+    ends on side patches, constant/triSurface/sides.obj. A run that makes no
+    mesh writes postProcessing/harmonicPrismMesh/refused.json. Its exit status
+    is 1, 2 for the dictionary, 3 for the surface, 4 if there is no room for
+    layers, 5 for memory or files, 6 for a fault of this program.
 
 Usage
     \b harmonicPrismMesh [OPTIONS]
@@ -57,10 +60,14 @@ Usage
 #include "argList.H"
 #include "meshRegions.H"
 #include "meshWall.H"
+#include "OSspecific.H"
 #include "pluginVersion.H"
+#include "polyMesh.H"
 #include "ranges.H"
+#include "refusal.H"
 #include "readPrismLayerControls.H"
 #include "returnMemory.H"
+#include "throwingErrors.H"
 #include "Time.H"
 
 #include <new>
@@ -79,7 +86,11 @@ static void addOptions()
         "Reads system/harmonicPrismMeshDict and its surface. Writes\n"
         "  constant/polyMesh\n"
         "  constant/triSurface/layerOuter.obj, and sides.obj if the wall ends\n"
-        "  postProcessing/harmonicPrismMesh/report\n"
+        "  postProcessing/harmonicPrismMesh/report, and report.json\n"
+        "or refused.json there, with the exit status 1, 2 (dictionary), 3"
+        " (surface),\n"
+        "4 (no room for layers), 5 (memory, files) or 6 (a fault of this"
+        " program).\n"
         "etc/caseDicts/annotated/harmonicPrismMeshDict describes every entry."
     );
     argList::addOption
@@ -194,7 +205,8 @@ static void meshAllRegions
     const prismCase& files,
     const parallelRun& parallel,
     const caseWriter& writer,
-    const Time& time
+    const Time& time,
+    stageLog& log
 )
 {
     for
@@ -211,7 +223,6 @@ static void meshAllRegions
         }
     }
 
-    stageLog log(Info);
     meshRegions
     (
         files, parallel, writer, args.found("splitRegions"), time, log
@@ -226,7 +237,8 @@ static void meshOneRegion
     const prismCase& files,
     const parallelRun& parallel,
     const caseWriter& writer,
-    const Time& time
+    const Time& time,
+    stageLog& log
 )
 {
     const bool checkOnly = args.found("checkSurface");
@@ -239,7 +251,6 @@ static void meshOneRegion
     const fileNameList surfaces(files.surfaceFiles(controls.surface));
     const fileName preparedFile(files.preparedFile(surfaces));
     requireNoMesh(args, files, parallel, surfaces, controls.farField);
-    stageLog log(Info);
     caseWall given(readWall(surfaces, controls, checkOnly, time, log));
 
     if (checkOnly)
@@ -280,6 +291,100 @@ static void prepareRun()
 }
 
 
+//- Checks, prepares or meshes the surface. Returns whether all is well; on
+//  another process than the master, who says what is not
+static bool makeMesh(const argList& args, Time& time, stageLog& log)
+{
+    const throwingErrors throwing(true);
+    const prismCase files(args, time);
+    const parallelRun parallel(time);
+    const caseWriter writer(files, parallel, time);
+
+    if (!parallel.isMaster())
+    {
+        return helpMaster(parallel, writer);
+    }
+    if (files.dict().found("regions"))
+    {
+        meshAllRegions(args, files, parallel, writer, time, log);
+    }
+    else
+    {
+        meshOneRegion(args, files, parallel, writer, time, log);
+    }
+
+    return true;
+}
+
+
+//- Writes refused.json, says the error as OpenFOAM does, and ends the run with
+//  the status of the refusal
+static void refuse
+(
+    const argList& args,
+    const Time& time,
+    const stageLog& log,
+    const Foam::error& failure
+)
+{
+    const label nStages = log.costs().size();
+    const refusal what
+    (
+        refusalOf(failure, nStages ? log.costs()[nStages - 1].stage : word())
+    );
+    setParallel(false);
+    try
+    {
+        const throwingErrors throwing(true);
+        const fileName folder
+        (
+            prismCase::reportFolder
+            (
+                time, args.lookupOrDefault("region", polyMesh::defaultRegion)
+            )
+        );
+        if (UPstream::master())
+        {
+            mkDir(folder);
+            writeReport(folder/refusedName, toDictionary(what));
+        }
+    }
+    catch (const Foam::error&)
+    {
+        // The error itself is more important than its file
+    }
+
+    Perr<< nl;
+    if (const auto* io = dynamic_cast<const IOerror*>(&failure))
+    {
+        Perr<< *io;
+    }
+    else
+    {
+        Perr<< failure;
+    }
+    Perr<< nl << "\nFOAM exiting\n" << endl;
+    std::exit(what.status());
+}
+
+
+//- Ends the run because of an exception that is no error of OpenFOAM
+static void refuse
+(
+    const argList& args,
+    const Time& time,
+    const stageLog& log,
+    const refusal::codes code,
+    const string& message
+)
+{
+    refusal what;
+    what.code = code;
+    what.message = message;
+    refuse(args, time, log, refusalError(what));
+}
+
+
 int main(int argc, char *argv[])
 {
     waitPassively(argv);
@@ -294,27 +399,36 @@ int main(int argc, char *argv[])
 
     prepareRun();
     Info<< "harmonicPrismMesh " << pluginVersion << nl << endl;
-    const prismCase files(args, runTime);
-    const parallelRun parallel(runTime);
-    const caseWriter writer(files, parallel, runTime);
-
-    if (!parallel.isMaster())
+    bool isWell = false;
+    stageLog log(Info);
+    try
     {
-        return helpMaster(parallel, writer) ? 0 : 1;
+        isWell = makeMesh(args, runTime, log);
     }
-
-    if (files.dict().found("regions"))
+    catch (const Foam::error& failure)
     {
-        meshAllRegions(args, files, parallel, writer, runTime);
+        refuse(args, runTime, log, failure);
     }
-    else
+    catch (const std::bad_alloc&)
     {
-        meshOneRegion(args, files, parallel, writer, runTime);
+        refuse
+        (
+            args, runTime, log, refusal::codes::resources,
+            "There is not enough memory"
+        );
+    }
+    catch (const std::exception& failure)
+    {
+        refuse
+        (
+            args, runTime, log, refusal::codes::internal,
+            "A fault of harmonicPrismMesh: " + string(failure.what())
+        );
     }
 
     Info<< "End" << nl << endl;
 
-    return 0;
+    return isWell ? 0 : 1;
 }
 
 

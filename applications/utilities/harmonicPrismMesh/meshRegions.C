@@ -27,11 +27,13 @@ namespace Foam
 namespace
 {
 
-//- The reports of a region: its layers, its far field, and the entries of both
+//- The reports of a region: its layers, its far field, its verdict, and the
+//  entries of all
 struct regionReport
 {
     layerReport layers;
     farFieldReport farField;
+    meshVerdict verdict;
     dictionary entries;
 };
 
@@ -352,10 +354,9 @@ static regionParts makeParts
 //- Sets the entries of the report of a region, and writes the report to the log
 static void setEntries(const bool hasLayers, regionReport& report)
 {
-    report.entries = reportEntries
-    (
-        hasLayers ? &report.layers : nullptr, &report.farField
-    );
+    const layerReport* layers = hasLayers ? &report.layers : nullptr;
+    report.verdict = makeVerdict(layers, &report.farField);
+    report.entries = reportEntries(layers, &report.farField, report.verdict);
 }
 
 
@@ -532,21 +533,17 @@ static void writeMeshes
 static void writeReports
 (
     const prismCase& files,
+    const caseWriter& writer,
     const spaceRegions& all,
     const List<regionReport>& reports,
     replacedFiles& replaced
 )
 {
-    IOstream::defaultPrecision(6);
     forAll(all.regions, r)
     {
-        const fileName file
+        writer.writeReports
         (
-            prismCase(files, all.regions[r].name).reportFile()
-        );
-        writeReport
-        (
-            replaced.scratch(file, file.name())/file.name(), reports[r].entries
+            prismCase(files, all.regions[r].name), reports[r].entries, replaced
         );
     }
 }
@@ -613,10 +610,18 @@ void meshRegions
         (
             files, writer, all, controls, areApart, made, replaced
         );
-        writeReports(files, all, reports, replaced);
+        writeReports(files, writer, all, reports, replaced);
     });
     log.end(areApart ? "each region apart" : "one mesh");
+    files.removeRefusal();
     logMeshes(files, controls, areApart);
+    forAll(reports, r)
+    {
+        prismCase(files, all.regions[r].name).removeRefusal();
+        Info<< all.regions[r].name << ": ";
+        write(Info, reports[r].verdict);
+    }
+    Info<< endl;
 }
 
 } // End namespace Foam

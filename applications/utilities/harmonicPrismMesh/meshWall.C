@@ -7,6 +7,7 @@
 #include "boxSides.H"
 #include "cellSizes.H"
 #include "planarColumns.H"
+#include "pluginVersion.H"
 #include "polygonReport.H"
 #include "layerStages.H"
 #include "OSspecific.H"
@@ -14,6 +15,7 @@
 #include "prismCase.H"
 #include "prismPolyMesh.H"
 #include "readLocalHeights.H"
+#include "refusal.H"
 #include "returnMemory.H"
 #include "wallPointsError.H"
 #include "writeStageFields.H"
@@ -246,13 +248,17 @@ static string writeMesh
 dictionary reportEntries
 (
     const layerReport* layers,
-    const farFieldReport* far
+    const farFieldReport* far,
+    const meshVerdict& verdict
 )
 {
     dictionary entries;
+    entries.add("schemaVersion", reportVersion);
+    entries.add("version", string(pluginVersion));
+    entries.add("status", word("ok"));
     if (layers)
     {
-        entries = toDictionary(*layers);
+        entries.merge(toDictionary(*layers));
         Foam::write(Info, *layers);
     }
     if (far)
@@ -260,18 +266,15 @@ dictionary reportEntries
         entries.add("farField", toDictionary(*far));
         Foam::write(Info, *far);
     }
-    if (layers)
-    {
-        writeHeightJumps(Info, *layers);
-    }
+    entries.add("verdict", toDictionary(verdict));
 
     return entries;
 }
 
 
 //- On the master: writes mesh, outer surface and report. Consumes the layers
-//  and the far field.
-static void writeCase
+//  and the far field. Returns the verdict.
+static meshVerdict writeCase
 (
     const prismCase& files,
     const parallelRun& parallel,
@@ -312,7 +315,9 @@ static void writeCase
     log.end(name(report.nCells + far.nCells) + " cells, " + size);
     report.stages = log.costs();
 
-    dictionary entries(reportEntries(&report, hasFarField ? &far : nullptr));
+    const farFieldReport* farOrNull = hasFarField ? &far : nullptr;
+    const meshVerdict verdict(makeVerdict(&report, farOrNull));
+    dictionary entries(reportEntries(&report, farOrNull, verdict));
     entries.add("surface", given.changes);
     if (nPolygonCells)
     {
@@ -323,9 +328,9 @@ static void writeCase
         entries.add("processes", processes);
     }
 
-    IOstream::defaultPrecision(6);
-    const fileName& file = files.reportFile();
-    writeReport(replaced.scratch(file, file.name())/file.name(), entries);
+    writer.writeReports(files, entries, replaced);
+
+    return verdict;
 }
 
 
@@ -410,6 +415,23 @@ static dictionary orderOf
 }
 
 
+//- Errors: FatalError, after the numbers, if the layers are useless
+static void requireUsable
+(
+    const layerReport& report,
+    const layerControls& controls
+)
+{
+    meshVerdict verdict;
+    verdict.lines = verdictOnLayers(report);
+    if (!controls.allowPoorHeights && verdict.isUseless())
+    {
+        Foam::write(Info, report);
+        requireUsable(report);
+    }
+}
+
+
 autoPtr<caseLayers> makeLayers
 (
     const prismCase& files,
@@ -421,6 +443,7 @@ autoPtr<caseLayers> makeLayers
     stageLog& log
 )
 {
+    autoPtr<caseLayers> made;
     try
     {
         sendOrder(parallel, orderOf(files, controls.farField.boundary));
@@ -430,10 +453,13 @@ autoPtr<caseLayers> makeLayers
             writeStageFields(files.reportFolder(), wall, mesh);
         };
 
-        return autoPtr<caseLayers>::New
+        made.reset
         (
-            parallel, wall, controls, local, log.observer(),
-            pictures ? caseLayers::stageViewer(draw) : nullptr
+            new caseLayers
+            (
+                parallel, wall, controls, local, log.observer(),
+                pictures ? caseLayers::stageViewer(draw) : nullptr
+            )
         );
     }
     catch (const wallPointsError& failure)
@@ -441,18 +467,16 @@ autoPtr<caseLayers> makeLayers
         mkDir(files.reportFolder());
         writeFailedPoints(files.failedPointsFile(), failure);
 
-        FatalErrorInFunction
-            << failure.message().c_str() << nl
-            << "Their places are in " << files.failedPointsFile()
-            << exit(FatalError);
+        refusal what(refusalOf(failure, ""));
+        what.code = refusal::codes::noRoom;
+        what.place = pointField(1, failure.points()[0]);
+        what.message +=
+            "\nTheir places are in " + files.failedPointsFile();
+        throw refusalError(what);
     }
-    catch (Foam::error& failure)
-    {
-        failure.throwExceptions(false);
-        failure.exit();
-    }
+    requireUsable(made->report(), controls.layers);
 
-    return nullptr;
+    return made;
 }
 
 
@@ -542,21 +566,24 @@ void meshWall
         makeCells(*made, std::move(domain), controls, farField, log)
     );
     log.begin("prismPolyMesh");
+    meshVerdict verdict;
     replaceFiles([&](replacedFiles& replaced)
     {
         if (isChanged)
         {
             writer.writeSurface(preparedFile, given.prepared.surface, replaced);
         }
-        writeCase
+        verdict = writeCase
         (
             files, parallel, writer, given, made, std::move(farField),
             polygons, controls, log, replaced
         );
     });
-    rm(files.failedPointsFile());
+    files.removeRefusal();
 
     logFiles(files, isChanged ? preparedFile : fileName());
+    Foam::write(Info, verdict);
+    Info<< endl;
 }
 
 } // End namespace Foam

@@ -12,6 +12,7 @@
 #include "partsOfMesh.H"
 #include "polyMesh.H"
 #include "prismPolyMesh.H"
+#include "refusal.H"
 #include "throwingErrors.H"
 #include "Time.H"
 
@@ -301,16 +302,39 @@ Foam::fileName Foam::prismCase::polyMeshFolder() const
 }
 
 
+Foam::fileName Foam::prismCase::reportFolder
+(
+    const Time& time,
+    const word& region
+)
+{
+    return time.globalPath()/"postProcessing"/"harmonicPrismMesh"
+       /(region == polyMesh::defaultRegion ? word::null : region);
+}
+
+
 Foam::fileName Foam::prismCase::reportFolder() const
 {
-    return time_.globalPath()/"postProcessing"/"harmonicPrismMesh"
-       /(region_ == polyMesh::defaultRegion ? word::null : region_);
+    return reportFolder(time_, region_);
 }
 
 
 Foam::fileName Foam::prismCase::reportFile() const
 {
     return reportFolder()/"report";
+}
+
+
+Foam::fileName Foam::prismCase::jsonFile() const
+{
+    return reportFile() + ".json";
+}
+
+
+void Foam::prismCase::removeRefusal() const
+{
+    rm(failedPointsFile());
+    rm(reportFolder()/refusedName);
 }
 
 

@@ -218,30 +218,38 @@ static dictionary toDictionary(const schemeGrade& grade)
 }
 
 
-//- Writes which schemes the mesh bears. benchmarks/solvable.md compares the
-//  factor with the factor of the whole mesh.
-static void write(Ostream& os, const schemeGrade& grade)
+string textOf(const schemeGrade& grade)
 {
     std::ostringstream text;
     text.precision(2);
     if (grade.factor < 0.7)
     {
-        text<< "Plain schemes converge";
+        text<< "plain schemes converge";
     }
     else if (grade.factor < 0.9)
     {
-        text<< "Plain schemes probably converge";
+        text<< "plain schemes probably converge";
     }
     else
     {
-        text<< "Limit the correction of non-orthogonality (limited corrected"
-            << " 0.5): plain schemes "
+        text<< "plain schemes "
             << (grade.factor < 1.1 ? "may diverge" : "diverge");
     }
 
+    return text.str();
+}
+
+
+//- Writes the numbers behind the grade. benchmarks/solvable.md compares the
+//  factor with the factor of the whole mesh.
+static void write(Ostream& os, const schemeGrade& grade)
+{
+    std::ostringstream text;
+    text.precision(2);
+    text<< "Plain schemes: ";
     if (grade.nLargeGains)
     {
-        text<< ", factor about " << grade.factor << " on the "
+        text<< "factor about " << grade.factor << " on the "
             << grade.nLargeGains << " cells with explicit gains above "
             << schemeGrade::largeGain << "; slowest at ("
             << std::setprecision(6) << grade.place.x() << ' '
@@ -249,7 +257,7 @@ static void write(Ostream& os, const schemeGrade& grade)
     }
     else
     {
-        text<< ": no explicit gain is above " << schemeGrade::largeGain;
+        text<< "no explicit gain is above " << schemeGrade::largeGain;
     }
     os  << text.str().c_str() << nl;
 }

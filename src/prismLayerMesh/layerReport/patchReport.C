@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <cstring>
 #include <iomanip>
+#include <numeric>
 #include <sstream>
 
 #if defined(__GLIBCXX__) && defined(_OPENMP)
@@ -182,7 +183,64 @@ percentiles makePercentiles(scalarField values, const columnTeam& team)
 }
 
 
+scalar weightedMedian
+(
+    const scalarField& values,
+    const scalarField& weights,
+    const columnTeam& team
+)
+{
+    if (team.sum(values.size()) == 0)
+    {
+        return 0;
+    }
+    const labelList order(sortedOrder(values));
+    const scalarField ascending(values, order);
+    scalarField upTo(weights, order);
+    std::partial_sum(upTo.begin(), upTo.end(), upTo.begin());
+    const auto weightUpTo = [&](const scalar bound)
+    {
+        const label n = std::upper_bound
+        (
+            ascending.begin(), ascending.end(), bound
+        ) - ascending.begin();
+
+        return team.sum(n ? upTo[n - 1] : scalar(0));
+    };
+
+    const scalar half = 0.5*weightUpTo(GREAT);
+    std::int64_t low = orderOf(-GREAT);
+    std::int64_t high = orderOf(GREAT);
+    while (low != high)
+    {
+        const std::uint64_t width = std::uint64_t(high) - std::uint64_t(low);
+        const std::int64_t middle =
+            std::int64_t(std::uint64_t(low) + width/2);
+        const bool isEnough = weightUpTo(valueOf(middle)) >= half;
+        low = isEnough ? low : middle + 1;
+        high = isEnough ? middle : high;
+    }
+
+    return valueOf(low);
+}
+
+
 // * * * * * * * * * * * * * * *  Face Heights * * * * * * * * * * * * * * * //
+
+scalar faceHeights::leastGrowth(const label facei) const
+{
+    const label n = growthOverRequest.size()/max(areas.size(), label(1));
+    scalar least = 1;
+    for (label i = 0; i < n; ++i)
+    {
+        const scalar growth = growthOverRequest[facei*n + i];
+        least = min(least, min(growth, 1/max(growth, VSMALL)));
+    }
+
+    return least;
+}
+
+
 
 faceHeights makeFaceHeights
 (
@@ -363,26 +421,42 @@ void wallSample::addPoints(const labelUList& faces, patchReport& patch) const
 
 void wallSample::addFaces(const labelUList& counted, patchReport& patch) const
 {
+    const scalarField areas(heights.areas, counted);
+    const scalarField first(heights.firstOverRequest, counted);
+    const scalarField total(heights.totalOverRequest, counted);
     const scalarField jacobians(certificate.worstJacobian, counted);
-    scalar fullArea = 0;
-    for (const label facei : counted)
-    {
-        const scalar area = heights.areas[facei];
-        patch.area += area;
-        fullArea += heights.totalOverRequest[facei] >= 0.99 ? area : 0;
-    }
     patch.nFaces = team.sum(counted.size());
-    patch.area = team.sum(patch.area);
-    fullArea = team.sum(fullArea);
+    patch.area = team.sum(sum(areas));
     const scalar worst = team.reduce(min(jacobians), minOp<scalar>());
     const scalar sumJacobians = team.sum(sum(jacobians));
+    const auto areaPercent = [&](const std::function<bool(label)>& counts)
+    {
+        scalar share = 0;
+        forAll(counted, i)
+        {
+            share += counts(i) ? areas[i] : 0;
+        }
+
+        return 100*team.sum(share)/max(patch.area, VSMALL);
+    };
+    patch.fullThicknessArea =
+        areaPercent([&](const label i) { return total[i] >= 0.99; });
+    patch.firstHeightArea =
+        areaPercent([&](const label i) { return mag(first[i] - 1) <= 0.01; });
+    patch.thicknessArea =
+        areaPercent([&](const label i) { return mag(total[i] - 1) <= 0.05; });
+    patch.vanishingArea = areaPercent([&](const label i)
+    {
+        return heights.leastGrowth(counted[i]) < patchReport::vanishing;
+    });
+    patch.firstHeightMedian = weightedMedian(first, areas, team);
+    patch.thicknessMedian = weightedMedian(total, areas, team);
 
     if (patch.nFaces)
     {
         // Layers are on every face
         patch.layersReached = layers.nLayers;
         patch.fullLayersArea = 100;
-        patch.fullThicknessArea = 100*fullArea/max(patch.area, VSMALL);
         patch.worstJacobian = worst;
         patch.meanJacobian = sumJacobians/patch.nFaces;
     }

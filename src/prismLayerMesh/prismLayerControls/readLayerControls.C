@@ -526,7 +526,7 @@ layerControls readLayerControls(const dictionary& dict)
         ({
             "finalAspect", "marchingDistances", "marchingDirections",
             "transitionRatio", "maxStretch", "multipleNormalsAngle", "fields",
-            "relativeTo", "patches", "regions"
+            "relativeTo", "patches", "regions", "allowPoorHeights"
         })
     );
     checkKeys(dict, keys);
@@ -560,6 +560,10 @@ layerControls readLayerControls(const dictionary& dict)
     (
         dict, "multipleNormalsAngle", 0, 90, controls.multipleNormalsAngle
     );
+
+    Switch allow(controls.allowPoorHeights);
+    dict.readIfPresent("allowPoorHeights", allow, keyType::LITERAL);
+    controls.allowPoorHeights = allow;
 
     controls.patches = readLayerPatches(dict, controls);
     controls.regions = readLayerRegions(dict, controls);

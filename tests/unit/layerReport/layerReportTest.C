@@ -402,10 +402,15 @@ TEST(writeLayerReport, saysWhereCentresAreOutside)
 }
 
 
-TEST(writeHeightJumps, saysWhereAFaceIsLow)
+static point middleOf(const wallSurface& wall, const label facei)
+{
+    return wall.faces[facei].average(wall.points, wall.points);
+}
+
+
+TEST(makeLayerReport, saysWhereAFaceIsLow)
 {
     cubeRun run;
-    OStringStream nothing;
     const auto reportOf = [&]()
     {
         return makeLayerReport
@@ -414,8 +419,7 @@ TEST(writeHeightJumps, saysWhereAFaceIsLow)
             run.layers, certify(run.layers), run.causes
         );
     };
-    writeHeightJumps(nothing, reportOf());
-    EXPECT_EQ(nothing.str(), "");
+    EXPECT_TRUE(reportOf().heightJumps.empty());
 
     // Neighbours share two of its three columns: they are 4 times as high
     for (const label c : run.wall.faces[7])
@@ -427,10 +431,65 @@ TEST(writeHeightJumps, saysWhereAFaceIsLow)
     EXPECT_EQ(report.heightJumps.size(), 3);
     EXPECT_NEAR(report.firstHeightChange.max, 4, 0.01);
     EXPECT_EQ(toDictionary(report).get<label>("firstHeightJumps"), 3);
-    OStringStream os;
-    writeHeightJumps(os, report);
-    EXPECT_NE(os.str().find("at 3 edges of the wall, by 4"), std::string::npos)
-        << os.str();
+    EXPECT_NEAR(mag(report.worstFirstHeight - middleOf(run.wall, 7)), 0, 1e-9);
+    EXPECT_EQ(report.wall.vanishingArea, 0);
+}
+
+
+TEST(makeLayerReport, sharesOfTheArea)
+{
+    // Away from the edges of the cube, heights are exact
+    cubeRun run;
+    const patchReport exact(run.report().wall);
+    EXPECT_GT(exact.firstHeightArea, 20);
+    EXPECT_NEAR(exact.firstHeightMedian, 1, 0.02);
+
+    // Half of all heights: no face has what was asked for
+    for (label c = 0; c < run.layers.nColumns(); ++c)
+    {
+        for (label i = 1; i <= n; ++i)
+        {
+            point& x = run.layers.points[run.layers.index(c, i)];
+            x = 0.5*(run.layers(c, 0) + x);
+        }
+    }
+    const patchReport half(run.report().wall);
+    EXPECT_EQ(half.firstHeightArea, 0);
+    EXPECT_EQ(half.thicknessArea, 0);
+    EXPECT_NEAR(half.firstHeightMedian, 0.5, 0.02);
+    EXPECT_NEAR(half.thicknessMedian, 0.5, 0.05);
+}
+
+
+TEST(makeLayerReport, heightsThatVanish)
+{
+    cubeRun run;
+    const label nFaces = run.wall.faces.size();
+
+    // The second layer on one face is a millionth as high as the first one
+    for (const label c : run.wall.faces[7])
+    {
+        const point first(run.layers(c, 1));
+        point& second = run.layers.points[run.layers.index(c, 2)];
+        second = first + 1e-6*(second - first);
+    }
+    const layerReport report(run.report());
+    EXPECT_GT(report.wall.vanishingArea, 99.0/nFaces);
+    EXPECT_LT(report.wall.vanishingArea, 20*100.0/nFaces);
+    EXPECT_NEAR(mag(report.worstGrowth - middleOf(run.wall, 7)), 0, 1e-9);
+}
+
+
+TEST(weightedMedian, countsWeights)
+{
+    EXPECT_EQ(weightedMedian(scalarField(), scalarField()), 0);
+    const scalarField values({3, 1, 2});
+    EXPECT_EQ(weightedMedian(values, scalarField(3, 1.0)), 2);
+    EXPECT_EQ(weightedMedian(values, scalarField({5, 1, 1})), 3);
+    EXPECT_EQ
+    (
+        weightedMedian(scalarField({-1, 0, 1}), scalarField({3, 1, 1})), -1
+    );
 }
 
 

@@ -245,4 +245,19 @@ TEST(readLayerControls, fieldsOfHeights)
 }
 
 
+TEST(readLayerControls, poorHeightsAreAllowedIfAsked)
+{
+    const std::string layers
+    (
+        surface + "layers { nSurfaceLayers 2; thickness 1;"
+    );
+    EXPECT_FALSE(readControls(layers + " }").layers.allowPoorHeights);
+    EXPECT_TRUE
+    (
+        readControls(layers + " allowPoorHeights yes; }").layers
+       .allowPoorHeights
+    );
+}
+
+
 // ************************************************************************* //

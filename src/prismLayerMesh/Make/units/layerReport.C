@@ -5,10 +5,13 @@
 
 #include "layerReport/patchReport.C"
 #include "layerReport/layerReport.C"
+#include "layerReport/layerReportIO.C"
 #include "layerReport/stageLog.C"
 #include "layerReport/farFieldReport.C"
 #include "layerReport/polygonReport.C"
+#include "layerReport/meshVerdict.C"
 #include "layerReport/writeJson.C"
+#include "layerReport/refusal.C"
 #include "layerReport/levelSetReport.C"
 #include "layerReport/writeVtk.C"
 #include "layerReport/writeStageFields.C"

@@ -9,6 +9,8 @@
 #include "layerReport/faceHeightsTest.C"
 #include "layerReport/writeVtkTest.C"
 #include "layerReport/polygonReportTest.C"
+#include "layerReport/meshVerdictTest.C"
 #include "layerReport/writeJsonTest.C"
+#include "layerReport/refusalTest.C"
 
 // ************************************************************************* //
