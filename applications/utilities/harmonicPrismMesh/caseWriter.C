@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "caseWriter.H"
+#include "fieldNames.H"
 #include "layerReport.H"
 #include "ListOps.H"
 #include "meshFiles.H"
@@ -141,6 +142,31 @@ void Foam::caseWriter::writeSurfaces
     {
         writeFaces(case_.sidesFile(), toMeshedSurface(*surfaces.sides), files);
     }
+}
+
+
+Foam::dictionary Foam::caseWriter::compareWithFields
+(
+    const prismCase& region,
+    const replacedFiles& files
+) const
+{
+    const fileName folder(region.fieldFolder());
+    if (!isDir(folder))
+    {
+        return dictionary();
+    }
+    const List<fieldNames> fields
+    (
+        compareFields
+        (
+            readPatches(files.written(region.polyMeshFolder())/"boundary"),
+            folder
+        )
+    );
+    write(Info, fields);
+
+    return toDictionary(fields);
 }
 
 

@@ -530,21 +530,32 @@ static void writeMeshes
 }
 
 
+//- Writes the reports of regions, each with the fields of its mesh
 static void writeReports
 (
     const prismCase& files,
     const caseWriter& writer,
     const spaceRegions& all,
+    const bool areApart,
     const List<regionReport>& reports,
     replacedFiles& replaced
 )
 {
+    dictionary fields;
+    if (!areApart)
+    {
+        fields = writer.compareWithFields(files, replaced);
+    }
     forAll(all.regions, r)
     {
-        writer.writeReports
-        (
-            prismCase(files, all.regions[r].name), reports[r].entries, replaced
-        );
+        const prismCase region(files, all.regions[r].name);
+        if (areApart)
+        {
+            fields = writer.compareWithFields(region, replaced);
+        }
+        dictionary entries(reports[r].entries);
+        entries.add("fields", fields);
+        writer.writeReports(region, entries, replaced);
     }
 }
 
@@ -610,7 +621,7 @@ void meshRegions
         (
             files, writer, all, controls, areApart, made, replaced
         );
-        writeReports(files, writer, all, reports, replaced);
+        writeReports(files, writer, all, areApart, reports, replaced);
     });
     log.end(areApart ? "each region apart" : "one mesh");
     files.removeRefusal();

@@ -328,6 +328,7 @@ static meshVerdict writeCase
         entries.add("processes", processes);
     }
 
+    entries.add("fields", writer.compareWithFields(files, replaced));
     writer.writeReports(files, entries, replaced);
 
     return verdict;

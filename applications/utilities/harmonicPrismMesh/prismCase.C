@@ -76,6 +76,12 @@ Foam::fileName Foam::replacedFiles::scratch
 }
 
 
+Foam::fileName Foam::replacedFiles::written(const fileName& target) const
+{
+    return written_[targets_.find(target)];
+}
+
+
 void Foam::replacedFiles::replaceAll()
 {
     forAll(targets_, i)
@@ -328,6 +334,16 @@ Foam::fileName Foam::prismCase::reportFile() const
 Foam::fileName Foam::prismCase::jsonFile() const
 {
     return reportFile() + ".json";
+}
+
+
+Foam::fileName Foam::prismCase::fieldFolder() const
+{
+    const fileName fields(time_.globalPath()/"0");
+
+    return
+        (isDir(fields) ? fields : fileName(fields + ".orig"))
+       /(region_ == polyMesh::defaultRegion ? word::null : region_);
 }
 
 

@@ -12,6 +12,7 @@
 #include "layerReport/meshVerdict.C"
 #include "layerReport/writeJson.C"
 #include "layerReport/refusal.C"
+#include "layerReport/fieldNames.C"
 #include "layerReport/levelSetReport.C"
 #include "layerReport/writeVtk.C"
 #include "layerReport/writeStageFields.C"

@@ -12,5 +12,6 @@
 #include "layerReport/meshVerdictTest.C"
 #include "layerReport/writeJsonTest.C"
 #include "layerReport/refusalTest.C"
+#include "layerReport/fieldNamesTest.C"
 
 // ************************************************************************* //
