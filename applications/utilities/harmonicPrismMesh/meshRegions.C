@@ -196,6 +196,26 @@ static void requirePatches
 }
 
 
+//- Logs which parts of the files are beside no region.
+//  sides: patches of the far boundary
+static void logUnused(const spaceRegions& all, const wordList& sides)
+{
+    const List<unusedArea> areas(unusedAreas(all));
+    forAll(areas, patchi)
+    {
+        const unusedArea& area = areas[patchi];
+        const word& patch = all.surface.patchNames[patchi];
+        if (area.unused > 0 && !sides.found(patch))
+        {
+            Info<< "    " << 100*area.unused/area.whole << " % of the patch "
+                << patch << " is beside no region, first at " << area.place
+                << nl;
+        }
+    }
+    Info<< flush;
+}
+
+
 static spaceRegions makeRegions
 (
     const prismCase& files,
@@ -245,7 +265,7 @@ static spaceRegions makeRegions
             << ": " << region.surface.faces.size() << " faces, volume "
             << region.volume << " m3" << nl;
     }
-    Info<< flush;
+    logUnused(all, controls.sides.surface.patchNames);
 
     return all;
 }

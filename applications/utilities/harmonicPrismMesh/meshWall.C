@@ -316,7 +316,8 @@ static meshVerdict writeCase
     report.stages = log.costs();
 
     const farFieldReport* farOrNull = hasFarField ? &far : nullptr;
-    const meshVerdict verdict(makeVerdict(&report, farOrNull));
+    const List<verdictLine> wall(1, verdictOnWall(given.prepared.account));
+    const meshVerdict verdict(makeVerdict(&report, farOrNull, wall));
     dictionary entries(reportEntries(&report, farOrNull, verdict));
     entries.add("surface", given.changes);
     if (nPolygonCells)

@@ -4,12 +4,24 @@
 \*---------------------------------------------------------------------------*/
 
 #include "farFieldMesh.H"
-#include "error.H"
 #include "surfaceMeasures.H"
 #include "UIndirectList.H"
 
 namespace Foam
 {
+
+// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+
+flatCellError::flatCellError(const point& place)
+:
+    error("--> FOAM FATAL ERROR: ")
+{
+    OSstream& os = *this;
+    os  << "A cell of the far field at " << place << " is flat but for rounding"
+        << nl << "Change farField.growthRate or maxCellSize a little, or remesh"
+        << " the surface there";
+}
+
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
@@ -74,11 +86,7 @@ void requireVolumes(const farFieldMesh& far, const label nCells)
     {
         if (volumes[celli] <= roundingVolume(boxes[celli], areas[celli]))
         {
-            FatalErrorInFunction
-                << "A cell of the far field at " << far.points[apex[celli]]
-                << " is flat but for rounding" << nl
-                << "Change farField.growthRate or maxCellSize a little, or"
-                << " remesh the surface there" << exit(FatalError);
+            throw flatCellError(far.points[apex[celli]]);
         }
     }
 }

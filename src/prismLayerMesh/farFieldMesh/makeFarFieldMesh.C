@@ -133,12 +133,7 @@ static void improve
     }
     if (flat < labelMax)
     {
-        FatalErrorInFunction
-            << "A tetrahedron of the far field could not be certified: it is"
-            << " flat but for rounding, at "
-            << mesh.tets[flat].tet(mesh.points).centre() << nl
-            << "Change farField.growthRate or maxCellSize a little, or remesh"
-            << " the surface there" << exit(FatalError);
+        throw flatCellError(mesh.tets[flat].tet(mesh.points).centre());
     }
 }
 
@@ -373,7 +368,9 @@ static farFieldMesh fillWithCells
 }
 
 
-farFieldMesh makeFarFieldMesh
+//- Makes the far field.
+//  Errors: flatCellError, and those of makeFarFieldMesh
+static farFieldMesh tryFarFieldMesh
 (
     const prismLayers& layers,
     farFieldDomain domain,
@@ -423,6 +420,50 @@ farFieldMesh makeFarFieldMesh
     setCyclic(domain.boundary.cyclicSides, made.patches);
 
     return made;
+}
+
+
+//- So often the far field is made with other sizes if cells are flat
+static constexpr label nRetries = 3;
+
+//- The share of the growth by which the growth rate falls each time
+static constexpr scalar growthShare = 0.05;
+
+
+farFieldMesh makeFarFieldMesh
+(
+    const prismLayers& layers,
+    farFieldDomain domain,
+    const farFieldControls& controls
+)
+{
+    // A mesh around the layers would be there twice
+    const label nTries = controls.type == farFieldType::mesh ? 0 : nRetries;
+    farFieldControls changed(controls);
+    for (label n = 0; n < nTries; ++n)
+    {
+        try
+        {
+            farFieldMesh made(tryFarFieldMesh(layers, domain, changed));
+            if (n)
+            {
+                made.notes.append
+                (
+                    "Cells were flat but for rounding with growthRate "
+                  + name(controls.growthRate) + ": made with "
+                  + name(changed.growthRate)
+                );
+            }
+
+            return made;
+        }
+        catch (const flatCellError&)
+        {
+            changed.growthRate -= growthShare*(controls.growthRate - 1);
+        }
+    }
+
+    return tryFarFieldMesh(layers, std::move(domain), changed);
 }
 
 } // End namespace Foam

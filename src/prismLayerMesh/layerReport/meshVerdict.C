@@ -335,6 +335,47 @@ List<verdictLine> verdictOnLayers(const layerReport& layers)
 }
 
 
+verdictLine verdictOnWall(const wallAccount& account)
+{
+    const areaAccount& all = account.all;
+    const scalar whole = all.area();
+    const auto share = [&](const scalar area)
+    {
+        return text(whole > 0 ? 100*area/whole : 0);
+    };
+
+    verdictLine line;
+    line.name = "wall";
+    line.text = share(all.area(areaFate::kept)) + " % of the files' "
+      + text(whole) + " m2";
+    const auto add = [&](const scalar area, const char* where)
+    {
+        if (area > 0)
+        {
+            line.text += ", " + share(area) + " % " + where;
+        }
+    };
+    add(all.area(areaFate::beyond), "beyond sides or in them");
+    add(all.area(areaFate::apart), "not beside surface.inside");
+    add
+    (
+        all.area(areaFate::contact) + all.area(areaFate::inside),
+        "inside of bodies or where bodies touch"
+    );
+    add(all.area(areaFate::lost), "LOST");
+    if (all.nLost)
+    {
+        line.grade = verdictLine::grades::poor;
+        line.place = all.place;
+        line.remedy =
+            "a smaller stitchCoeffs.gap, wrapCoeffs.size or remesh.deviation in"
+            " surface; the report has surface.account by patch";
+    }
+
+    return line;
+}
+
+
 verdictLine verdictOnSolver
 (
     const layerReport* layers,

@@ -612,6 +612,33 @@ spaceRegions makeSpaceRegions
     return result;
 }
 
+
+List<unusedArea> unusedAreas(const spaceRegions& all)
+{
+    const wallSurface& surface = all.surface;
+    List<unusedArea> areas(surface.patchNames.size());
+    scalarField largest(areas.size(), Zero);
+    forAll(surface.faces, facei)
+    {
+        const label patchi = surface.patchIDs[facei];
+        const scalar area = surface.faces[facei].mag(surface.points);
+        const labelPair& regions = all.regionsOfFace[facei];
+        unusedArea& ofPatch = areas[patchi];
+        ofPatch.whole += area;
+        if (regions.first() < 0 && regions.second() < 0)
+        {
+            ofPatch.unused += area;
+            if (area > largest[patchi])
+            {
+                largest[patchi] = area;
+                ofPatch.place = surface.faces[facei].centre(surface.points);
+            }
+        }
+    }
+
+    return areas;
+}
+
 } // End namespace Foam
 
 // ************************************************************************* //

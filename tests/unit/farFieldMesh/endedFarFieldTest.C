@@ -348,7 +348,7 @@ TEST(endedFarField, planesNeedABox)
     expectWords
     (
         errorOf(boundBox()),
-        {"boundary of type box"}
+        {"boundary { type box;"}
     );
 }
 

@@ -153,7 +153,7 @@ TEST(checkBodies, bodiesOutsideOfTheFluidAreRefused)
         expectWords
         (
             errorBeside(vector(3, 0.5, 0.5), nFar),
-            {"the body at (3", "outside of the fluid", "is 1 from it"}
+            {"the body at (3", "outside of the fluid", "is 1 m from it"}
         );
     }
 }

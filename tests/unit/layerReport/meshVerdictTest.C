@@ -263,4 +263,25 @@ TEST(meshVerdict, logAndReportAreEqual)
 }
 
 
+TEST(meshVerdict, theWallIsTheFilesOrSomethingIsLost)
+{
+    wallAccount account;
+    account.all.add(areaFate::kept, 3, 0, Zero);
+    account.all.add(areaFate::beyond, 1, 0, Zero);
+    const verdictLine good(verdictOnWall(account));
+    EXPECT_EQ(good.name, "wall");
+    EXPECT_EQ(good.grade, grades::good);
+    EXPECT_EQ
+    (
+        good.text, "75 % of the files' 4 m2, 25 % beyond sides or in them"
+    );
+
+    account.all.add(areaFate::lost, 1, 0.5, point(1, 2, 3));
+    const verdictLine poor(verdictOnWall(account));
+    EXPECT_EQ(poor.grade, grades::poor);
+    EXPECT_EQ(poor.place, point(1, 2, 3));
+    EXPECT_NE(poor.text.find("20 % LOST"), std::string::npos) << poor.text;
+}
+
+
 // ************************************************************************* //

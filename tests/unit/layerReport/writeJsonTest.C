@@ -17,6 +17,8 @@ using namespace Foam;
 
 TEST(jsonOf, numbersWordsAndTexts)
 {
+    // Other tests may have set another one
+    IOstream::defaultPrecision(6);
     dictionary dict;
     dict.add("cells", label(12));
     dict.add("area", scalar(1.0)/3);

@@ -342,6 +342,45 @@ TEST(makeSpaceRegions, edgesOfASheetBetweenItsFreeEdgesAreDivided)
 }
 
 
+TEST(spaceRegions, whatIsBesideNoRegionIsCounted)
+{
+    // A solid without a region has a shell inside of it
+    const auto named = [](wallSurface surface, const word& patch)
+    {
+        surface.patchNames = wordList(1, patch);
+        surface.patchIDs = labelList(surface.faces.size(), Zero);
+        return surface;
+    };
+    const wallSurface all
+    (
+        merge
+        (
+            named(cubeAt(point(0, 0, 0), 4), "room"),
+            merge
+            (
+                named(cubeAt(point(1, 1, 1), 2), "solid"),
+                named(cubeAt(point(1.5, 1.5, 1.5), 1), "shell")
+            )
+        )
+    );
+    const spaceRegions made
+    (
+        makeSpaceRegions
+        (
+            makeArrangement(all), {{"air", point(0.3, 0.2, 3.1)}}
+        )
+    );
+    const List<unusedArea> areas(unusedAreas(made));
+    for (const label patchi : {0, 1, 2})
+    {
+        const unusedArea& area = areas[patchi];
+        const bool isShell = made.surface.patchNames[patchi] == "shell";
+        EXPECT_NEAR(area.unused, isShell ? 6 : 0, 1e-12) << patchi;
+        EXPECT_GE(area.whole, 6) << patchi;
+    }
+}
+
+
 TEST(spaceRegions, anOpenedSheetIsAnOrdinaryWallAndComesBack)
 {
     spaceRegions all(makeSpaceRegions(sheetInBox(4), inAir, sheetIsBaffle));
