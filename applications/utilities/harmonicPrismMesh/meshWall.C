@@ -319,7 +319,7 @@ static meshVerdict writeCase
     const List<verdictLine> wall(1, verdictOnWall(given.prepared.account));
     const meshVerdict verdict(makeVerdict(&report, farOrNull, wall));
     dictionary entries(reportEntries(&report, farOrNull, verdict));
-    entries.add("surface", given.changes);
+    entries.add("surface", given.entries);
     if (nPolygonCells)
     {
         entries.add("polygons", toDictionary(polygons.counts));
@@ -544,7 +544,7 @@ void meshWall
 )
 {
     const wallSurface& wall = given.prepared.wall;
-    const bool isChanged = given.isChanged();
+    const bool isChanged = given.isChanged;
     if (!isChanged)
     {
         given.prepared.surface = wallSurface();

@@ -118,7 +118,6 @@ static dictionary toDictionary
     {
         dict.add("facesInSidesRemoved", prepared.nFacesInSides);
     }
-    dict.add("account", toDictionary(prepared.account));
     if (prepared.steps.size())
     {
         dictionary repair(toDictionary(prepared.repair));
@@ -240,7 +239,9 @@ caseWall readWall
     {
         controls.farField.boundary.type = farBoundaryType::surface;
     }
-    wall.changes = toDictionary(reading, prepared);
+    wall.entries = toDictionary(reading, prepared);
+    wall.isChanged = wall.entries.size();
+    wall.entries.add("account", toDictionary(prepared.account));
     wall.defects = textOf(prepared.defects, reading);
     if (wantsAdvice)
     {

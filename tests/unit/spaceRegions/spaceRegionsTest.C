@@ -363,13 +363,8 @@ TEST(spaceRegions, whatIsBesideNoRegionIsCounted)
             )
         )
     );
-    const spaceRegions made
-    (
-        makeSpaceRegions
-        (
-            makeArrangement(all), {{"air", point(0.3, 0.2, 3.1)}}
-        )
-    );
+    const List<regionSeed> seeds({{"air", point(0.3, 0.2, 3.1)}});
+    const spaceRegions made(makeSpaceRegions(makeArrangement(all), seeds));
     const List<unusedArea> areas(unusedAreas(made));
     for (const label patchi : {0, 1, 2})
     {
