@@ -205,7 +205,7 @@ class Page(Case):
                       "The wall over the files", "Slices",
                       "The ten worst places", "Patches", "Seconds"):
             self.assertIn("<h2>%s</h2>" % title, text)
-        self.assertIn("3 of 3, all of them on 100&nbsp;% of the area", text)
+        self.assertIn("all 3 on 100 % of the wall", text)
         # Three of the wall, two of a slice; no place misses the request
         self.assertEqual(n_pictures, 5)
 

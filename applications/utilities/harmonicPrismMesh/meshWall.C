@@ -488,7 +488,8 @@ static void logFiles(const prismCase& files, const fileName& surface)
 {
     Info<< nl << "Mesh:   " << files.polyMeshFolder() << nl
         << "Outer:  " << files.outerFile() << nl
-        << "Report: " << files.reportFile() << nl;
+        << "Report: " << files.reportFile() << nl
+        << "Page:   harmonicPrismReport makes one for browsers" << nl;
     if (surface.size())
     {
         Info<< "Surface: " << surface << nl;

@@ -23,6 +23,10 @@ namespace Foam
 //  is gone is not near to what it stood on
 static constexpr scalar partShare = 0.02;
 
+//- A patch without faces is missing if more than this share of its area is kept
+//  or lost. At the rim of a patch in a side plane places are near to the wall.
+static constexpr scalar missingShare = 0.1;
+
 //- Solid angles of triangles that a part may take; of more samples each n-th is
 //  tested
 static constexpr scalar maxAngles = 1e8;
@@ -314,7 +318,11 @@ class accountant
         {
             const scalar counted =
                 patch.area(areaFate::kept) + patch.area(areaFate::lost);
-            if (counted > 0 && !there.found(patch.patch))
+            if
+            (
+                counted > missingShare*patch.area()
+             && !there.found(patch.patch)
+            )
             {
                 account.missingPatches.append(patch.patch);
             }
