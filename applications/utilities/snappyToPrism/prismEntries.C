@@ -101,12 +101,13 @@ static dictionary remeshEntries(const snappyCase& given, const word& repair)
 }
 
 
-//- Adds what one region without baffles has, and several regions have not
+//- Adds what one region without baffles has, and several regions have not.
+//  location: a point in the fluid, or null
 static void addRepairAndRemesh
 (
     const snappyCase& given,
     const bool isFluidInside,
-    const point& location,
+    const point* location,
     dictionary& surface
 )
 {
@@ -115,7 +116,14 @@ static void addRepairAndRemesh
     {
         repair = given.isCrossed() ? "stitch" : "none";
     }
-    surface.add("fluid", word(isFluidInside ? "inside" : "outside"));
+    if (location)
+    {
+        surface.add("inside", *location);
+    }
+    else
+    {
+        surface.add("fluid", word("outside"));
+    }
     surface.add("repair", repair);
     dictionary wrap;
     if (given.box.hasWidths())
@@ -125,7 +133,7 @@ static void addRepairAndRemesh
     }
     if (isFluidInside)
     {
-        wrap.add("seeds", pointField(1, location));
+        wrap.add("seeds", pointField(1, *location));
     }
     addFilled(surface, "wrapCoeffs", wrap);
 }
@@ -164,7 +172,7 @@ static dictionary surfaceEntries
 (
     const snappyCase& given,
     const bool isFluidInside,
-    const point& location,
+    const point* location,
     remarkList& remarks
 )
 {
@@ -433,7 +441,11 @@ dictionary prismEntries(const snappyCase& given, remarkList& remarks)
     dictionary entries;
     entries.add
     (
-        "surface", surfaceEntries(given, isInsideOfWall, location, remarks)
+        "surface",
+        surfaceEntries
+        (
+            given, isInsideOfWall, hasLocation ? &location : nullptr, remarks
+        )
     );
     if (given.hasBaffles())
     {

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "snappyWalls.H"
+#include "fluidSide.H"
 #include "controlEntries.H"
 #include "OSspecific.H"
 #include "ranges.H"
@@ -316,37 +317,23 @@ bool isInside
     const blockBox& box
 )
 {
-    // Faces need not be oriented alike: rays count them
-    const List<vector> rays
-    ({
-        {0.31, 0.58, 0.75}, {-0.62, 0.47, 0.63}, {0.44, -0.81, 0.39},
-        {0.53, 0.36, -0.77}, {-0.71, -0.42, -0.57}
-    });
-    labelList nHits(rays.size(), 0);
-    scalar angle = 0;
-    labelList triangleFace;
-    for (const face& f : wallTriangles(surface, triangleFace))
+    if (!isGround(boundBox(surface.points, false), box))
     {
-        const triPointRef triangle
-        (
-            surface.points[f[0]], surface.points[f[1]], surface.points[f[2]]
-        );
-        angle += solidAngle(triangle, location);
-        forAll(rays, i)
-        {
-            const intersection::algorithm half = intersection::HALF_RAY;
-            nHits[i] += triangle.intersection(location, rays[i], half).hit();
-        }
-    }
-    label nOdd = 0;
-    for (const label n : nHits)
-    {
-        nOdd += n % 2;
+        return isEnclosed(surface, location);
     }
 
-    return
-        isGround(boundBox(surface.points, false), box)
-      ? angle > 0.5 : nOdd > rays.size()/2;
+    scalar angle = 0;
+    labelList faceOf;
+    for (const face& f : wallTriangles(surface, faceOf))
+    {
+        const pointField& points = surface.points;
+        angle += solidAngle
+        (
+            triPointRef(points[f[0]], points[f[1]], points[f[2]]), location
+        );
+    }
+
+    return angle > 0.5;
 }
 
 } // End namespace Foam

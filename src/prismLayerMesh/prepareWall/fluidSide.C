@@ -5,11 +5,14 @@
 
 #include "fluidSide.H"
 #include "boundBox.H"
+#include "FixedList.H"
+#include "intersection.H"
 #include "ListOps.H"
 #include "orientOpenWall.H"
 #include "ranges.H"
 #include "splitAtSidePatches.H"
 #include "surfacePart.H"
+#include "triPointRef.H"
 
 namespace Foam
 {
@@ -247,6 +250,30 @@ bool isFluidBehind
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
+bool isEnclosed(const wallSurface& surface, const point& x)
+{
+    static const FixedList<vector, 5> rays
+    {
+        {0.31, 0.58, 0.75}, {-0.62, 0.47, 0.63}, {0.44, -0.81, 0.39},
+        {0.53, 0.36, -0.77}, {-0.71, -0.42, -0.57}
+    };
+    FixedList<label, 5> nHits(Zero);
+    labelList faceOf;
+    for (const face& f : wallTriangles(surface, faceOf))
+    {
+        const pointField& points = surface.points;
+        const triPointRef triangle(points[f[0]], points[f[1]], points[f[2]]);
+        forAll(rays, i)
+        {
+            const intersection::algorithm half = intersection::HALF_RAY;
+            nHits[i] += triangle.intersection(x, rays[i], half).hit();
+        }
+    }
+
+    return 2*countOf(nHits, [](const label n) { return n % 2; }) > rays.size();
+}
+
+
 bool isFluidOutside
 (
     const wallSurface& surface,
@@ -259,9 +286,12 @@ bool isFluidOutside
         return controls.fluidOutside;
     }
 
-    const closedComponents all(surface, planes);
-    const labelList around(all.around(controls.inside));
-    const bool isOutside = around.empty();
+    const scalar near = sideTolerance*boundBox(surface.points, false).mag();
+    const edgeList border(outline(surface.faces));
+    const bool isOutside =
+        isOnOrBeyond(surface.points, border, planes, near)
+      ? closedComponents(surface, planes).around(controls.inside).empty()
+      : !isEnclosed(surface, controls.inside);
     if (controls.isFluidGiven && isOutside != controls.fluidOutside)
     {
         FatalErrorInFunction

@@ -91,6 +91,25 @@ TEST(fluidSide, aPointTells)
 }
 
 
+TEST(fluidSide, aSurfaceWithGapsEnclosesAPoint)
+{
+    // Half of the faces are turned, and one is missing
+    wallSurface open(cube(2));
+    for (label i = 0; i < open.faces.size(); i += 2)
+    {
+        open.faces[i].flip();
+    }
+    open.faces.resize(open.faces.size() - 1);
+    open.patchIDs.resize(open.faces.size());
+    for (const scalar x : {0.4, 1.7})
+    {
+        const point p(x, 0.45, 0.55);
+        EXPECT_EQ(isEnclosed(open, p), x < 1);
+        EXPECT_EQ(isFluidOutside(open, {}, inside(p)), x > 1);
+    }
+}
+
+
 TEST(fluidSide, entriesThatDoNotAgreeAreRefused)
 {
     wallSurfaceControls controls(inside(point(0.5, 0.5, 0.5)));
