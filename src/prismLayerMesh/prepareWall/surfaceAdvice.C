@@ -175,14 +175,19 @@ static string adviceToCut(const trials& trial, prismLayerControls controls)
 }
 
 
-//- What a repair has moved, as text
-static string movesOf(const preparedWall& prepared)
+//- By how far a repair has moved faces [m]
+static scalar moveOf(const preparedWall& prepared)
 {
     const surfaceChange& change = prepared.repair;
+
+    return max(change.distance.largest, change.distanceOfGiven.largest);
+}
+
+
+static string textOfMove(const preparedWall& prepared)
+{
     OStringStream os;
-    os  << "It moves faces by at most "
-        << max(change.distance.largest, change.distanceOfGiven.largest)
-        << " m.";
+    os  << "It moves faces by at most " << moveOf(prepared) << " m.";
 
     return os.str();
 }
@@ -193,11 +198,30 @@ static string movesOf(const preparedWall& prepared)
 static constexpr scalar widerGaps[] = {3e-4, 1e-3, 3e-3};
 
 
-//- Advice to stitch wider gaps; nothing if that does not mend the surface
+//- Wider gaps are advised if they move faces by less than this share
+static constexpr scalar bentShare = 0.5;
+
+
+//- The gap that stitch closes [m]
+static scalar gapOf
+(
+    const wallSurface& surface,
+    const prismLayerControls& controls
+)
+{
+    const scalar gap = controls.surface.repair.gap;
+
+    return gap > 0 ? gap : 1e-4*boundBox(surface.points, false).mag();
+}
+
+
+//- Advice to stitch wider gaps; nothing if that does not mend the surface, or
+//  moves faces by a length [m] or more
 static string adviceToStitchWider
 (
     const trials& trial,
-    prismLayerControls controls
+    prismLayerControls controls,
+    const scalar length
 )
 {
     const scalar diagonal = boundBox(trial.surface.points, false).mag();
@@ -211,17 +235,46 @@ static string adviceToStitchWider
         gap = ::atof(entry.str().c_str());
         preparedWall prepared;
         const string what("surface.repair stitch, gap " + entry.str());
-        if (gap > given && trial.succeed(what.c_str(), controls, prepared))
+        if
+        (
+            gap > given && trial.succeed(what.c_str(), controls, prepared)
+         && moveOf(prepared) < length
+        )
         {
             return
                 "surface.repair stitch mends this surface if it closes wider"
-                " gaps. " + movesOf(prepared)
+                " gaps. " + textOfMove(prepared)
               + "\n    surface { repair stitch; stitchCoeffs { gap "
               + entry.str() + "; } }";
         }
     }
 
     return "";
+}
+
+
+//- Advice to stitch a surface that stitch mends, with a wider gap if the
+//  surface is then bent less
+static string adviceToStitch
+(
+    const trials& trial,
+    const prismLayerControls& controls,
+    const preparedWall& stitched
+)
+{
+    const scalar move = moveOf(stitched);
+    string wider;
+    if (move > gapOf(trial.surface, controls))
+    {
+        wider = adviceToStitchWider(trial, controls, bentShare*move);
+    }
+
+    return
+        wider.size() ? wider
+      : string
+        (
+            "surface.repair stitch mends this surface. " + textOfMove(stitched)
+        );
 }
 
 
@@ -259,8 +312,7 @@ string adviceOnDefects
     preparedWall stitched;
     if (trial.succeed("surface.repair stitch", stitching, stitched))
     {
-        return
-            "surface.repair stitch mends this surface. " + movesOf(stitched);
+        return adviceToStitch(trial, stitching, stitched);
     }
 
     const List<sidePatch> planes
@@ -290,7 +342,8 @@ string adviceOnDefects
     const string cut(adviceToCut(trial, stitching));
     const string wider
     (
-        cut.empty() ? adviceToStitchWider(trial, stitching) : string()
+        cut.empty()
+      ? adviceToStitchWider(trial, stitching, GREAT) : string()
     );
 
     return
