@@ -184,10 +184,19 @@ static scalar moveOf(const preparedWall& prepared)
 }
 
 
-static string textOfMove(const preparedWall& prepared)
+//- What a repair would change
+static string textOfChange(const preparedWall& prepared)
 {
     OStringStream os;
-    os  << "It moves faces by at most " << moveOf(prepared) << " m.";
+    os  << "It moves faces by at most " << moveOf(prepared) << " m:";
+    for (const repairStep& step : prepared.steps)
+    {
+        os  << nl << "    " << step.what.c_str() << ' ' << step.count;
+        if (step.places.size())
+        {
+            os  << ", at " << step.places[0];
+        }
+    }
 
     return os.str();
 }
@@ -243,9 +252,8 @@ static string adviceToStitchWider
         {
             return
                 "surface.repair stitch mends this surface if it closes wider"
-                " gaps. " + textOfMove(prepared)
-              + "\n    surface { repair stitch; stitchCoeffs { gap "
-              + entry.str() + "; } }";
+                " gaps:\n    surface { repair stitch; stitchCoeffs { gap "
+              + entry.str() + "; } }\n" + textOfChange(prepared);
         }
     }
 
@@ -273,7 +281,8 @@ static string adviceToStitch
         wider.size() ? wider
       : string
         (
-            "surface.repair stitch mends this surface. " + textOfMove(stitched)
+            "surface.repair stitch mends this surface. "
+          + textOfChange(stitched)
         );
 }
 
