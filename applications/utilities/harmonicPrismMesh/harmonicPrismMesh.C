@@ -363,7 +363,8 @@ static void refuse
     {
         Perr<< failure;
     }
-    Perr<< nl << "\nFOAM exiting\n" << endl;
+    Perr<< nl << "\nNo mesh was written. A mesh that was there is as it was.\n"
+        << "\nFOAM exiting\n" << endl;
     std::exit(what.status());
 }
 

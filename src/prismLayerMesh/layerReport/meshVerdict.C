@@ -299,14 +299,19 @@ static verdictLine growthLine(const layerReport& report)
 
 bool meshVerdict::isUseless() const
 {
-    return countOf
-    (
-        lines,
-        [](const verdictLine& line)
-        {
-            return line.grade == verdictLine::grades::useless;
-        }
-    );
+    return anyOf(lines, [](const verdictLine& line)
+    {
+        return line.grade == verdictLine::grades::useless;
+    });
+}
+
+
+label meshVerdict::nPoor() const
+{
+    return countOf(lines, [](const verdictLine& line)
+    {
+        return line.grade != verdictLine::grades::good;
+    });
 }
 
 
@@ -346,8 +351,11 @@ verdictLine verdictOnWall(const wallAccount& account)
 
     verdictLine line;
     line.name = "wall";
-    line.text = share(all.area(areaFate::kept)) + " % of the files' "
-      + text(whole) + " m2";
+    const bool isComplete = all.area(areaFate::lost) <= 0;
+    line.text =
+        (isComplete ? "complete: of the files' " : "of the files' ")
+      + text(whole) + " m2 " + share(all.area(areaFate::kept))
+      + " % are in the wall";
     const auto add = [&](const scalar area, const char* where)
     {
         if (area > 0)
@@ -355,14 +363,14 @@ verdictLine verdictOnWall(const wallAccount& account)
             line.text += ", " + share(area) + " % " + where;
         }
     };
-    add(all.area(areaFate::beyond), "beyond sides or in them");
-    add(all.area(areaFate::apart), "not beside surface.inside");
+    add(all.area(areaFate::beyond), "were cut off by sides or lie in sides");
+    add(all.area(areaFate::apart), "are not beside surface.inside");
     add
     (
         all.area(areaFate::contact) + all.area(areaFate::inside),
-        "inside of bodies or where bodies touch"
+        "are where bodies overlap or touch"
     );
-    add(all.area(areaFate::lost), "LOST");
+    add(all.area(areaFate::lost), "are LOST");
     if (all.nLost)
     {
         line.grade = verdictLine::grades::poor;
@@ -370,6 +378,47 @@ verdictLine verdictOnWall(const wallAccount& account)
         line.remedy =
             "a smaller stitchCoeffs.gap, wrapCoeffs.size or remesh.deviation in"
             " surface; the report has surface.account by patch";
+    }
+
+    return line;
+}
+
+
+verdictLine verdictOnQuality
+(
+    const layerReport* layers,
+    const farFieldReport* far
+)
+{
+    faceQualityCounts faces;
+    if (layers)
+    {
+        faces += layers->faces;
+    }
+    if (far)
+    {
+        faces += far->transition;
+        faces += far->farField;
+    }
+
+    verdictLine line;
+    line.name = "quality";
+    line.text = std::to_string(faces.nBeyondAny)
+      + " faces between cells are beyond the bounds of quality; largest"
+        " non-orthogonality " + text(faces.maxNonOrtho) + " degrees";
+    if (faces.nOfWall)
+    {
+        line.text += "; " + std::to_string(faces.nOfWall)
+          + " because of the wall's own faces";
+    }
+    if (100.0*faces.nBeyondAny > maxBeyond*faces.nFaces)
+    {
+        line.grade = verdictLine::grades::poor;
+        line.place = faces.firstPlace;
+        line.remedy =
+            2*faces.nOfWall > faces.nBeyondAny
+          ? "surface { remesh { } } for better triangles"
+          : "smaller edges in surface.remesh, or thinner layers";
     }
 
     return line;
@@ -427,6 +476,7 @@ meshVerdict makeVerdict
         verdict.lines.append(verdictOnLayers(*layers));
     }
     verdict.lines.append(wall);
+    verdict.lines.append(verdictOnQuality(layers, far));
     if (far || (layers && layers->heightJumps.size()))
     {
         verdict.lines.append(verdictOnSolver(layers, far));
@@ -493,7 +543,16 @@ dictionary toDictionary(const meshVerdict& verdict)
 void write(Ostream& os, const meshVerdict& verdict)
 {
     std::ostringstream text;
-    text<< "Verdict\n";
+    const label nPoor = verdict.nPoor();
+    text<< "Verdict: the mesh is written, ";
+    if (nPoor)
+    {
+        text<< nPoor << (nPoor > 1 ? " lines are" : " line is") << " poor\n";
+    }
+    else
+    {
+        text<< "no line is poor\n";
+    }
     for (const verdictLine& line : verdict.lines)
     {
         text<< "    " << std::left << std::setw(14) << headingOf(line.name);

@@ -386,11 +386,13 @@ static void certify
         FatalErrorInFunction
             << "The wall is not the geometry of the files." << nl
             << lost.c_str()
-            << "If the fluid is on the wrong side, write a point in the fluid:"
-            << nl << "    surface { inside (x y z); }" << nl
-            << "If the wall needs no such part, accept the loss by the name of"
-            << " the patch:" << nl << "    surface { acceptLoss (name); }"
-            << exit(FatalError);
+            << "Repair, side planes or remesh have removed it or moved it. To"
+            << " find a repair that loses nothing, write surface.repair none"
+            << " and run harmonicPrismMesh -checkSurface. If the fluid is on"
+            << " the wrong side, write a point in the fluid:" << nl
+            << "    surface { inside (x y z); }" << nl
+            << "To accept the loss, name the patch:" << nl
+            << "    surface { acceptLoss (name); }" << exit(FatalError);
     }
 }
 

@@ -478,8 +478,7 @@ string describeLosses
             << (worst->isPart ? "a part of the patch " : "the patch ")
             << worst->patch << " of the files, up to " << worst->farthest
             << " m from the wall at " << worst->place << '.' << nl
-            << "This area is not inside of another body, and not beyond the"
-            << " box or a side plane." << nl;
+            << "No other body is there, and no side." << nl;
     }
 
     return os.str();

@@ -102,11 +102,11 @@ string adviceOnPoints
     }
 
     return
-        advice + "Several columns at each of these points were tried. Make new"
-        " triangles there (surface.remesh), go around "
-      + (advice.empty() ? "these" : "other") + " corners (surface.repair wrap,"
-        " with wrapCoeffs.size of the radius that may be lost), or round them"
-        " off in CAD.";
+        advice + "The faces around each of these points fold back on each"
+        " other, so that no layer can begin there. Round the corners off: by"
+        " surface { repair wrap; wrapCoeffs { size R; } }, which goes around"
+        " what is smaller than R [m], or in CAD. If the triangles there are"
+        " coarse or warped, surface { remesh { } } may do.";
 }
 
 

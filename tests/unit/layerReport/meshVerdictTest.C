@@ -94,7 +94,7 @@ TEST(meshVerdict, allIsGood)
     const farFieldReport far;
     const meshVerdict verdict(makeVerdict(&report, &far));
 
-    EXPECT_EQ(verdict.lines.size(), 4);
+    EXPECT_EQ(verdict.lines.size(), 5);
     EXPECT_FALSE(verdict.isUseless());
     for (const verdictLine& line : verdict.lines)
     {
@@ -128,7 +128,7 @@ TEST(meshVerdict, saysWhatWouldFit)
         "layers.nSurfaceLayers 6 with this first height, or layers.thickness"
         " 0.012"
     );
-    EXPECT_EQ(verdict.lines.size(), 3);
+    EXPECT_EQ(verdict.lines.size(), 4);
 }
 
 
@@ -246,7 +246,11 @@ TEST(meshVerdict, logAndReportAreEqual)
     write(os, verdict);
     const dictionary dict(toDictionary(verdict));
 
-    EXPECT_EQ(dict.toc(), wordList({"layers", "firstHeight", "thickness"}));
+    EXPECT_EQ
+    (
+        dict.toc(),
+        wordList({"layers", "firstHeight", "thickness", "quality"})
+    );
     const dictionary& thickness = dict.subDict("thickness");
     EXPECT_EQ(thickness.get<word>("grade"), "poor");
     EXPECT_EQ(thickness.get<point>("place"), point(1, 2, 3));
@@ -273,14 +277,39 @@ TEST(meshVerdict, theWallIsTheFilesOrSomethingIsLost)
     EXPECT_EQ(good.grade, grades::good);
     EXPECT_EQ
     (
-        good.text, "75 % of the files' 4 m2, 25 % beyond sides or in them"
+        good.text,
+        "complete: of the files' 4 m2 75 % are in the wall, 25 % were cut off"
+        " by sides or lie in sides"
     );
 
     account.all.add(areaFate::lost, 1, 0.5, point(1, 2, 3));
     const verdictLine poor(verdictOnWall(account));
     EXPECT_EQ(poor.grade, grades::poor);
     EXPECT_EQ(poor.place, point(1, 2, 3));
-    EXPECT_NE(poor.text.find("20 % LOST"), std::string::npos) << poor.text;
+    EXPECT_NE(poor.text.find("20 % are LOST"), std::string::npos) << poor.text;
+}
+
+
+TEST(meshVerdict, facesBeyondBoundsAreCounted)
+{
+    layerReport report(goodReport());
+    report.faces.nFaces = 1000;
+    report.faces.nBeyondAny = 8;
+    report.faces.maxNonOrtho = 75;
+    EXPECT_EQ(verdictOnQuality(&report, nullptr).grade, grades::good);
+
+    // Those of the far field count, too
+    farFieldReport far;
+    far.farField = report.faces;
+    far.farField.nBeyondAny = 20;
+    far.farField.nOfWall = 15;
+    far.farField.firstPlace = point(1, 2, 3);
+    far.farField.firstLabel = 0;
+    const verdictLine line(verdictOnQuality(&report, &far));
+    EXPECT_EQ(line.grade, grades::poor);
+    EXPECT_NE(line.text.find("28 faces"), std::string::npos) << line.text;
+    EXPECT_EQ(line.place, point(1, 2, 3));
+    EXPECT_NE(line.remedy.find("remesh"), std::string::npos);
 }
 
 
