@@ -255,7 +255,7 @@ TEST(meshVerdict, logAndReportAreEqual)
     EXPECT_EQ(thickness.get<word>("grade"), "poor");
     EXPECT_EQ(thickness.get<point>("place"), point(1, 2, 3));
     EXPECT_FALSE(dict.subDict("layers").found("remedy"));
-    for (const word& key : {"text", "remedy"})
+    for (const char* key : {"text", "remedy"})
     {
         EXPECT_TRUE
         (
