@@ -301,7 +301,7 @@ static void setSides
 
 //- Of a part or a patch of the files so much may be lost in its repair: samples
 //  beside the edges of other bodies. A wrap goes around what is behind narrow
-//  openings, and its user knows.
+//  openings, and its user knows: of it patches count alone.
 static constexpr scalar lossOfRepair = 0.01;
 static constexpr scalar lossOfWrap = 0.5;
 
@@ -372,13 +372,13 @@ static void certify
     observer.end(describe(prepared.account));
 
     typedef surfaceRepairControls::method method;
+    const bool isWrap = controls.surface.repair.repair == method::wrap;
     const string lost
     (
         describeLosses
         (
             prepared.account, controls.surface.acceptedLosses,
-            controls.surface.repair.repair == method::wrap
-          ? lossOfWrap : lossOfRepair
+            isWrap ? lossOfWrap : lossOfRepair, !isWrap
         )
     );
     if (lost.size())

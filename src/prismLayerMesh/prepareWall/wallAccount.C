@@ -23,6 +23,9 @@ namespace Foam
 //  is gone is not near to what it stood on
 static constexpr scalar partShare = 0.02;
 
+//- Less than this share of all area does not count as lost: stray facets
+static constexpr scalar strayShare = 2e-4;
+
 //- A patch without faces is missing if more than this share of its area is kept
 //  or lost. At the rim of a patch in a side plane places are near to the wall.
 static constexpr scalar missingShare = 0.1;
@@ -321,6 +324,7 @@ class accountant
             if
             (
                 counted > missingShare*patch.area()
+             && counted > strayShare*account.all.area()
              && !there.found(patch.patch)
             )
             {
@@ -383,14 +387,12 @@ bool isWorse
 (
     const areaAccount& account,
     const wordRes& accepted,
-    const scalar share
+    const scalar share,
+    const scalar least
 )
 {
-    // A single sample may be beside the edge of another body
-    static constexpr label few = 2;
-
     return
-        account.nLost > few && account.lostShare() > share
+        account.area(areaFate::lost) > least && account.lostShare() > share
      && !accepted.match(account.patch);
 }
 
@@ -443,9 +445,11 @@ string describeLosses
 (
     const wallAccount& account,
     const wordRes& accepted,
-    const scalar share
+    const scalar share,
+    const bool ofParts
 )
 {
+    const scalar least = strayShare*account.all.area();
     OStringStream os;
     for (const word& patch : account.missingPatches)
     {
@@ -464,7 +468,8 @@ string describeLosses
             const scalar most = worst ? worst->area(areaFate::lost) : 0;
             if
             (
-                isWorse(a, accepted, share) && a.area(areaFate::lost) > most
+                (ofParts || !a.isPart) && isWorse(a, accepted, share, least)
+             && a.area(areaFate::lost) > most
             )
             {
                 worst = &a;

@@ -6,6 +6,7 @@
 #include "boxSides.H"
 #include "bitSet.H"
 #include "disjointSets.H"
+#include "HashSet.H"
 #include "ListOps.H"
 #include "orientOpenWall.H"
 #include "ranges.H"
@@ -21,6 +22,10 @@ namespace Foam
 //- A face near to a plane is in it if the product of both unit normals is
 //  larger; beside it, the surface leaves the plane
 static constexpr scalar inPlaneCosine = 0.9;
+
+//- The rounding of single precision over the tolerance of planes: 1e-6 of the
+//  diagonal
+static constexpr scalar roundingShare = 1e-2;
 
 
 //- The side planes of a far boundary that is a box, with the names and types of
@@ -156,16 +161,60 @@ struct surfaceAtPlanes
            *(f.unitNormal(surface.points) & plane.normal) > inPlaneCosine;
     }
 
-    bool isIn(const sidePatch& plane, const face& f) const
+    //- Whether all points of a face are on a plane
+    bool isOnPlane(const sidePatch& plane, const face& f) const
     {
-        const auto isOnPlane = [&](const label p)
+        return allOf(f, [&](const label p)
         {
             return isOn(plane, surface.points[p]);
-        };
+        });
+    }
 
-        return allOf(f, isOnPlane)
-            && mag(f.unitNormal(surface.points) & plane.normal)
-             > inPlaneCosine;
+    bool isIn(const sidePatch& plane, const face& f) const
+    {
+        return
+            isOnPlane(plane, f)
+         && mag(f.unitNormal(surface.points) & plane.normal) > inPlaneCosine;
+    }
+
+    //- Whether all points of a face are on a plane up to the rounding of single
+    //  precision, if the face's part is open: its cut has points near to planes
+    bool isBottomOn(const sidePatch& plane, const face& f)
+    {
+        const scalar near = isOpenAt(f) ? roundingShare*tolerance : tolerance;
+
+        return allOf(f, [&](const label p)
+        {
+            return mag(plane.distance(surface.points[p])) <= near;
+        });
+    }
+
+    //- Returns the components that stand on a plane
+    labelHashSet standingOn
+    (
+        const sidePatch& plane,
+        const UList<sidePatch>& planes
+    )
+    {
+        labelHashSet standing;
+        forAll(surface.faces, facei)
+        {
+            if
+            (
+                isIn(plane, surface.faces[facei])
+             && isBottomOn(plane, surface.faces[facei])
+             && isBelow(plane, facei, planes)
+            )
+            {
+                if (componentOf.empty())
+                {
+                    setComponents(planes);
+                }
+                standing.insert(componentOf[facei]);
+            }
+        }
+
+        return standing;
     }
 
     bool hasBorderOn(const sidePatch& plane, const edgeList& border) const
@@ -506,16 +555,23 @@ label removeFacesInSides
         return 0;
     }
 
+    // Small faces on the plane may be steep by rounding
     surfaceAtPlanes at(surface, fluidOutside);
     bitSet kept(surface.faces.size(), true);
-    forAll(surface.faces, facei)
+    for (const sidePatch& plane : planes)
     {
-        const face& f = surface.faces[facei];
-        const bool isGone = anyOf(planes, [&](const sidePatch& plane)
+        const labelHashSet standing(at.standingOn(plane, planes));
+        for (label i = 0; standing.size() && i < kept.size(); ++i)
         {
-            return at.isIn(plane, f) && at.isBelow(plane, facei, planes);
-        });
-        kept.set(facei, !isGone);
+            if
+            (
+                standing.found(at.componentOf[i])
+             && at.isBottomOn(plane, surface.faces[i])
+            )
+            {
+                kept.unset(i);
+            }
+        }
     }
 
     const label nGone = kept.size() - kept.count();
