@@ -3,9 +3,13 @@
 #   SPDX-License-Identifier: GPL-3.0-or-later
 #------------------------------------------------------------------------------
 """The mesher harmonicPrismMesh in CfdOF, the workbench of FreeCAD: writes the
-dictionary and the CAD files of a mesh case. See README.md."""
+dictionary and the CAD files of a mesh case, and says what became of the run. See
+README.md."""
 
+import html
+import json
 import os
+import re
 
 from CfdOF.Mesh import harmonicPrismMesh
 
@@ -156,3 +160,62 @@ def writeCase(tools, refinements, boundaries, gmsh):
     harmonicPrismMesh.write_dictionary(
         os.path.join(tools.systemDir, "harmonicPrismMeshDict"), case.entries())
     tools.gmsh_settings["Executable"] = gmsh
+
+
+# Types of CfdOF's colours for the grades of a verdict
+_COLOURS = {"good": "Text", "poor": "Warning", "useless": "Error"}
+
+
+def _read(path):
+    with open(path, encoding="utf-8") as file:
+        return json.load(file)
+
+
+def _html(text):
+    return html.escape(text, quote=False).replace("\n", "<br>")
+
+
+def _place(fields):
+    return "at ({:g} {:g} {:g}) m".format(*fields["place"])
+
+
+def _refusal(fields):
+    lines = [fields["message"]]
+    if "place" in fields:
+        lines.append(_place(fields))
+    remedy = fields.get("remedy", "")
+    if " ".join(remedy.split()) not in " ".join(lines[0].split()):
+        lines.append(remedy)
+    return [(_html(line), "Error") for line in lines]
+
+
+def _verdict(region, report):
+    lines = []
+    for name, line in report["verdict"].items():
+        heading = re.sub("([A-Z])", lambda m: " " + m.group().lower(), name)
+        parts = [heading.capitalize() + ": " + line["text"]]
+        if "place" in line:
+            parts.append(_place(line))
+        if "remedy" in line:
+            parts.append(line["remedy"])
+        lines.append((_html(region + "; ".join(parts)),
+                      _COLOURS[line["grade"]]))
+    return lines
+
+
+def outcome(case):
+    """Returns what the last run of harmonicPrismMesh in a mesh case came to:
+    pairs of a line in HTML and the type of its colour in CfdOF. For a refusal
+    they are the message, the place and the remedy; otherwise the verdict, of
+    each region if there are several. There are none if no run has ended."""
+    folder = os.path.join(case, "postProcessing", "harmonicPrismMesh")
+    refused = os.path.join(folder, "refused.json")
+    if os.path.exists(refused):
+        return _refusal(_read(refused))
+    lines = []
+    for path, _, files in sorted(os.walk(folder)):
+        if "report.json" in files:
+            region = os.path.relpath(path, folder)
+            lines += _verdict("" if region == "." else region + ": ",
+                              _read(os.path.join(path, "report.json")))
+    return lines

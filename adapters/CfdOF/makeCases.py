@@ -4,20 +4,10 @@
 #------------------------------------------------------------------------------
 """Mesh cases of CfdOF, made in FreeCAD without its windows: see Alltest."""
 
-import builtins
 import os
-import sys
 
 import FreeCAD
-import FreeCADGui
-import PySide2.QtWidgets
-
-# What CfdOF expects of a FreeCAD that is newer, and has windows
-if not hasattr(FreeCADGui, "addCommand"):
-    FreeCADGui.addCommand = lambda *arguments: None
-builtins.FreeCADGui = FreeCADGui
-sys.modules["PySide.QtWidgets"] = PySide2.QtWidgets
-sys.path.insert(0, os.environ["CFDOF"])
+import withoutWindows
 
 from CfdOF import CfdAnalysis, CfdTools
 from CfdOF.Mesh import CfdMesh, CfdMeshRefinement, CfdMeshTools
