@@ -40,6 +40,10 @@ Usage
         Repair and remesh the surface, as surface.repair and surface.remesh say,
         and write it to constant/triSurface/<name>.prepared.obj, but no mesh
 
+      - \par -plan
+        Say how many cells, how much memory and time the mesh is expected to
+        take, write nothing
+
       - \par -splitRegions
         Write each region of the dictionary as a mesh of its own
 
@@ -61,6 +65,7 @@ Usage
 #include "meshRegions.H"
 #include "meshWall.H"
 #include "OSspecific.H"
+#include "planWall.H"
 #include "pluginVersion.H"
 #include "polyMesh.H"
 #include "ranges.H"
@@ -110,6 +115,10 @@ static void addOptions()
     );
     argList::addBoolOption
     (
+        "plan", "Say what cells, memory and time to expect, write nothing"
+    );
+    argList::addBoolOption
+    (
         "splitRegions", "Write each region of the dictionary as a mesh of its"
         " own"
     );
@@ -139,8 +148,8 @@ static void requireOneProcess(const parallelRun& parallel, const bool isForOne)
     if (parallel.isParallel() && isForOne)
     {
         FatalErrorInFunction
-            << "-checkSurface, -prepareSurface and -writeFields run without"
-            << " -parallel"
+            << "-checkSurface, -prepareSurface, -plan and -writeFields run"
+            << " without -parallel"
             << exit(FatalError);
     }
 }
@@ -157,7 +166,11 @@ static void requireNoMesh
     const farFieldControls& farField
 )
 {
-    if (!args.found("checkSurface") && !args.found("prepareSurface"))
+    if
+    (
+        !args.found("checkSurface") && !args.found("prepareSurface")
+     && !args.found("plan")
+    )
     {
         const label nProcesses = parallel.isParallel() ? parallel.size() : 0;
         files.checkOverwrite(surfaces, farField, nProcesses);
@@ -212,7 +225,10 @@ static void meshAllRegions
     for
     (
         const char* option
-      : {"checkSurface", "prepareSurface", "writeFields", "region", "parallel"}
+      : {
+            "checkSurface", "prepareSurface", "plan", "writeFields", "region",
+            "parallel"
+        }
     )
     {
         if (args.found(option))
@@ -243,9 +259,11 @@ static void meshOneRegion
 {
     const bool checkOnly = args.found("checkSurface");
     const bool prepareOnly = args.found("prepareSurface");
+    const bool planOnly = args.found("plan");
     requireOneProcess
     (
-        parallel, checkOnly || prepareOnly || args.found("writeFields")
+        parallel,
+        checkOnly || prepareOnly || planOnly || args.found("writeFields")
     );
     prismLayerControls controls(readPrismLayerControls(files.dict()));
     const fileNameList surfaces(files.surfaceFiles(controls.surface));
@@ -262,6 +280,10 @@ static void meshOneRegion
     if (prepareOnly)
     {
         writePrepared(writer, preparedFile, given.prepared.surface);
+    }
+    else if (planOnly)
+    {
+        planWall(files, given, controls, time, log);
     }
     else
     {

@@ -28,5 +28,6 @@
 #include "farFieldMesh/joinCells.C"
 #include "farFieldMesh/makeFarFieldMesh.C"
 #include "farFieldMesh/farFieldSizes.C"
+#include "farFieldMesh/expectedFarField.C"
 
 // ************************************************************************* //

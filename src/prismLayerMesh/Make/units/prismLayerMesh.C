@@ -13,5 +13,6 @@
 #include "prismLayerMesh/periodicStages.C"
 #include "prismLayerMesh/gatherShares.C"
 #include "prismLayerMesh/prismLayerMesh.C"
+#include "prismLayerMesh/meshPlan.C"
 
 // ************************************************************************* //

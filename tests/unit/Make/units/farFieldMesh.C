@@ -9,6 +9,7 @@
 #include "farFieldMesh/coarsenCutsTest.C"
 #include "farFieldMesh/refineSurfaceTest.C"
 #include "farFieldMesh/replacedPatchesTest.C"
+#include "farFieldMesh/expectedFarFieldTest.C"
 #include "farFieldMesh/farBoundaryTest.C"
 #include "farFieldMesh/outerTrianglesTest.C"
 #include "farFieldMesh/layerBorderTest.C"

@@ -5,6 +5,7 @@
 
 #include "prismLayerMesh/adviceOnPointsTest.C"
 #include "prismLayerMesh/periodicLayersTest.C"
+#include "prismLayerMesh/meshPlanTest.C"
 #include "prismLayerMesh/makePrismLayerMeshTest.C"
 
 // ************************************************************************* //

@@ -6,6 +6,7 @@
 #include "prismCase.C"
 #include "readWall.C"
 #include "meshWall.C"
+#include "planWall.C"
 #include "caseWriter.C"
 #include "parallelRun.C"
 #include "caseLayers.C"

@@ -1,0 +1,48 @@
+/*---------------------------------------------------------------------------*\
+    harmonicPrismMesh: boundary-layer meshes from an anisotropic harmonic field
+    SPDX-License-Identifier: GPL-3.0-or-later
+\*---------------------------------------------------------------------------*/
+
+#include "planWall.H"
+#include "meshPlan.H"
+#include "meshWall.H"
+
+#include <omp.h>
+
+namespace Foam
+{
+
+void planWall
+(
+    const prismCase& files,
+    const caseWall& given,
+    const prismLayerControls& controls,
+    const Time& time,
+    stageLog& log
+)
+{
+    const wallSurface& wall = given.prepared.wall;
+    const localHeights local(readLocal(files, wall, controls, time, log));
+    const farFieldDomain domain
+    (
+        readFarField
+        (
+            files, wall, given.prepared.far, controls.surface.fluidOutside,
+            controls.farField, time, log
+        )
+    );
+    const meshPlan plan
+    (
+        makeMeshPlan
+        (
+            wall, controls, local, domain, omp_get_max_threads(),
+            log.observer()
+        )
+    );
+    Info<< nl << describe(plan, controls.farField).c_str()
+        << "Nothing was written" << nl << endl;
+}
+
+} // End namespace Foam
+
+// ************************************************************************* //
