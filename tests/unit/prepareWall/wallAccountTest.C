@@ -87,18 +87,29 @@ TEST(wallAccount, aMissingFaceIsLostAtItsPlace)
 
 TEST(wallAccount, aSmallPartIsNotNearToWhatItStoodOn)
 {
-    // Its size is below the tolerance of the whole
-    const wallSurface body(named(cube(4, 100), "body"));
-    const wallSurface bolt
-    (
-        named(translated(cube(1, 0.05), vector(50, 50, 100)), "bolt")
-    );
-    const wallAccount account(makeWallAccount(merge(body, bolt), body, {}));
+    const auto withBolt = [](const scalar size)
+    {
+        const wallSurface body(named(cube(4, 100), "body"));
+        const wallSurface bolt
+        (
+            named(translated(cube(1, size), vector(50, 50, 100)), "bolt")
+        );
 
+        return makeWallAccount(merge(body, bolt), body, {});
+    };
+
+    // Its size is about the tolerance of the whole
+    const wallAccount account(withBolt(2));
     EXPECT_GT(account.tolerance, 0.1);
     EXPECT_EQ(account.missingPatches, wordList({"bolt"}));
     EXPECT_GT(account.parts[1].lostShare(), 0.7);
     EXPECT_EQ(account.parts[0].lostShare(), 0);
+
+    // A stray facet is no error
+    const wallAccount stray(withBolt(0.05));
+    EXPECT_TRUE(stray.missingPatches.empty());
+    EXPECT_EQ(describeLosses(stray, wordRes(), 0.01), "");
+    EXPECT_GT(stray.parts[1].lostShare(), 0.7);
 }
 
 

@@ -99,7 +99,7 @@ TEST(adviceOnPoints, namesNoPatchesAtAnAngle)
     const std::string advice(adviceOnRoom(1));
 
     EXPECT_EQ(advice.find("side patch"), std::string::npos) << advice;
-    for (const char* wayOut : {"surface.remesh", "surface.repair wrap", "CAD"})
+    for (const char* wayOut : {"remesh { }", "repair wrap;", "CAD"})
     {
         EXPECT_NE(advice.find(wayOut), std::string::npos) << advice;
     }
