@@ -305,6 +305,9 @@ static void setSides
 static constexpr scalar lossOfRepair = 0.01;
 static constexpr scalar lossOfWrap = 0.5;
 
+//- Remeshing with long edges rounds spikes off
+static constexpr scalar lossOfRemesh = 0.1;
+
 
 //- By how far repair and remesh may move faces [m]
 static scalar largestMove
@@ -338,26 +341,18 @@ static scalar largestMove
 
 
 //- Makes the account of the surface of the files.
-//  Errors: FatalError if something is lost
+//  share: of a part or a patch, may be lost
+//  Errors: FatalError if more is lost
 static void certify
 (
     const wallSurface& given,
     const wallSurface& apart,
     const prismLayerControls& controls,
+    const scalar share,
     const stageObserver& observer,
     preparedWall& prepared
 )
 {
-    if
-    (
-        prepared.steps.empty() && !prepared.isRemeshed
-     && !prepared.nFacesInSides && apart.faces.empty()
-    )
-    {
-        prepared.account = makeWallAccount(given);
-        return;
-    }
-
     observer.begin("wallAccount");
     accountControls counting;
     counting.planes = controls.surface.sidePlanes;
@@ -378,7 +373,7 @@ static void certify
         describeLosses
         (
             prepared.account, controls.surface.acceptedLosses,
-            isWrap ? lossOfWrap : lossOfRepair, !isWrap
+            isWrap ? lossOfWrap : share, !isWrap
         )
     );
     if (lost.size())
@@ -393,6 +388,24 @@ static void certify
             << "    surface { inside (x y z); }" << nl
             << "To accept the loss, name the patch:" << nl
             << "    surface { acceptLoss (name); }" << exit(FatalError);
+    }
+}
+
+
+//- Makes the account of a surface that was not remeshed yet
+static void certifyRepair
+(
+    const wallSurface& given,
+    const wallSurface& apart,
+    const prismLayerControls& controls,
+    const stageObserver& observer,
+    preparedWall& prepared
+)
+{
+    prepared.account = makeWallAccount(given);
+    if (prepared.steps.size() || prepared.nFacesInSides || apart.faces.size())
+    {
+        certify(given, apart, controls, lossOfRepair, observer, prepared);
     }
 }
 
@@ -586,8 +599,12 @@ preparedWall prepareWall
     }
     observer.end("none");
 
+    certifyRepair(given, apart, controls, observer, prepared);
     remesh(onSides, regions, observer, prepared);
-    certify(given, apart, controls, observer, prepared);
+    if (prepared.isRemeshed)
+    {
+        certify(given, apart, controls, lossOfRemesh, observer, prepared);
+    }
     split(onSides, controls, observer, prepared);
     finish(controls.farField, prepared);
 

@@ -245,7 +245,10 @@ TEST(prepareWall, changesAreMeasuredAndStagesTold)
         stages,
         wordList
         (
-            {"surfaceRepair", "wallDefects", "surfaceRemesh", "wallAccount"}
+            {
+                "surfaceRepair", "wallDefects", "wallAccount", "surfaceRemesh",
+                "wallAccount"
+            }
         )
     );
     EXPECT_EQ(prepared.steps.size(), 1);
