@@ -9,6 +9,7 @@
 #include "intersection.H"
 #include "ListOps.H"
 #include "orientOpenWall.H"
+#include "OStringStream.H"
 #include "ranges.H"
 #include "splitAtSidePatches.H"
 #include "surfacePart.H"
@@ -245,6 +246,31 @@ bool isFluidBehind
     return !isSaid;
 }
 
+//- The mean of the normals of faces, over their area
+vector meanNormal(const wallSurface& surface, const labelUList& faces)
+{
+    vector sum(Zero);
+    for (const label facei : faces)
+    {
+        sum += surface.faces[facei].areaNormal(surface.points);
+    }
+
+    return normalised(sum);
+}
+
+
+//- A line of the log: on which side of a sheet the fluid is, and why
+string sideText(const word& patch, const vector& side, const char* why)
+{
+    OStringStream os;
+    os.precision(3);
+    os  << "The fluid is on the side " << side << " of the patch " << patch
+        << ": " << why << ". To override this: surface { inside (x y z); }"
+        << nl;
+
+    return os.str();
+}
+
 } // End anonymous namespace
 
 
@@ -326,21 +352,24 @@ void turnSheets
         {
             const labelList& faces = all.components[i].faces;
             const word& patch = surface.patchNames[surface.patchIDs[faces[0]]];
-            if
-            (
-                all.isSheet(i)
-             && isFluidBehind(all, i, patch, controls, fluidOutside)
-             == fluidOutside
-            )
+            if (!all.isSheet(i))
+            {
+                continue;
+            }
+            const bool isBehindIt =
+                isFluidBehind(all, i, patch, controls, fluidOutside);
+            if (isBehindIt == fluidOutside)
             {
                 isTurned.set(faces);
-                said += "The fluid is on the side of the patch " + patch
-                  + " from which its normals point: "
-                  + (controls.hasInside
-                      ? "the point surface.inside is there\n"
-                      : "the bodies are there. Override this by"
-                        " surface { inside (x y z); }\n");
             }
+            said += sideText
+            (
+                patch, (isBehindIt ? -1 : 1)*meanNormal(surface, faces),
+                controls.hasInside ? "the point surface.inside is there"
+              : isBehindIt == fluidOutside
+              ? "the bodies are there, against the normals of the file"
+              : "as the normals of the file say"
+            );
         }
     }
     for (const label facei : isTurned)
