@@ -11,6 +11,7 @@
 #include "nearestSurface.H"
 #include "OStringStream.H"
 #include "ranges.H"
+#include "waysOnSurface.H"
 
 #include <numeric>
 
@@ -90,27 +91,6 @@ scalar warpOf(const face& f, const pointField& points)
     }
 
     return 2*warp;
-}
-
-
-//- Diagonal of a surface in front of planes [m]
-scalar diagonalInFront
-(
-    const pointField& points,
-    const UList<sidePatch>& planes
-)
-{
-    boundBox box(boundBox::invertedBox);
-    for (point x : points)
-    {
-        for (const sidePatch& plane : planes)
-        {
-            x -= max(plane.distance(x), scalar(0))*plane.normal;
-        }
-        box.add(x);
-    }
-
-    return box.mag();
 }
 
 

@@ -48,22 +48,14 @@ static void removeAlong
 }
 
 
-//- Diagonal of a surface in front of a plane [m]; of all of the surface if the
-//  plane is cyclic: points move alike on both sides
-static scalar diagonalInFront(const pointField& points, const sidePatch& plane)
+//- The diagonal of what a point may leave a share of. At a cyclic plane it is
+//  the diagonal of all of the surface: points move alike on both sides.
+static scalar diagonalAt(const pointField& points, const sidePatch& plane)
 {
-    if (plane.type == "cyclic")
-    {
-        return boundBox(points, false).mag();
-    }
-
-    boundBox box(boundBox::invertedBox);
-    for (const point& x : points)
-    {
-        box.add(x - max(plane.distance(x), scalar(0))*plane.normal);
-    }
-
-    return box.mag();
+    return
+        plane.type == "cyclic"
+      ? boundBox(points, false).mag()
+      : diagonalInFront(points, List<sidePatch>(1, plane));
 }
 
 
@@ -85,7 +77,7 @@ waysOnSurface::waysOnSurface
     (
         touchShare*sideTolerance*boundBox(surface.points, false).mag()
     ),
-    mayLeave_(leaveShare*diagonalInFront(surface.points, plane))
+    mayLeave_(leaveShare*diagonalAt(surface.points, plane))
 {
     const vectorField faceNormals(surface.faceNormals());
     forAll(surface.faces, facei)
@@ -194,6 +186,26 @@ bitSet borderPoints(const wallSurface& surface)
     }
 
     return points;
+}
+
+
+scalar diagonalInFront
+(
+    const pointField& points,
+    const UList<sidePatch>& planes
+)
+{
+    boundBox box(boundBox::invertedBox);
+    for (point x : points)
+    {
+        for (const sidePatch& plane : planes)
+        {
+            x -= max(plane.distance(x), scalar(0))*plane.normal;
+        }
+        box.add(x);
+    }
+
+    return box.mag();
 }
 
 } // End namespace Foam
