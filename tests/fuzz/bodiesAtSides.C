@@ -5,6 +5,7 @@
 
 #include "randomSurface.H"
 #include "boundBox.H"
+#include "mathematicalConstants.H"
 #include "readWallSurface.H"
 #include "testSurfaces.H"
 
@@ -87,6 +88,77 @@ static wallSurface row
 }
 
 
+//- A prism on a regular polygon of 3 to 16 corners, stretched to a leg, a plate
+//  or a fin. It stands on its foot, upright along an axis.
+static wallSurface leg
+(
+    const point& foot,
+    const scalar height,
+    const direction across,
+    Random& random
+)
+{
+    const label n = random.position<label>(3, 16);
+    const scalar radius = logUniform(random, 0.01, 0.15);
+    const scalar stretch = logUniform(random, 0.2, 5);
+    List<vector2D> polygon(n);
+    forAll(polygon, i)
+    {
+        const scalar phi = constant::mathematical::twoPi*i/n;
+        polygon[i] =
+            radius*vector2D(stretch*Foam::cos(phi), Foam::sin(phi));
+    }
+
+    wallSurface upright(testSurfaces::extruded(polygon, height, 2*radius));
+    for (point& x : upright.points)
+    {
+        const point given(x);
+        x[across] = given.z() + foot[across];
+        for (direction d = 1; d < 3; ++d)
+        {
+            const direction other = (across + d) % 3;
+            x[other] = given[d - 1] + foot[other];
+        }
+    }
+
+    return upright;
+}
+
+
+//- Bodies, raised, and one to four legs, plates or fins from within their box
+//  to the plane where a coordinate is 0, to near to it, or through it
+static wallSurface onLegs
+(
+    wallSurface bodies,
+    const direction across,
+    Random& random
+)
+{
+    for (point& x : bodies.points)
+    {
+        x[across] += 0.3;
+    }
+    const boundBox bounds(bodies.points, false);
+    for (label n = random.position<label>(1, 4); n > 0; --n)
+    {
+        point foot;
+        for (direction d = 0; d < 3; ++d)
+        {
+            foot[d] = bounds.min()[d]
+              + random.position<scalar>(0.1, 0.9)*bounds.span()[d];
+        }
+        const scalar top = foot[across];
+        foot[across] = -randomDepth(0.3, random);
+        bodies = testSurfaces::merge
+        (
+            bodies, leg(foot, top - foot[across], across, random)
+        );
+    }
+
+    return bodies;
+}
+
+
 //- A box around bodies, of which a lower side is at 0, and a second side is
 //  near to the bodies or cuts them, too, for some
 static boundBox boxAt
@@ -135,6 +207,11 @@ Foam::wallSurface Foam::randomSurfaces::bodiesAtSides
     const bool areSeveral = first == kind::severalBodies;
     const label n = areSeveral ? 1 : random.position<label>(1, 3);
     wallSurface bodies(row(n, first, along, across, random));
+    const bool haveLegs = chance(random, 0.3);
+    if (haveLegs)
+    {
+        bodies = onLegs(bodies, across, random);
+    }
     const boundBox box(boxAt(bodies, across, random));
 
     // The box may be upside down, of another size, and elsewhere
@@ -154,10 +231,11 @@ Foam::wallSurface Foam::randomSurfaces::bodiesAtSides
             x = cmptMultiply(scale, x) + place;
         }
     }
-    const bool isRoom = n == 1 && !areSeveral && chance(random, 0.2);
+    const bool isRoom =
+        n == 1 && !areSeveral && !haveLegs && chance(random, 0.2);
     controls.surface.fluidOutside = !isRoom;
     orientWallSurface(bodies, controls.surface.fluidOutside);
-    if (chance(random, 0.7))
+    if (haveLegs || chance(random, 0.7))
     {
         controls.surface.repair.repair = surfaceRepairControls::method::stitch;
     }
