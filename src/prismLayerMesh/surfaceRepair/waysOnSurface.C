@@ -134,7 +134,8 @@ void waysOnSurface::removeFaces
 ) const
 {
     DynamicList<vector> parts;
-    for (const vector& n : normals_.lookup(p, DynamicList<vector>()))
+    const DynamicList<vector> none;
+    for (const vector& n : normals_.lookup(p, none))
     {
         const bool isNew = allOf(parts, [&](const vector& part)
         {
