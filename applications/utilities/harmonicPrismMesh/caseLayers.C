@@ -5,7 +5,7 @@
 
 #include "caseLayers.H"
 #include "divideMesh.H"
-#include "prismQuality.H"
+#include "gatherShares.H"
 #include "readPrismLayerControls.H"
 #include "StringStream.H"
 #include "throwingErrors.H"
@@ -69,67 +69,10 @@ static List<message> orders
     return all;
 }
 
-} // End namespace Foam
 
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
-
-void Foam::caseLayers::takeLayers
-(
-    const wallSurface& wall,
-    const bool hasFarField,
-    const bool hasPolygons,
-    prismLayerMesh& mesh
-)
-{
-    const processTeam& team = parallel_.team();
-    const bool isAlone = team.size() == 1;
-    layers_ = std::move(mesh.made.layers);
-    const bool hasSides = !hasFarField && endOnParts(layers_);
-
-    if (!isAlone && (hasFarField || hasPolygons || hasSides))
-    {
-        whole_ = layersOnMaster(layers_, mesh.share, wall, team);
-    }
-    if (hasSides && team.isMaster())
-    {
-        surfaces_.sides.reset(new wallSurface(sideSurface(wholeLayers())));
-    }
-    if (hasFarField || hasSides)
-    {
-        const wallSurface outer(outerPolygons(wholeLayers()));
-        surfaces_.outer = outerSurface{outer.points, outer.faces};
-    }
-    else
-    {
-        surfaces_.outer = outerOnMaster(layers_, mesh.share, wall, team);
-    }
-    if (!hasFarField && !hasPolygons)
-    {
-        whole_ = prismLayers();
-    }
-    labels_ = std::move(mesh.share);
-}
-
-
-void Foam::caseLayers::setCosts()
-{
-    const processTeam& team = parallel_.team();
-    const scalarList peaks(team.gather(scalarList(1, peakMemory())));
-    const scalarList sent
-    (
-        team.gather(scalarList(1, 1e-6*team.nBytesSent()))
-    );
-    costs_.add("number", team.size());
-    costs_.add("exchanges", team.nCalls());
-    costs_.add("sentMB", sent);
-    costs_.add("peakMemoryMB", peaks);
-}
-
-
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::caseLayers::caseLayers
+caseLayers makeCaseLayers
 (
     const parallelRun& parallel,
     const wallSurface& wall,
@@ -138,80 +81,75 @@ Foam::caseLayers::caseLayers
     const stageObserver& observer,
     const stageViewer& view
 )
-:
-    parallel_(parallel)
 {
-    inTeam(parallel, [&]()
+    return inTeam(parallel, [&]()
     {
         const processTeam& team = parallel.team();
-        prismLayerMesh mesh
-        (
-            makePrismLayerMesh
+        caseLayers made;
+        prismLayers own;
+        frontShare share;
+        {
+            prismLayerMesh mesh
             (
-                wall, controls, local, observer, bool(view), team
+                makePrismLayerMesh
+                (
+                    wall, controls, local, observer, bool(view), team
+                )
+            );
+            made.report =
+                makeLayerReport(wall, mesh, columnTeam(mesh.share, team));
+            if (view)
+            {
+                view(mesh);
+            }
+            own = std::move(mesh.made.layers);
+            share = std::move(mesh.share);
+        }
+        made.layers =
+            team.size() == 1
+          ? std::move(own) : layersOnMaster(own, share, wall, team);
+
+        return made;
+    });
+}
+
+
+meshPiece makePieces
+(
+    const parallelRun& parallel,
+    const meshInBlocks& mesh,
+    dictionary& costs
+)
+{
+    parallel.begin();
+
+    return inTeam(parallel, [&]()
+    {
+        const processTeam& team = parallel.team();
+        meshPiece piece
+        (
+            makeMeshPiece
+            (
+                mesh, team,
+                [&](const meshParts& parts) { return parallel.divide(parts); }
             )
         );
-        report_ = makeLayerReport(wall, mesh, columnTeam(mesh.share, team));
-        if (view)
-        {
-            view(mesh);
-        }
-        takeLayers
+        const scalarList peaks(team.gather(scalarList(1, peakMemory())));
+        const scalarList sent
         (
-            wall, controls.farField.isWanted(), controls.polygons, mesh
+            team.gather(scalarList(1, 1e-6*team.nBytesSent()))
         );
-
-        return true;
-    });
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Foam::meshPiece Foam::caseLayers::makePiece(farFieldMesh& farField)
-{
-    return inTeam(parallel_, [&]()
-    {
-        const prismLayers own(std::move(layers_));
-        const prismLayers whole(std::move(whole_));
-        meshPiece piece(makeMeshPiece
-        (
-            own, columnTeam(labels_, parallel_.team()), whole, farField,
-            [&](const meshParts& parts) { return parallel_.divide(parts); }
-        ));
-        setCosts();
+        costs.add("number", team.size());
+        costs.add("exchanges", team.nCalls());
+        costs.add("sentMB", sent);
+        costs.add("peakMemoryMB", peaks);
 
         return piece;
     });
 }
 
 
-Foam::meshPiece Foam::caseLayers::makePiece(polygonMesh&& polygons)
-{
-    return inTeam(parallel_, [&]()
-    {
-        const label nLayers = layers_.nLayers;
-        layers_ = prismLayers();
-        whole_ = prismLayers();
-        meshPiece piece(makeMeshPiece
-        (
-            stackedMesh
-            {
-                std::move(polygons.mesh), polygons.counts.nLayerCells, nLayers
-            },
-            parallel_.team(),
-            [&](const meshParts& parts) { return parallel_.divide(parts); }
-        ));
-        setCosts();
-
-        return piece;
-    });
-}
-
-
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
-void Foam::sendOrder
+void sendOrder
 (
     const parallelRun& parallel,
     const dictionary& dict
@@ -225,7 +163,7 @@ void Foam::sendOrder
 }
 
 
-Foam::meshPiece Foam::makePieceForMaster(const parallelRun& parallel)
+meshPiece makePieceForMaster(const parallelRun& parallel)
 {
     const stageObserver silent{[](const word&) {}, [](const string&) {}};
     const label n = parallel.size();
@@ -237,21 +175,15 @@ Foam::meshPiece Foam::makePieceForMaster(const parallelRun& parallel)
     messageReader reader(received[0]);
     IStringStream text(reader.text());
     const prismLayerControls controls(readPrismLayerControls(dictionary(text)));
-    caseLayers layers
+    makeCaseLayers
     (
         parallel, wallSurface(), controls, localHeights(), silent, nullptr
     );
+    dictionary costs;
 
-    if (controls.farField.isWanted() || controls.polygons)
-    {
-        parallel.begin();
-    }
-    farFieldMesh noFarField;
-
-    return
-        controls.polygons
-      ? layers.makePiece(polygonMesh()) : layers.makePiece(noFarField);
+    return makePieces(parallel, meshInBlocks(), costs);
 }
 
+} // End namespace Foam
 
 // ************************************************************************* //

@@ -8,9 +8,11 @@
 #include "layerReport.H"
 #include "ListOps.H"
 #include "meshFiles.H"
+#include "meshPiece.H"
 #include "polyMesh.H"
 #include "prismCase.H"
 #include "prismPolyMesh.H"
+#include "prismQuality.H"
 #include "sidePatchRemainders.H"
 #include "throwingErrors.H"
 #include "Time.H"
@@ -43,34 +45,6 @@ MeshedSurface<face> toMeshedSurface(const wallSurface& surface)
     (
         pointField(surface.points), std::move(faces), zones
     );
-}
-
-
-MeshedSurface<face> toMeshedSurface(const outerSurface& surface)
-{
-    return MeshedSurface<face>
-    (
-        pointField(surface.points),
-        faceList(surface.faces),
-        List<surfZone>(1, surfZone(layerOuterName, surface.faces.size(), 0, 0))
-    );
-}
-
-
-wallSurface sideSurface(const prismLayers& layers)
-{
-    return makeFarFieldBoundary
-    (
-        layers, farBoundary(), [](const point&) { return GREAT; }
-    ).surface;
-}
-
-
-bool endOnParts(const prismLayers& layers)
-{
-    const List<sidePatch>& sides = layers.border.sides;
-
-    return sides.size() && !hasPlanes(sides);
 }
 
 } // End namespace Foam
@@ -132,15 +106,27 @@ void Foam::caseWriter::writeSurface
 
 void Foam::caseWriter::writeSurfaces
 (
-    const domainSurfaces& surfaces,
+    const prismLayers& layers,
+    const bool hasFarField,
     replacedFiles& files
 ) const
 {
-    writeFaces(case_.outerFile(), toMeshedSurface(surfaces.outer), files);
+    wallSurface outer(outerPolygons(layers));
+    outer.patchNames = wordList(1, layerOuterName);
+    outer.patchIDs = labelList(outer.faces.size(), 0);
+    writeSurface(case_.outerFile(), outer, files);
 
-    if (surfaces.sides)
+    const List<sidePatch>& sides = layers.border.sides;
+    if (!hasFarField && sides.size() && !hasPlanes(sides))
     {
-        writeFaces(case_.sidesFile(), toMeshedSurface(*surfaces.sides), files);
+        const farFieldBoundary rest
+        (
+            makeFarFieldBoundary
+            (
+                layers, farBoundary(), [](const point&) { return GREAT; }
+            )
+        );
+        writeSurface(case_.sidesFile(), rest.surface, files);
     }
 }
 
@@ -226,52 +212,37 @@ void Foam::caseWriter::writePiece
 
 Foam::label Foam::caseWriter::writeMesh
 (
-    const prismLayers& layers,
-    farFieldMesh& far,
+    const prismCase& region,
+    const meshInBlocks& mesh,
     const planarControls& planar,
     replacedFiles& files
 ) const
 {
-    label nFaces = 0;
+    label nFaces = mesh.nFaces();
     const auto write = [&](const IOobject& io)
     {
         if (planar.wedgeAngle > 0)
         {
-            autoPtr<polyMesh> mesh(makePrismPolyMesh(layers, far, io));
-            makeWedge(planar, *mesh);
-            writeWhole(*mesh);
-            nFaces = mesh->nFaces();
+            autoPtr<polyMesh> wedge(makePolyMesh(partsOf(mesh), io));
+            makeWedge(planar, *wedge);
+            writeWhole(*wedge);
+            nFaces = wedge->nFaces();
         }
         else
         {
-            nFaces = writePrismMesh(layers, far, io);
+            Foam::writeMesh(mesh, io);
         }
     };
-    writeMeshFolder(case_, files, write);
+    writeMeshFolder(region, files, write);
 
     return nFaces;
 }
 
 
-void Foam::caseWriter::writeMesh
-(
-    const prismCase& region,
-    polyMeshParts&& mesh,
-    replacedFiles& files
-) const
-{
-    const auto write = [&](const IOobject& io)
-    {
-        writeWhole(*makePolyMesh(std::move(mesh), io));
-    };
-    writeMeshFolder(region, files, write);
-}
-
-
-void Foam::caseWriter::requireDivisible(const farFieldMesh& far) const
+void Foam::caseWriter::requireDivisible(const meshInBlocks& mesh) const
 {
     string name;
-    for (const faceZoneParts& zone : far.faceZones)
+    for (const faceZoneParts& zone : mesh.faceZones)
     {
         name = "faceZone " + zone.name;
     }
@@ -280,12 +251,12 @@ void Foam::caseWriter::requireDivisible(const farFieldMesh& far) const
         case_.meshObject(), pointField(), faceList(), labelList(), labelList(),
         false
     );
-    forAll(far.patches.names, i)
+    forAll(mesh.patches.names, i)
     {
-        dictionary entries(far.patches.entries[i]);
+        dictionary entries(mesh.patches.entries[i]);
         entries.set("nFaces", 0);
         entries.set("startFace", 0);
-        const word& patch = far.patches.names[i];
+        const word& patch = mesh.patches.names[i];
         if (polyPatch::New(patch, entries, i, frame.boundaryMesh())->coupled())
         {
             name = "coupled patch " + patch;

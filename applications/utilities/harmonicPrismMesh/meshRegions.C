@@ -343,12 +343,12 @@ static regionParts makeParts
     if (asked.hasLayers)
     {
         const localHeights local(readLocal(files, wall, controls, time, log));
-        autoPtr<caseLayers> made
+        caseLayers made
         (
             makeLayers(files, parallel, wall, controls, local, false, log)
         );
-        report = made->report();
-        layers = std::move(made->layers());
+        report = made.report;
+        layers = std::move(made.layers);
     }
     else
     {
@@ -527,10 +527,11 @@ static void writeMeshes
 {
     if (!areApart)
     {
-        writer.writeMesh
+        const polyMeshParts joined
         (
-            files, joinRegions(all, made.meshes, made.polygons), replaced
+            joinRegions(all, made.meshes, made.polygons)
         );
+        writer.writeMesh(files, blocksOf(joined), planarControls(), replaced);
         return;
     }
 
@@ -539,8 +540,8 @@ static void writeMeshes
     {
         writer.writeMesh
         (
-            prismCase(files, all.regions[r].name), std::move(made.meshes[r]),
-            replaced
+            prismCase(files, all.regions[r].name), blocksOf(made.meshes[r]),
+            planarControls(), replaced
         );
     }
     if (!isFile(files.regionsFile()))

@@ -10,6 +10,7 @@
 #include "pluginVersion.H"
 #include "polygonReport.H"
 #include "layerStages.H"
+#include "meshOrder.H"
 #include "OSspecific.H"
 #include "OStringStream.H"
 #include "prismCase.H"
@@ -186,62 +187,42 @@ farFieldDomain readFarField
 
 // * * * * * * * * * * * * * * *  Write Case * * * * * * * * * * * * * * * * //
 
-//- Writes the mesh, in a parallel run all pieces, and drops the layers. Returns
-//  what the log says.
+namespace
+{
+
+//- What the mesh is made of: polygons, or layers and far field
+struct caseCells
+{
+    prismLayers layers;
+    farFieldMesh farField;
+    polygonMesh polygons;
+};
+
+} // End anonymous namespace
+
+
+//- Writes a mesh, in a parallel run all pieces. Returns what the log says.
 //  processes: is set to the costs of a parallel run
 static string writeMesh
 (
+    const prismCase& files,
     const parallelRun& parallel,
     const caseWriter& writer,
-    autoPtr<caseLayers>& made,
-    farFieldMesh& farField,
-    const prismCase& files,
-    polygonMesh& polygons,
+    const meshInBlocks& mesh,
     const planarControls& planar,
     dictionary& processes,
     replacedFiles& replaced
 )
 {
-    if (polygons.mesh.nCells && parallel.isParallel())
+    if (!parallel.isParallel())
     {
-        writer.requireDivisible(farField);
-        parallel.begin();
-        const meshPiece piece(made->makePiece(std::move(polygons)));
-        processes = made->costs();
-        made.clear();
-        writer.writeOwn(piece, replaced);
-
-        return "in parts for all processes";
+        return
+            name(writer.writeMesh(files, mesh, planar, replaced)) + " faces";
     }
-    if (polygons.mesh.nCells)
-    {
-        made.clear();
-        const label nFaces = polygons.mesh.topology.faces.size();
-        writer.writeMesh(files, std::move(polygons.mesh), replaced);
+    writer.requireDivisible(mesh);
+    writer.writeOwn(makePieces(parallel, mesh, processes), replaced);
 
-        return name(nFaces) + " faces";
-    }
-    if (parallel.isParallel())
-    {
-        if (!farField.empty())
-        {
-            writer.requireDivisible(farField);
-            parallel.begin();
-        }
-        const meshPiece piece(made->makePiece(farField));
-        processes = made->costs();
-        made.clear();
-        writer.writeOwn(piece, replaced);
-
-        return "in parts for all processes";
-    }
-
-    const prismLayers layers(std::move(made->layers()));
-    made.clear();
-    returnMemory();
-
-    return
-        name(writer.writeMesh(layers, farField, planar, replaced)) + " faces";
+    return "in parts for all processes";
 }
 
 
@@ -272,43 +253,81 @@ dictionary reportEntries
 }
 
 
-//- On the master: writes mesh, outer surface and report. Consumes the layers
-//  and the far field. Returns the verdict.
+//- Writes the polygons if there are any, otherwise layers and far field.
+//  Consumes all. Returns what the log says.
+//  processes: see above
+static string writeCells
+(
+    const prismCase& files,
+    const parallelRun& parallel,
+    const caseWriter& writer,
+    caseCells&& cells,
+    const planarControls& planar,
+    dictionary& processes,
+    replacedFiles& replaced
+)
+{
+    const auto write = [&](const meshInBlocks& mesh)
+    {
+        returnMemory();
+
+        return writeMesh
+        (
+            files, parallel, writer, mesh, planar, processes, replaced
+        );
+    };
+    if (!cells.polygons.mesh.nCells)
+    {
+        return write(meshOrder(cells.layers, cells.farField).mesh());
+    }
+    meshInBlocks mesh(blocksOf(cells.polygons.mesh));
+    mesh.nStackCells = cells.polygons.counts.nLayerCells;
+    mesh.nLayers = cells.layers.nLayers;
+    cells.layers = prismLayers();
+    cells.farField = farFieldMesh();
+
+    return write(mesh);
+}
+
+
+//- On the master: writes mesh, outer surface and report. Consumes the cells.
+//  Returns the verdict.
 static meshVerdict writeCase
 (
     const prismCase& files,
     const parallelRun& parallel,
     const caseWriter& writer,
     const caseWall& given,
-    autoPtr<caseLayers>& made,
-    farFieldMesh&& farField,
-    polygonMesh& polygons,
+    layerReport& report,
+    caseCells&& cells,
     const prismLayerControls& controls,
     stageLog& log,
     replacedFiles& replaced
 )
 {
-    layerReport report(made->report());
-    const label nPolygonCells = polygons.mesh.nCells;
-    const bool hasFarField = !farField.empty();
-    writer.writeSurfaces(made->surfaces(), replaced);
-    farFieldReport far
-    (
-        hasFarField
-      ? makeFarFieldReport(made->wholeLayers(), farField, controls.quality)
-      : farFieldReport()
-    );
-    if (nPolygonCells)
+    const bool hasFarField = !cells.farField.empty();
+    writer.writeSurfaces(cells.layers, hasFarField, replaced);
+    farFieldReport far;
+    if (hasFarField)
     {
-        reportPolygons(polygons, controls.quality, report, far);
+        far = makeFarFieldReport
+        (
+            cells.layers, cells.farField, controls.quality
+        );
+    }
+    dictionary counts;
+    if (controls.polygons)
+    {
+        counts = toDictionary(cells.polygons.counts);
+        reportPolygons(cells.polygons, controls.quality, report, far);
     }
 
     dictionary processes;
     const string size
     (
-        writeMesh
+        writeCells
         (
-            parallel, writer, made, farField, files, polygons,
+            files, parallel, writer, std::move(cells),
             controls.surface.planar, processes, replaced
         )
     );
@@ -320,15 +339,14 @@ static meshVerdict writeCase
     const meshVerdict verdict(makeVerdict(&report, farOrNull, wall));
     dictionary entries(reportEntries(&report, farOrNull, verdict));
     entries.add("surface", given.entries);
-    if (nPolygonCells)
+    if (counts.size())
     {
-        entries.add("polygons", toDictionary(polygons.counts));
+        entries.add("polygons", counts);
     }
     if (processes.size())
     {
         entries.add("processes", processes);
     }
-
     entries.add("fields", writer.compareWithFields(files, replaced));
     writer.writeReports(files, entries, replaced);
 
@@ -434,7 +452,7 @@ static void requireUsable
 }
 
 
-autoPtr<caseLayers> makeLayers
+caseLayers makeLayers
 (
     const prismCase& files,
     const parallelRun& parallel,
@@ -445,7 +463,7 @@ autoPtr<caseLayers> makeLayers
     stageLog& log
 )
 {
-    autoPtr<caseLayers> made;
+    caseLayers made;
     try
     {
         sendOrder(parallel, orderOf(files, controls.farField.boundary));
@@ -455,13 +473,10 @@ autoPtr<caseLayers> makeLayers
             writeStageFields(files.reportFolder(), wall, mesh);
         };
 
-        made.reset
+        made = makeCaseLayers
         (
-            new caseLayers
-            (
-                parallel, wall, controls, local, log.observer(),
-                pictures ? caseLayers::stageViewer(draw) : nullptr
-            )
+            parallel, wall, controls, local, log.observer(),
+            pictures ? stageViewer(draw) : nullptr
         );
     }
     catch (const wallPointsError& failure)
@@ -476,7 +491,7 @@ autoPtr<caseLayers> makeLayers
             "\nTheir places are in " + files.failedPointsFile();
         throw refusalError(what);
     }
-    requireUsable(made->report(), controls.layers);
+    requireUsable(made.report, controls.layers);
 
     return made;
 }
@@ -498,36 +513,36 @@ static void logFiles(const prismCase& files, const fileName& surface)
 }
 
 
-//- Makes the far field if it is wanted. Returns the mesh of polygons, without
-//  cells if it is not wanted.
-static polygonMesh makeCells
+//- Makes far field and polygons if they are wanted
+static caseCells makeCells
 (
-    const caseLayers& made,
+    prismLayers&& layers,
     farFieldDomain&& domain,
     const prismLayerControls& controls,
-    farFieldMesh& farField,
     stageLog& log
 )
 {
-    const prismLayers& layers = made.wholeLayers();
-    List<sidePatch> sides(layers.border.sides);
+    caseCells cells{std::move(layers), farFieldMesh(), polygonMesh()};
+    List<sidePatch> sides(cells.layers.border.sides);
     if (controls.farField.isWanted())
     {
         sides = domain.boundary.cyclicSides;
-        farField = makeFarField
+        cells.farField = makeFarField
         (
-            layers, std::move(domain), controls.farField, log.observer()
+            cells.layers, std::move(domain), controls.farField, log.observer()
         );
     }
-    polygonMesh polygons;
     if (controls.polygons)
     {
         log.begin("polygonCells");
-        polygons = makePolygonCells(layers, farField, sides);
-        log.end(textOf(polygons.counts));
+        cells.polygons = makePolygonCells
+        (
+            cells.layers, cells.farField, sides
+        );
+        log.end(textOf(cells.polygons.counts));
     }
 
-    return polygons;
+    return cells;
 }
 
 
@@ -559,14 +574,13 @@ void meshWall
             controls.farField, time, log
         )
     );
-    autoPtr<caseLayers> made
+    caseLayers made
     (
         makeLayers(files, parallel, wall, controls, local, pictures, log)
     );
-    farFieldMesh farField;
-    polygonMesh polygons
+    caseCells cells
     (
-        makeCells(*made, std::move(domain), controls, farField, log)
+        makeCells(std::move(made.layers), std::move(domain), controls, log)
     );
     log.begin("prismPolyMesh");
     meshVerdict verdict;
@@ -578,8 +592,8 @@ void meshWall
         }
         verdict = writeCase
         (
-            files, parallel, writer, given, made, std::move(farField),
-            polygons, controls, log, replaced
+            files, parallel, writer, given, made.report, std::move(cells),
+            controls, log, replaced
         );
     });
     files.removeRefusal();

@@ -192,19 +192,6 @@ List<Type> shareTable::onMaster
 
 
 template<class Type>
-List<Type> shareTable::onAll(const UList<Type>& values, const label nEach) const
-{
-    List<Type> all(onMaster(values, nEach));
-    if (!isAlone_)
-    {
-        processes_.broadcast(all);
-    }
-
-    return all;
-}
-
-
-template<class Type>
 List<Type> shareTable::at
 (
     const labelUList& whole,

@@ -5,7 +5,6 @@
 
 #include "gatherShares.H"
 #include "distributeFront.H"
-#include "prismQuality.H"
 
 namespace Foam
 {
@@ -72,39 +71,6 @@ prismLayers layersOnMaster
     layers.isCut = own.isCut;
 
     return layers;
-}
-
-
-outerSurface outerOnMaster
-(
-    const prismLayers& own,
-    const frontShare& share,
-    const wallSurface& wall,
-    const processTeam& processes
-)
-{
-    if (processes.size() == 1)
-    {
-        const wallSurface outer(outerPolygons(own));
-
-        return outerSurface{outer.points, outer.faces};
-    }
-
-    // The outermost layer alone
-    pointField points(2*own.nColumns());
-    for (label c = 0; c < own.nColumns(); ++c)
-    {
-        points[2*c] = own(c, own.nLayers - 1);
-        points[2*c + 1] = own(c, own.nLayers);
-    }
-    prismLayers last;
-    last.nLayers = 1;
-    last.isCut = own.isCut;
-    last.points = columnTeam(share, processes).columns.onMaster(points, 2);
-    last.faces = gatherFront(share, wall, processes).surface.faces;
-    const wallSurface outer(outerPolygons(last));
-
-    return outerSurface{outer.points, outer.faces};
 }
 
 } // End namespace Foam

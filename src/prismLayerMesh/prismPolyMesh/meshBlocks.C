@@ -35,6 +35,27 @@ static void accumulate(labelList& sizes)
 }
 
 
+//- Copies a block of faces to its place in a mesh
+static void copyFaces
+(
+    const faceBlock& block,
+    const label firstFace,
+    const label firstInternal,
+    polyMeshTopology& mesh
+)
+{
+    forAll(block.ends, i)
+    {
+        mesh.faces[firstFace + i] = face(block.face(i));
+        mesh.owner[firstFace + i] = block.owner[i];
+    }
+    forAll(block.neighbour, i)
+    {
+        mesh.neighbour[firstInternal + i] = block.neighbour[i];
+    }
+}
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 void faceBlock::endFace(const label ownerCell, const label neighbourCell)
@@ -90,7 +111,77 @@ pointField meshBlocks::allPoints() const
 }
 
 
+void meshInBlocks::setPoints(const pointField& all)
+{
+    nPoints = all.size();
+    nPointBlocks = max(label(1), numberOfBlocks(nPoints, blockSize));
+    points = [&all](const label i)
+    {
+        const labelRange range(rangeOfBlock(all.size(), blockSize, i));
+
+        return pointField(SubList<point>(all, range.size(), range.start()));
+    };
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+meshInBlocks blocksOf(const polyMeshParts& mesh)
+{
+    const polyMeshTopology& given = mesh.topology;
+    meshInBlocks blocks;
+    blocks.nCells = mesh.nCells;
+    blocks.setPoints(mesh.points);
+    blocks.setFaces
+    (
+        given.owner, given.neighbour,
+        [&given](const label i) -> const face& { return given.faces[i]; }
+    );
+    blocks.patches = mesh.patches;
+    blocks.patchStarts = given.patchStarts;
+    blocks.patchStarts.append(given.faces.size());
+    blocks.cellZones = mesh.cellZones;
+    blocks.faceZones = mesh.faceZones;
+
+    return blocks;
+}
+
+
+polyMeshParts partsOf(const meshInBlocks& mesh)
+{
+    polyMeshParts parts;
+    parts.points = mesh.allPoints();
+    parts.nCells = mesh.nCells;
+    parts.patches = mesh.patches;
+    parts.cellZones = mesh.cellZones;
+    parts.faceZones = mesh.faceZones;
+
+    polyMeshTopology& made = parts.topology;
+    made.faces.setSize(mesh.nFaces());
+    made.owner.setSize(mesh.nFaces());
+    made.neighbour.setSize(mesh.nInternalFaces());
+
+    #pragma omp parallel for schedule(dynamic)
+    for (label i = 0; i < mesh.nFaceBlocks; ++i)
+    {
+        copyFaces
+        (
+            mesh.faces(i), mesh.firstFaces[i], mesh.firstInternal[i], made
+        );
+    }
+
+    const label nPatches = mesh.patches.names.size();
+    made.patchStarts = SubList<label>(mesh.patchStarts, nPatches);
+    made.patchSizes.setSize(nPatches);
+    forAll(made.patchSizes, patchi)
+    {
+        made.patchSizes[patchi] =
+            mesh.patchStarts[patchi + 1] - mesh.patchStarts[patchi];
+    }
+
+    return parts;
+}
+
 
 labelRange rangeOfBlock(const label nItems, const label perBlock, const label i)
 {

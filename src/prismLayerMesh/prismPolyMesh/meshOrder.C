@@ -4,8 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "meshOrder.H"
-#include "bitSet.H"
-#include "prismFaces.H"
+#include "prismPolyMesh.H"
 #include "UIndirectList.H"
 
 namespace Foam
@@ -40,15 +39,16 @@ void meshOrder::addRanges
 }
 
 
-void meshOrder::setRanges(const UList<labelPair>& patchParts)
+labelList meshOrder::setRanges(const UList<labelPair>& patchParts)
 {
     const polyMeshTopology& far = far_.topology;
+    DynamicList<label> patchBlocks(patchParts.size() + 1);
     addRanges(faceKind::stacks, -1, labelRange(0, layers_.faces.size()));
     addRanges(faceKind::farField, -1, labelRange(0, far.neighbour.size()));
 
     for (const labelPair& parts : patchParts)
     {
-        patchBlocks_.append(ranges_.size());
+        patchBlocks.append(ranges_.size());
         const label onLayers = parts.first();
         const label onFar = parts.second();
         if (onLayers >= 0)
@@ -68,60 +68,102 @@ void meshOrder::setRanges(const UList<labelPair>& patchParts)
             );
         }
     }
-    patchBlocks_.append(ranges_.size());
-    addRanges(faceKind::between, -1, labelRange(0, between_.size()));
+    patchBlocks.append(ranges_.size());
 
     if (ranges_.empty())
     {
         ranges_.append(faceRange{faceKind::stacks, -1, labelRange(0, 0)});
     }
-}
 
-
-void meshOrder::setNewPoints()
-{
-    bitSet columns(layers_.nColumns());
-    for (const face& f : layers_.faces)
-    {
-        columns.set(f);
-    }
-
-    // Other columns are there for their points on the wall or the far field
-    bitSet isUsed(nAllPoints() - layers_.extraColumnPoints.size());
-    for (const label c : columns)
-    {
-        for (label i = 0; i <= layers_.nLayers; ++i)
-        {
-            isUsed.set(layers_.pointLabel(c, i));
-        }
-    }
-    for (const face& f : far_.topology.faces)
-    {
-        for (const label p : f)
-        {
-            isUsed.set(farPoint(p));
-        }
-    }
-
-    if (!isUsed.all())
-    {
-        newPoints_ = invert(isUsed);
-    }
-    blocks_.nPoints = isUsed.count();
+    return labelList(std::move(patchBlocks));
 }
 
 
 void meshOrder::setBlocks()
 {
-    blocks_.nCells = layers_.faces.size()*layers_.nLayers + far_.nCells;
-    blocks_.nPointBlocks = max
+    mesh_.nCells = layers_.faces.size()*layers_.nLayers + far_.nCells;
+    mesh_.nStackCells = mesh_.nCells - far_.nCells;
+    mesh_.nLayers = layers_.nLayers;
+    mesh_.nPoints = nAllPoints() - layers_.extraColumnPoints.size();
+    mesh_.nPointBlocks = max
     (
         label(1), numberOfBlocks(nAllPoints(), meshBlocks::blockSize)
     );
-    blocks_.points = [this](const label i) { return points(i); };
-    blocks_.nFaceBlocks = ranges_.size();
-    blocks_.faces = [this](const label i) { return faces(i); };
-    blocks_.count();
+    mesh_.points = [this](const label i) { return points(i); };
+    mesh_.nFaceBlocks = ranges_.size();
+    mesh_.faces = [this](const label i) { return faces(i); };
+    mesh_.count();
+}
+
+
+labelList meshOrder::farFaceLabels() const
+{
+    labelList labels(far_.topology.faces.size());
+    label facei = 0;
+    for (const faceRange& range : ranges_)
+    {
+        visitRange
+        (
+            range,
+            [&](const meshFace& f, label, label)
+            {
+                if (f.farFace >= 0)
+                {
+                    labels[f.farFace] = facei;
+                }
+                ++facei;
+            }
+        );
+    }
+
+    return labels;
+}
+
+
+labelList meshOrder::cellsOf(const cellZoneParts& zone) const
+{
+    const label n = layers_.nLayers;
+    DynamicList<label> cells(zone.frontFaces.size()*n + zone.cells.size());
+    for (const label fronti : zone.frontFaces)
+    {
+        for (label i = 1; i <= n; ++i)
+        {
+            cells.append(cellLabel(layers_, fronti, i));
+        }
+    }
+    for (const label celli : zone.cells)
+    {
+        cells.append(mesh_.nStackCells + celli);
+    }
+
+    return labelList(std::move(cells));
+}
+
+
+void meshOrder::setZones()
+{
+    if (far_.empty())
+    {
+        return;
+    }
+    mesh_.cellZones.append
+    (
+        cellZoneParts(boundaryLayerName, identity(mesh_.nStackCells))
+    );
+    for (const cellZoneParts& zone : far_.cellZones)
+    {
+        mesh_.cellZones.append(cellZoneParts(zone.name, cellsOf(zone)));
+    }
+
+    const labelList newFaces
+    (
+        far_.faceZones.size() ? farFaceLabels() : labelList()
+    );
+    mesh_.faceZones = far_.faceZones;
+    for (faceZoneParts& zone : mesh_.faceZones)
+    {
+        inplaceRenumber(newFaces, zone.faces);
+    }
 }
 
 
@@ -156,15 +198,6 @@ void meshOrder::appendPoints
         {
             points.append(farPoint(corners[f.isTurned ? (n - k) % n : k]));
         }
-    }
-    else if (f.isTurned)
-    {
-        // The face is of the stack with the lower label
-        const edge e(layers_.faces[f.key.front].faceEdge(f.key.edge));
-        points.append
-        (
-            sideFace(layers_, e.reverseEdge(), f.key.level).reverseFace()
-        );
     }
     else
     {
@@ -237,7 +270,7 @@ void meshOrder::visitRange(const faceRange& range, const Visit& visit) const
                 cellLabel(layers_, key.front, max(key.level, label(1))), -1
             );
         }
-        else if (range.kind == faceKind::farField)
+        else
         {
             visit
             (
@@ -245,10 +278,6 @@ void meshOrder::visitRange(const faceRange& range, const Visit& visit) const
                 firstFar + far.owner[i],
                 i < far.neighbour.size() ? firstFar + far.neighbour[i] : -1
             );
-        }
-        else
-        {
-            visit(between_[i].face, between_[i].owner, -1);
         }
     }
 }
@@ -266,10 +295,6 @@ faceBlock meshOrder::faces(const label blocki) const
             block.endFace(owner, neighbour);
         }
     );
-    if (newPoints_.size())
-    {
-        inplaceRenumber(newPoints_, block.points);
-    }
 
     return block;
 }
@@ -279,10 +304,6 @@ pointField meshOrder::points(const label blocki) const
 {
     const label n = layers_.nLayers + 1;
     const label nLayers = layers_.points.size();
-    const auto isUsed = [&](const label p)
-    {
-        return newPoints_.empty() || newPoints_[p] >= 0;
-    };
     DynamicList<point> points(meshBlocks::blockSize);
 
     const labelRange range
@@ -293,17 +314,9 @@ pointField meshOrder::points(const label blocki) const
     {
         if (i >= nLayers)
         {
-            const label p = layers_.nColumns() + i - nLayers;
-            if (isUsed(farPoint(p)))
-            {
-                points.append(far_.points[p]);
-            }
+            points.append(far_.points[layers_.nColumns() + i - nLayers]);
         }
-        else if
-        (
-            (i % n || i/n < layers_.nWallPoints())
-         && isUsed(layers_.pointLabel(i/n, i % n))
-        )
+        else if (i % n || i/n < layers_.nWallPoints())
         {
             points.append(layers_.points[i]);
         }
@@ -315,116 +328,23 @@ pointField meshOrder::points(const label blocki) const
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-meshOrder::meshOrder
-(
-    const prismLayers& layers,
-    const farFieldMesh& far,
-    labelListList&& faceNeighbours,
-    const UList<DynamicList<labelPair>>& open,
-    const UList<labelPair>& patchParts
-)
+meshOrder::meshOrder(const prismLayers& layers, farFieldMesh& far)
 :
     layers_(layers),
     far_(far),
-    faceNeighbours_(std::move(faceNeighbours)),
-    boundary_(boundaryFaces(layers, open))
+    faceNeighbours_(findFaceNeighbours(layers))
 {
-    setRanges(patchParts);
-    blocks_.nPoints = nAllPoints() - layers.extraColumnPoints.size();
+    const List<DynamicList<labelPair>> open(openEdges(layers, faceNeighbours_));
+    boundary_ = boundaryFaces(layers, open);
+    mesh_.patches = patchesOfMesh(layers, open.size(), far);
+    const labelList patchBlocks
+    (
+        setRanges(partsOfPatches(layers, open.size(), far))
+    );
     setBlocks();
-}
-
-
-meshOrder::meshOrder(const meshPiece& piece)
-:
-    layers_(piece.layers),
-    far_(piece.far),
-    faceNeighbours_(findFaceNeighbours(piece.layers)),
-    boundary_(boundaryFaces(piece.layers, piece.open)),
-    between_(piece.between)
-{
-    setRanges(piece.patchParts);
-    setNewPoints();
-    setBlocks();
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-labelList meshOrder::patchStarts() const
-{
-    return labelList(UIndirectList<label>(blocks_.firstFaces, patchBlocks_));
-}
-
-
-List<labelPair> meshOrder::facesToProcesses() const
-{
-    DynamicList<labelPair> processes;
-    for (const faceBetween& f : between_)
-    {
-        if (processes.empty() || processes.last().first() != f.process)
-        {
-            processes.append(labelPair(f.process, 0));
-        }
-        ++processes.last().second();
-    }
-
-    return List<labelPair>(std::move(processes));
-}
-
-
-labelList meshOrder::farFaceLabels() const
-{
-    labelList labels(far_.topology.faces.size());
-    label facei = 0;
-    for (const faceRange& range : ranges_)
-    {
-        visitRange
-        (
-            range,
-            [&](const meshFace& f, label, label)
-            {
-                if (f.farFace >= 0)
-                {
-                    labels[f.farFace] = facei;
-                }
-                ++facei;
-            }
-        );
-    }
-
-    return labels;
-}
-
-
-labelList meshOrder::faceAddressing(const meshPiece& piece) const
-{
-    DynamicList<label> addressing(blocks_.nFaces());
-    for (const faceRange& range : ranges_)
-    {
-        visitRange
-        (
-            range,
-            [&](const meshFace& f, label, label)
-            {
-                addressing.append(piece.faceAddress(f));
-            }
-        );
-    }
-
-    return labelList(std::move(addressing));
-}
-
-
-labelList meshOrder::pointAddressing(const meshPiece& piece) const
-{
-    labelList addressing(piece.pointAddressing());
-    if (newPoints_.size())
-    {
-        inplaceReorder(newPoints_, addressing, true);
-    }
-
-    return addressing;
+    mesh_.patchStarts =
+        labelUIndList(mesh_.firstFaces, patchBlocks)();
+    setZones();
 }
 
 } // End namespace Foam

@@ -4,83 +4,271 @@
 \*---------------------------------------------------------------------------*/
 
 #include "meshPiece.H"
+#include "bitSet.H"
+#include "processorPolyPatch.H"
+
+#include <map>
 
 namespace Foam
 {
 
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
+
+namespace
+{
+
+//- Cuts a piece out of a mesh
+struct pieceCutter
+{
+    const meshInBlocks& mesh;
+    const labelUList& processOfCell;
+
+    meshPiece piece{};
+
+    //- Labels of cells in the piece, -1 for cells that are not in it
+    labelList localCells{};
+
+    //- The faces to each other process
+    std::map<label, addressedFaces> between{};
+
+    void addCells()
+    {
+        DynamicList<label> cells;
+        localCells.setSize(mesh.nCells, -1);
+        forAll(processOfCell, celli)
+        {
+            if (processOfCell[celli] == piece.process)
+            {
+                localCells[celli] = cells.size();
+                cells.append(celli);
+            }
+        }
+        piece.cellAddressing.transfer(cells);
+    }
+
+    void addInternal
+    (
+        const labelUList& points,
+        const label facei,
+        const label owner,
+        const label neighbour
+    )
+    {
+        const label own = localCells[owner];
+        const label nei = localCells[neighbour];
+        if (own >= 0 && nei >= 0)
+        {
+            piece.faces.append(points, facei + 1, own, nei);
+        }
+        else if (own >= 0)
+        {
+            between[processOfCell[neighbour]].append(points, facei + 1, own);
+        }
+        else if (nei >= 0)
+        {
+            between[processOfCell[owner]].append(points, -(facei + 1), nei);
+        }
+    }
+
+    void addFaces(const labelUList& blocks)
+    {
+        piece.patchNames = mesh.patches.names;
+        piece.patchTypes = mesh.patches.types();
+        piece.patchSizes.setSize(piece.patchNames.size(), 0);
+        label patchi = 0;
+        for (const label b : blocks)
+        {
+            const faceBlock block(mesh.faces(b));
+            forAll(block.owner, i)
+            {
+                const label facei = mesh.firstFaces[b] + i;
+                const label own = block.owner[i];
+                if (i < block.neighbour.size())
+                {
+                    addInternal(block.face(i), facei, own, block.neighbour[i]);
+                }
+                else if (localCells[own] >= 0)
+                {
+                    while (facei >= mesh.patchStarts[patchi + 1])
+                    {
+                        ++patchi;
+                    }
+                    piece.faces.append
+                    (
+                        block.face(i), facei + 1, localCells[own]
+                    );
+                    ++piece.patchSizes[patchi];
+                }
+            }
+        }
+    }
+
+    void addBetween()
+    {
+        for (const auto& other : between)
+        {
+            const addressedFaces& faces = other.second;
+            piece.others.append(other.first);
+            piece.patchSizes.append(faces.owner.size());
+            forAll(faces.owner, i)
+            {
+                piece.faces.points.append(faces.face(i));
+                piece.faces.endFace(faces.owner[i]);
+                piece.faces.addressing.append(faces.addressing[i]);
+            }
+        }
+    }
+
+    void addPoints()
+    {
+        bitSet isUsed(mesh.nPoints);
+        isUsed.set(piece.faces.points);
+        piece.pointAddressing = isUsed.toc();
+        inplaceRenumber(invert(isUsed), piece.faces.points);
+
+        DynamicList<point> points(piece.pointAddressing.size());
+        label pointi = 0;
+        for (label b = 0; b < mesh.nPointBlocks; ++b)
+        {
+            for (const point& x : mesh.points(b))
+            {
+                if (isUsed[pointi++])
+                {
+                    points.append(x);
+                }
+            }
+        }
+        piece.points = pointField(std::move(points));
+    }
+
+    void addZones()
+    {
+        for (const cellZoneParts& zone : mesh.cellZones)
+        {
+            DynamicList<label> cells;
+            for (const label celli : zone.cells)
+            {
+                if (localCells[celli] >= 0)
+                {
+                    cells.append(localCells[celli]);
+                }
+            }
+            piece.zoneNames.append(zone.name);
+            piece.zones.append(labelList(std::move(cells)));
+        }
+    }
+};
+
+} // End anonymous namespace
+
+
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-label meshPiece::faceAddress(const meshFace& f) const
+void addressedFaces::append
+(
+    const labelUList& corners,
+    const label address,
+    const label ownerCell,
+    const label neighbourCell
+)
 {
-    if (f.farFace >= 0)
+    const label n = corners.size();
+    for (label k = 0; k < n; ++k)
     {
-        return farFaces[f.farFace];
+        points.append(corners[address < 0 ? (n - k) % n : k]);
+    }
+    endFace(ownerCell, neighbourCell);
+    addressing.append(address);
+}
+
+
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+List<DynamicList<label>> blocksOfPieces
+(
+    const meshInBlocks& mesh,
+    const labelUList& processOfCell,
+    const label nProcesses
+)
+{
+    List<DynamicList<label>> blocks(nProcesses);
+    for (label b = 0; b < mesh.nFaceBlocks; ++b)
+    {
+        const faceBlock block(mesh.faces(b));
+        bitSet isIn(nProcesses);
+        isIn.set(labelUIndList(processOfCell, block.owner)());
+        isIn.set(labelUIndList(processOfCell, block.neighbour)());
+        for (const label p : isIn)
+        {
+            blocks[p].append(b);
+        }
     }
 
-    const meshStack& stack = stacks[f.key.front];
-    const label i = f.key.level;
-    if (f.key.edge >= 0)
-    {
-        const stackEdge& e = edges[stack.firstEdge + f.key.edge];
-        const bool isAfterLevel = e.sideStride > 1 && i < layers.nLayers;
-        const label facei = e.firstSide + (i - 1)*e.sideStride + isAfterLevel;
+    return blocks;
+}
 
-        return f.isTurned ? -(facei + 1) : facei + 1;
-    }
 
-    return 1 +
+meshPiece pieceOf
+(
+    const meshInBlocks& mesh,
+    const labelUList& processOfCell,
+    const label process,
+    const labelUList& blocks
+)
+{
+    pieceCutter cutter{mesh, processOfCell};
+    cutter.piece.process = process;
+    cutter.addCells();
+    cutter.addFaces(blocks);
+    cutter.addBetween();
+    cutter.addPoints();
+    cutter.addZones();
+
+    return std::move(cutter.piece);
+}
+
+
+meshInBlocks blocksOf(const meshPiece& piece)
+{
+    const addressedFaces& faces = piece.faces;
+    meshInBlocks blocks;
+    blocks.nCells = piece.cellAddressing.size();
+    blocks.setPoints(piece.points);
+    blocks.setFaces
     (
-        i == 0 ? stack.wallFace
-      : i == layers.nLayers ? firstOuter + stack.stack
-      : stack.firstFace + (i - 1)*stack.stride
+        faces.owner, faces.neighbour,
+        [&faces](const label i) { return faces.face(i); }
     );
-}
 
-
-labelList meshPiece::cellAddressing() const
-{
-    const label n = layers.nLayers;
-    DynamicList<label> addressing(stacks.size()*n + farCells.size());
-    for (const meshStack& stack : stacks)
+    forAll(piece.patchNames, i)
     {
-        for (label i = 0; i < n; ++i)
-        {
-            addressing.append(stack.stack*n + i);
-        }
+        blocks.patches.append(piece.patchNames[i], piece.patchTypes[i]);
     }
-    for (const label celli : farCells)
+    for (const label other : piece.others)
     {
-        addressing.append(nStacks*n + celli);
+        blocks.patches.append
+        (
+            processorPolyPatch::newName(piece.process, other),
+            processorPolyPatch::typeName
+        );
+        dictionary& entries = blocks.patches.entries.last();
+        entries.add("myProcNo", piece.process);
+        entries.add("neighbProcNo", other);
     }
-
-    return labelList(std::move(addressing));
-}
-
-
-labelList meshPiece::pointAddressing() const
-{
-    const label n = layers.nLayers;
-    const label nLayerPoints =
-        layers.points.size() - layers.extraColumnPoints.size();
-    labelList addressing(nLayerPoints + farPoints.size());
-    forAll(columns, c)
+    blocks.patchStarts.append(faces.neighbour.size());
+    for (const label size : piece.patchSizes)
     {
-        const label whole = columns[c];
-        const label nSkipped = max(whole - nWallPoints + 1, label(0));
-        for (label i = nSkipped > 0; i <= n; ++i)
-        {
-            addressing[layers.pointLabel(c, i)] = whole*(n + 1) + i - nSkipped;
-        }
+        blocks.patchStarts.append(blocks.patchStarts.last() + size);
+    }
+    forAll(piece.zones, i)
+    {
+        blocks.cellZones.append
+        (
+            cellZoneParts(piece.zoneNames[i], piece.zones[i])
+        );
     }
 
-    // The far field's points follow all of those of the layers
-    const label shift = nColumns*n + nWallPoints - nColumns;
-    forAll(farPoints, i)
-    {
-        addressing[nLayerPoints + i] = farPoints[i] + shift;
-    }
-
-    return addressing;
+    return blocks;
 }
 
 } // End namespace Foam

@@ -9,7 +9,6 @@
 #include "ListOps.H"
 #include "prismPolyMesh.H"
 #include "prismQuality.H"
-#include "ranges.H"
 
 namespace Foam
 {
@@ -99,7 +98,9 @@ labelListList findFaceNeighbours(const prismLayers& layers)
 
 // * * * * * * * * * * * * * * *  Prism Faces  * * * * * * * * * * * * * * * //
 
-//- Appends the points of sideFace
+//- Appends the points of the side of layer i on an edge of a front face, seen
+//  from outside of its cell. Columns on one point of the wall have a triangle
+//  between them.
 static void appendSide
 (
     const prismLayers& layers,
@@ -126,15 +127,6 @@ static void appendSide
     {
         points.append(start);
     }
-}
-
-
-face sideFace(const prismLayers& layers, const edge& e, const label i)
-{
-    DynamicList<label> points(4);
-    appendSide(layers, e, i, false, points);
-
-    return face(points);
 }
 
 
@@ -286,12 +278,6 @@ List<DynamicList<prismFaceKey>> boundaryFaces
     }
 
     return patches;
-}
-
-
-label nHigherNeighbours(const labelUList& faceNeighbours, const label facei)
-{
-    return countOf(faceNeighbours, [&](const label i) { return i > facei; });
 }
 
 } // End namespace Foam

@@ -8,8 +8,7 @@
 #include "labelIOList.H"
 #include "meshFiles.H"
 #include "meshOrder.H"
-#include "prismFaces.H"
-#include "processorPolyPatch.H"
+#include "meshPiece.H"
 
 namespace Foam
 {
@@ -193,18 +192,60 @@ List<labelPair> partsOfPatches
 const word boundaryLayerName("boundaryLayer");
 
 
-//- Returns a mesh without patches. It is made, not read, whatever io says.
-static autoPtr<polyMesh> meshWithoutPatches
+static void addZones
+(
+    const UList<cellZoneParts>& cellZones,
+    const UList<faceZoneParts>& faceZones,
+    polyMesh& mesh
+)
+{
+    List<cellZone*> cells;
+    for (const cellZoneParts& zone : cellZones)
+    {
+        cells.append
+        (
+            new cellZone
+            (
+                zone.name, zone.cells, cells.size(), mesh.cellZones()
+            )
+        );
+    }
+    List<faceZone*> faces;
+    for (const faceZoneParts& zone : faceZones)
+    {
+        faces.append
+        (
+            new faceZone
+            (
+                zone.name, zone.faces, zone.flips, faces.size(),
+                mesh.faceZones()
+            )
+        );
+    }
+    mesh.addZones(List<pointZone*>(), faces, cells);
+}
+
+
+//- Returns a mesh with patches and zones. It is made, not read, whatever io
+//  says.
+//  points: if there are none, the mesh is a frame for the files of patches and
+//  zones
+//  all, patchStarts: see meshInBlocks
+static autoPtr<polyMesh> makeMesh
 (
     const IOobject& io,
     pointField&& points,
-    polyMeshTopology&& topology
+    polyMeshTopology&& topology,
+    const meshPatches& all,
+    const labelUList& patchStarts,
+    const UList<cellZoneParts>& cellZones,
+    const UList<faceZoneParts>& faceZones
 )
 {
+    const bool isWhole = points.size();
     IOobject unread(io);
     unread.readOpt() = IOobject::NO_READ;
-
-    return autoPtr<polyMesh>
+    autoPtr<polyMesh> mesh
     (
         new polyMesh
         (
@@ -216,288 +257,59 @@ static autoPtr<polyMesh> meshWithoutPatches
             false
         )
     );
-}
 
-
-//- Returns the patches of a mesh.
-//  starts: the first face of each patch, and then the first face behind them
-static PtrList<polyPatch> makePatches
-(
-    const meshPatches& all,
-    const labelUList& starts,
-    const polyBoundaryMesh& boundary
-)
-{
     PtrList<polyPatch> patches(all.names.size());
     forAll(patches, patchi)
     {
         dictionary patch(all.entries[patchi]);
-        patch.set("nFaces", starts[patchi + 1] - starts[patchi]);
-        patch.set("startFace", starts[patchi]);
+        patch.set("nFaces", patchStarts[patchi + 1] - patchStarts[patchi]);
+        patch.set("startFace", patchStarts[patchi]);
         patches.set
         (
-            patchi, polyPatch::New(all.names[patchi], patch, patchi, boundary)
-        );
-    }
-
-    return patches;
-}
-
-
-//- Adds the patches of the whole mesh, then those to other processes.
-//  process: of the piece
-static void addPatches
-(
-    const meshOrder& order,
-    const meshPatches& all,
-    const label process,
-    const bool isWhole,
-    polyMesh& mesh
-)
-{
-    const polyBoundaryMesh& boundary = mesh.boundaryMesh();
-    const labelList starts(order.patchStarts());
-    PtrList<polyPatch> patches(makePatches(all, starts, boundary));
-
-    label start = starts.last();
-    for (const labelPair& other : order.facesToProcesses())
-    {
-        patches.append
-        (
-            new processorPolyPatch
+            patchi,
+            polyPatch::New
             (
-                other.second(), start, patches.size(), boundary, process,
-                other.first()
-            )
-        );
-        start += other.second();
-    }
-
-    mesh.addPatches(patches, isWhole);
-}
-
-
-//- The cells of a zone of the far field in the mesh, where they follow those of
-//  the layers
-static labelList cellsOf(const prismLayers& layers, const cellZoneParts& zone)
-{
-    const label n = layers.nLayers;
-    DynamicList<label> cells(zone.frontFaces.size()*n + zone.cells.size());
-    for (const label fronti : zone.frontFaces)
-    {
-        for (label i = 1; i <= n; ++i)
-        {
-            cells.append(cellLabel(layers, fronti, i));
-        }
-    }
-    for (const label celli : zone.cells)
-    {
-        cells.append(layers.faces.size()*n + celli);
-    }
-
-    return labelList(std::move(cells));
-}
-
-
-//- Adds the zones of a mesh with a far field.
-//  hasLayers: whether the whole mesh has stacks of layers
-static void addZones
-(
-    const prismLayers& layers,
-    const farFieldMesh& far,
-    const meshOrder& order,
-    const bool hasLayers,
-    polyMesh& mesh
-)
-{
-    List<cellZone*> cells;
-    List<faceZone*> faces;
-    if (hasLayers)
-    {
-        cells.append
-        (
-            new cellZone
-            (
-                boundaryLayerName,
-                identity(layers.faces.size()*layers.nLayers), 0,
-                mesh.cellZones()
+                all.names[patchi], patch, patchi, mesh->boundaryMesh()
             )
         );
     }
-
-    for (const cellZoneParts& zone : far.cellZones)
-    {
-        cells.append
-        (
-            new cellZone
-            (
-                zone.name, cellsOf(layers, zone), cells.size(), mesh.cellZones()
-            )
-        );
-    }
-
-    const labelList newFaces
-    (
-        far.faceZones.size() ? order.farFaceLabels() : labelList()
-    );
-    for (const faceZoneParts& zone : far.faceZones)
-    {
-        labelList labels(zone.faces);
-        inplaceRenumber(newFaces, labels);
-        faces.append
-        (
-            new faceZone
-            (
-                zone.name, labels, zone.flips, faces.size(), mesh.faceZones()
-            )
-        );
-    }
-
-    mesh.addZones(List<pointZone*>(), faces, cells);
-}
-
-
-//- Copies a block of faces to its place in a mesh
-static void copyFaces
-(
-    const faceBlock& block,
-    const label firstFace,
-    const label firstInternal,
-    polyMeshTopology& mesh
-)
-{
-    forAll(block.ends, i)
-    {
-        mesh.faces[firstFace + i] = face(block.face(i));
-        mesh.owner[firstFace + i] = block.owner[i];
-    }
-    forAll(block.neighbour, i)
-    {
-        mesh.neighbour[firstInternal + i] = block.neighbour[i];
-    }
-}
-
-
-//- The faces of a mesh of layers and far field
-static polyMeshTopology makeTopology(const meshOrder& order)
-{
-    const meshBlocks& blocks = order.blocks();
-    polyMeshTopology mesh;
-    mesh.faces.setSize(blocks.nFaces());
-    mesh.owner.setSize(blocks.nFaces());
-    mesh.neighbour.setSize(blocks.nInternalFaces());
-
-    #pragma omp parallel for schedule(dynamic)
-    for (label i = 0; i < blocks.nFaceBlocks; ++i)
-    {
-        copyFaces
-        (
-            blocks.faces(i), blocks.firstFaces[i], blocks.firstInternal[i], mesh
-        );
-    }
-
-    mesh.patchStarts = order.patchStarts();
-    const label nPatches = mesh.patchStarts.size() - 1;
-    mesh.patchSizes.setSize(nPatches);
-    forAll(mesh.patchSizes, patchi)
-    {
-        mesh.patchSizes[patchi] =
-            mesh.patchStarts[patchi + 1] - mesh.patchStarts[patchi];
-    }
-    mesh.patchStarts.setSize(nPatches);
+    mesh->addPatches(patches, isWhole);
+    addZones(cellZones, faceZones, *mesh);
 
     return mesh;
 }
 
 
-namespace
+//- Writes the files of a mesh. Returns the mesh without points and faces.
+static autoPtr<polyMesh> writeFiles
+(
+    const meshInBlocks& mesh,
+    const IOobject& io
+)
 {
-
-//- The mesh of layers and far field before it is a polyMesh, or files
-struct prismMesh
-{
-    const prismLayers& layers;
-    const farFieldMesh& far;
-    labelListList faceNeighbours;
-    List<DynamicList<labelPair>> open;
-    meshPatches patches;
-    meshOrder order;
-    const label process = 0;
-    const bool hasLayers = true;
-
-    prismMesh(const prismLayers& l, farFieldMesh& f)
-    :
-        layers(l),
-        far(f),
-        faceNeighbours(findFaceNeighbours(l)),
-        open(openEdges(l, faceNeighbours)),
-        patches(patchesOfMesh(l, open.size(), f)),
-        order
-        (
-            l, f, std::move(faceNeighbours), open,
-            partsOfPatches(l, open.size(), f)
-        )
-    {}
-
-    explicit prismMesh(const meshPiece& piece)
-    :
-        layers(piece.layers),
-        far(piece.far),
-        patches(piece.patches),
-        order(piece),
-        process(piece.process),
-        hasLayers(piece.nStacks > 0)
-    {}
-
-    //- Makes the mesh with patches and zones.
-    //  points, topology: of the mesh. Without points patches and zones alone
-    //  are made.
-    autoPtr<polyMesh> make
+    // Zones of faces look whether they have labels of faces
+    polyMeshTopology nothing;
+    nothing.faces.setSize(mesh.faceZones.size() ? mesh.nFaces() : 0);
+    nothing.owner.setSize(nothing.faces.size(), 0);
+    autoPtr<polyMesh> frame
     (
-        const IOobject& io,
-        pointField&& points,
-        polyMeshTopology&& topology
-    ) const
-    {
-        const bool isWhole = points.size();
-        autoPtr<polyMesh> mesh
+        makeMesh
         (
-            meshWithoutPatches(io, std::move(points), std::move(topology))
-        );
-        addPatches(order, patches, process, isWhole, mesh());
-        if (far.topology.patchSizes.size())
-        {
-            addZones(layers, far, order, hasLayers, mesh());
-        }
+            io, pointField(), std::move(nothing), mesh.patches,
+            mesh.patchStarts, mesh.cellZones, mesh.faceZones
+        )
+    );
+    writeMeshFiles(*frame, mesh);
 
-        return mesh;
-    }
-
-    //- Writes the files. Returns the mesh without points and faces.
-    autoPtr<polyMesh> write(const IOobject& io) const
-    {
-        // Zones of faces look whether they have labels of faces
-        polyMeshTopology nothing;
-        nothing.faces.setSize
-        (
-            far.faceZones.size() ? order.blocks().nFaces() : 0
-        );
-        nothing.owner.setSize(nothing.faces.size(), 0);
-        autoPtr<polyMesh> frame(make(io, pointField(), std::move(nothing)));
-        writeMeshFiles(frame(), order.blocks());
-
-        return frame;
-    }
-};
-
-} // End anonymous namespace
+    return frame;
+}
 
 
 polyMeshTopology makePrismTopology(const prismLayers& layers)
 {
     farFieldMesh none;
 
-    return makeTopology(prismMesh(layers, none).order);
+    return partsOf(meshOrder(layers, none).mesh()).topology;
 }
 
 
@@ -508,12 +320,7 @@ autoPtr<polyMesh> makePrismPolyMesh
     const IOobject& io
 )
 {
-    const prismMesh mesh(layers, far);
-
-    return mesh.make
-    (
-        io, mesh.order.blocks().allPoints(), makeTopology(mesh.order)
-    );
+    return makePolyMesh(partsOf(meshOrder(layers, far).mesh()), io);
 }
 
 
@@ -566,43 +373,12 @@ polyMeshParts makePrismMeshParts(const prismLayers& layers, farFieldMesh& far)
         return makeWallMeshParts(layers, far);
     }
 
-    const prismMesh made(layers, far);
-    polyMeshParts mesh;
-    mesh.points = made.order.blocks().allPoints();
-    mesh.nCells = made.order.blocks().nCells;
-    mesh.topology = makeTopology(made.order);
-    mesh.patches = made.patches;
+    const meshOrder order(layers, far);
+    polyMeshParts mesh(partsOf(order.mesh()));
+    mesh.cellZones.clear();
+    mesh.faceZones.clear();
 
     return mesh;
-}
-
-
-static void addZones(const polyMeshParts& parts, polyMesh& mesh)
-{
-    List<cellZone*> cells;
-    for (const cellZoneParts& zone : parts.cellZones)
-    {
-        cells.append
-        (
-            new cellZone
-            (
-                zone.name, zone.cells, cells.size(), mesh.cellZones()
-            )
-        );
-    }
-    List<faceZone*> faces;
-    for (const faceZoneParts& zone : parts.faceZones)
-    {
-        faces.append
-        (
-            new faceZone
-            (
-                zone.name, zone.faces, zone.flips, faces.size(),
-                mesh.faceZones()
-            )
-        );
-    }
-    mesh.addZones(List<pointZone*>(), faces, cells);
 }
 
 
@@ -610,42 +386,24 @@ autoPtr<polyMesh> makePolyMesh(polyMeshParts&& parts, const IOobject& io)
 {
     labelList starts(parts.topology.patchStarts);
     starts.append(parts.topology.faces.size());
-    autoPtr<polyMesh> mesh
-    (
-        meshWithoutPatches
-        (
-            io, std::move(parts.points), std::move(parts.topology)
-        )
-    );
-    PtrList<polyPatch> patches
-    (
-        makePatches(parts.patches, starts, mesh->boundaryMesh())
-    );
-    mesh->addPatches(patches, true);
-    addZones(parts, *mesh);
 
-    return mesh;
+    return makeMesh
+    (
+        io, std::move(parts.points), std::move(parts.topology), parts.patches,
+        starts, parts.cellZones, parts.faceZones
+    );
 }
 
 
-label writePrismMesh
-(
-    const prismLayers& layers,
-    farFieldMesh& far,
-    const IOobject& io
-)
+void writeMesh(const meshInBlocks& mesh, const IOobject& io)
 {
-    const prismMesh mesh(layers, far);
-    mesh.write(io);
-
-    return mesh.order.blocks().nFaces();
+    writeFiles(mesh, io);
 }
 
 
 void writeMeshPiece(const meshPiece& piece, const IOobject& io)
 {
-    const prismMesh mesh(piece);
-    const autoPtr<polyMesh> frame(mesh.write(io));
+    const autoPtr<polyMesh> frame(writeFiles(blocksOf(piece), io));
     const auto write = [&](const char* name, const labelUList& labels)
     {
         const IOobject object
@@ -655,12 +413,12 @@ void writeMeshPiece(const meshPiece& piece, const IOobject& io)
         );
         writeWhole(labelIOList(object, labelList(labels)));
     };
-    labelList patches(identity(piece.patches.names.size()));
-    patches.append(labelList(mesh.order.facesToProcesses().size(), -1));
+    labelList patches(identity(piece.patchNames.size()));
+    patches.append(labelList(piece.others.size(), -1));
 
-    write("cellProcAddressing", piece.cellAddressing());
-    write("faceProcAddressing", mesh.order.faceAddressing(piece));
-    write("pointProcAddressing", mesh.order.pointAddressing(piece));
+    write("cellProcAddressing", piece.cellAddressing);
+    write("faceProcAddressing", piece.faces.addressing);
+    write("pointProcAddressing", piece.pointAddressing);
     write("boundaryProcAddressing", patches);
 }
 

@@ -3,11 +3,10 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "divideMesh.H"
+#include "gatherShares.H"
 #include "makePrismLayers.H"
 #include "openSurfaces.H"
 #include "patchReport.H"
-#include "pieceInLists.H"
 #include "prismQuality.H"
 #include "Random.H"
 #include "testLayers.H"
@@ -217,58 +216,35 @@ static prismLayers layersOn(const frontShare& share, const prismLayers& all)
 }
 
 
-TEST(layersOnShares, piecesHaveTheirStacks)
+TEST(layersOnShares, theMasterGathersThem)
 {
-    const prismLayerMesh mesh(layeredMesh(testSurfaces::lBlock(4), 5, 0.1));
+    const wallSurface wall(testSurfaces::lBlock(4));
+    const prismLayerMesh mesh(layeredMesh(wall, 5, 0.1));
     const prismLayers& all = mesh.made.layers;
     const label n = 4;
     const labelList owners(ownersByRange(all.nWallPoints(), n));
-    std::mutex reporting;
-    label nCells = 0;
-
-    // Stack by stack to another process than the one that made it
-    const auto divide = [&](const meshParts& parts)
-    {
-        labelList processors(parts.neighbours.size());
-        forAll(processors, facei)
-        {
-            processors[facei] = facei % n;
-        }
-
-        return processors;
-    };
 
     threadTeam::run(n, [&](const threadTeam& processes)
     {
-        const label rank = processes.rank();
-        const frontShare share(shareOf(mesh.share.front, owners, n, rank));
-        const prismLayers own(layersOn(share, all));
-        farFieldMesh none;
-        const listedPiece piece
+        const frontShare share
         (
-            pieceInLists
-            (
-                makeMeshPiece
-                (
-                    own, columnTeam(share, processes), prismLayers(), none,
-                    divide
-                )
-            )
+            shareOf(mesh.share.front, owners, n, processes.rank())
         );
-
-        const std::lock_guard<std::mutex> lock(reporting);
-        const pointField points(all.meshPoints());
-        nCells += piece.cellAddressing.size();
-        forAll(piece.points, p)
+        const prismLayers whole
+        (
+            layersOnMaster(layersOn(share, all), share, wall, processes)
+        );
+        if (processes.isMaster())
         {
-            EXPECT_EQ(piece.points[p], points[piece.pointAddressing[p]]);
+            EXPECT_EQ(whole.points, all.points);
+            EXPECT_EQ(whole.faces, all.faces);
+            EXPECT_EQ(whole.patchIDs, all.patchIDs);
         }
-        for (const label celli : piece.cellAddressing)
+        else
         {
-            EXPECT_EQ(celli/all.nLayers % n, rank);
+            EXPECT_TRUE(whole.points.empty());
         }
     });
-    EXPECT_EQ(nCells, all.faces.size()*all.nLayers);
 }
 
 

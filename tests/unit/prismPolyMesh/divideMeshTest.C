@@ -5,6 +5,7 @@
 
 #include "sharedMesh.H"
 #include "openSurfaces.H"
+#include "polygonCells.H"
 #include "testFarField.H"
 #include "testLayers.H"
 #include "testStages.H"
@@ -17,23 +18,56 @@
 using namespace Foam;
 using namespace Foam::testSurfaces;
 
-//- Pieces made of shares are those of the whole mesh, list by list
+//- All pieces are those of decomposePar
+static void expectPiecesOf(const sharedMesh& divided)
+{
+    forAll(divided.pieces, i)
+    {
+        SCOPED_TRACE(i);
+        const meshPiece& piece = divided.pieces[i];
+
+        ASSERT_GT(piece.cellAddressing.size(), 0);
+        EXPECT_EQ(piece.process, i);
+        expectSamePiece
+        (
+            piece, pieceOfMesh(divided.mesh(), divided.processorOfCell, i)
+        );
+    }
+}
+
+
 static void expectPiecesOfTheMesh
 (
     const prismLayers& layers,
     const farFieldMesh& far = farFieldMesh()
 )
 {
-    const sharedMesh divided(layers, far, 4, mixedProcesses);
+    expectPiecesOf(sharedMesh(layers, far, 4, mixedProcesses));
+}
 
-    forAll(divided.pieces, i)
+
+//- The pieces of polygons around a sphere, with four layers
+static void expectPiecesOfPolygons(const bool hasFarField)
+{
+    farFieldControls controls;
+    controls.type = farFieldType::tet;
+    controls.forPolygons = true;
+    controls.boundary.type = farBoundaryType::box;
+    controls.boundary.box = boundBox(point::uniform(-4), point::uniform(4));
+    const prismLayerMesh run(layeredMesh(sphere(6), 4, 0.1));
+    farFieldMesh far(hasFarField ? farFieldOf(run, controls) : farFieldMesh());
+    const polygonMesh polygons(makePolygonCells(run.made.layers, far));
+    const label n = polygons.counts.nLayerCells;
+    const sharedMesh divided(polygons.mesh, n, 4, mixedProcesses);
+
+    expectPiecesOf(divided);
+    for (label celli = 0; celli < n; ++celli)
     {
-        SCOPED_TRACE(i);
-        const listedPiece whole(divided.ofMesh(i));
-        const listedPiece own(divided.inLists(i));
-
-        ASSERT_GT(whole.cellAddressing.size(), 0);
-        expectSamePiece(own, whole);
+        EXPECT_EQ
+        (
+            divided.processorOfCell[celli],
+            divided.processorOfCell[celli - celli % 4]
+        );
     }
 }
 
@@ -56,12 +90,12 @@ static farFieldMesh tetsAround(const prismLayerMesh& run, const scalar low = -4)
 
 
 //- What is divided
-static meshParts partsOf(const prismLayers& layers, const farFieldMesh& far)
+static meshParts partsOf(const prismLayers& layers, farFieldMesh far)
 {
     meshParts result;
-    const sharedMesh divided
+    divideCells
     (
-        layers, far, 2,
+        meshOrder(layers, far).mesh(),
         [&](const meshParts& parts)
         {
             result = parts;
@@ -119,13 +153,13 @@ TEST(divideMesh, cellsOfTheFarFieldAreBesideStacks)
 }
 
 
-TEST(centresOfStacks, areInTheMiddle)
+TEST(divideMesh, centresOfStacksAreInTheMiddle)
 {
-    const prismLayers layers(onePolygon(5, {0, 0.1, 0.4}));
-    const pointField centres(centresOfStacks(layers));
+    const prismLayers layers(onePolygon(5, {0, 0.1, 0.2}));
+    const pointField centres(partsOf(layers, farFieldMesh()).centres);
 
     ASSERT_EQ(centres.size(), 1);
-    EXPECT_NEAR(mag(centres[0] - point(0, 0, 0.5/3)), 0, 1e-15);
+    EXPECT_NEAR(mag(centres[0] - point(0, 0, 0.1)), 0, 1e-15);
 }
 
 
@@ -145,12 +179,12 @@ TEST(meshPiece, ofAProcessWithoutCellsIsEmpty)
             return labelList(parts.centres.size(), Zero);
         }
     );
-    const listedPiece piece(divided.inLists(1));
+    const meshPiece& piece = divided.pieces[1];
 
     EXPECT_TRUE(piece.points.empty());
-    EXPECT_TRUE(piece.faces.empty());
+    EXPECT_TRUE(piece.faces.owner.empty());
     EXPECT_TRUE(piece.cellAddressing.empty());
-    EXPECT_TRUE(piece.processors.empty());
+    EXPECT_TRUE(piece.others.empty());
     EXPECT_EQ(piece.patchSizes, labelList(piece.patchNames.size(), Zero));
 }
 
@@ -209,6 +243,18 @@ TEST(meshPiece, equalsTheWholeMeshWithAFarFieldOnAWallThatEnds)
     const prismLayerMesh run(layeredMesh(wall, 3, 0.1));
 
     expectPiecesOfTheMesh(run.made.layers, tetsAround(run, 0));
+}
+
+
+TEST(meshPiece, equalsTheMeshOfPolygons)
+{
+    expectPiecesOfPolygons(true);
+}
+
+
+TEST(meshPiece, equalsTheMeshOfPolygonsWithoutAFarField)
+{
+    expectPiecesOfPolygons(false);
 }
 
 

@@ -3,6 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
+#include "meshOrder.H"
 #include "openSurfaces.H"
 #include "prismPolyMesh.H"
 #include "temporaryFiles.H"
@@ -59,7 +60,7 @@ class meshFiles
 {
 protected:
 
-    //- Expects that writePrismMesh writes the files that OpenFOAM writes of the
+    //- Expects that writeMesh writes the files that OpenFOAM writes of the
     //  mesh, and returns how many there are
     label expectSame
     (
@@ -106,7 +107,7 @@ label meshFiles::expectSame
             caseIn(folder_/"blocks", format, compression)
         );
         farFieldMesh taken(far);
-        writePrismMesh(layers, taken, meshOf(time(), region));
+        writeMesh(meshOrder(layers, taken).mesh(), meshOf(time(), region));
     }
 
     const fileName folder
@@ -161,6 +162,26 @@ TEST_F(meshFiles, manyBlocksOfEach)
 
     ASSERT_GT(layers.points.size(), 20000);
     expectSameInAllFormats(layers);
+}
+
+
+TEST(meshInBlocks, ofPartsIsTheMesh)
+{
+    farFieldMesh none;
+    const polyMeshParts parts
+    (
+        makePrismMeshParts(shakenLayers(sphere(30)), none)
+    );
+    const polyMeshParts again(partsOf(blocksOf(parts)));
+
+    EXPECT_EQ(again.nCells, parts.nCells);
+    EXPECT_EQ(again.points, parts.points);
+    EXPECT_EQ(again.topology.faces, parts.topology.faces);
+    EXPECT_EQ(again.topology.owner, parts.topology.owner);
+    EXPECT_EQ(again.topology.neighbour, parts.topology.neighbour);
+    EXPECT_EQ(again.topology.patchStarts, parts.topology.patchStarts);
+    EXPECT_EQ(again.topology.patchSizes, parts.topology.patchSizes);
+    EXPECT_EQ(again.patches.names, parts.patches.names);
 }
 
 

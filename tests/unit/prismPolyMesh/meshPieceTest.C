@@ -20,8 +20,6 @@ struct piecedMesh
 :
     sharedMesh
 {
-    List<listedPiece> lists;
-
     piecedMesh()
     :
         sharedMesh
@@ -39,14 +37,8 @@ struct piecedMesh
 
                 return processes;
             }
-        ),
-        lists(pieces.size())
-    {
-        forAll(lists, i)
-        {
-            lists[i] = inLists(i);
-        }
-    }
+        )
+    {}
 
     bool isBetween(const label facei) const
     {
@@ -57,16 +49,26 @@ struct piecedMesh
 };
 
 
-//- First face to the k-th other process
-static label startOf(const listedPiece& piece, const label k)
+static faceList facesOf(const meshPiece& piece)
 {
-    label start = piece.neighbour.size() + sum(piece.patchSizes);
-    for (label i = 0; i < k; ++i)
+    faceList faces(piece.faces.ends.size());
+    forAll(faces, i)
     {
-        start += piece.processorSizes[i];
+        faces[i] = face(piece.faces.face(i));
     }
 
-    return start;
+    return faces;
+}
+
+
+//- Labels in the whole mesh of the faces to the k-th other process
+static labelList addressesTo(const meshPiece& piece, const label k)
+{
+    const label n = piece.patchNames.size() + k;
+    const label start =
+        piece.faces.neighbour.size() + sum(SubList<label>(piece.patchSizes, n));
+
+    return SubList<label>(piece.faces.addressing, piece.patchSizes[n], start);
 }
 
 
@@ -77,7 +79,7 @@ TEST(meshPiece, everyCellIsInOne)
     const piecedMesh m;
     labelList n(m.mesh().nCells(), Zero);
 
-    for (const listedPiece& piece : m.lists)
+    for (const meshPiece& piece : m.pieces)
     {
         for (const label celli : piece.cellAddressing)
         {
@@ -99,20 +101,22 @@ TEST(meshPiece, facesAreThoseOfTheWholeMesh)
     const piecedMesh m;
     labelList n(m.mesh().nFaces(), Zero);
 
-    for (const listedPiece& piece : m.lists)
+    for (const meshPiece& piece : m.pieces)
     {
-        forAll(piece.faces, i)
+        const faceList faces(facesOf(piece));
+        forAll(faces, i)
         {
-            const bool turned = piece.faceAddressing[i] < 0;
-            const label facei = mag(piece.faceAddressing[i]) - 1;
+            const label address = piece.faces.addressing[i];
+            const bool turned = address < 0;
+            const label facei = mag(address) - 1;
             const face& f = m.mesh().faces()[facei];
-            face own(piece.faces[i]);
+            face own(faces[i]);
             inplaceRenumber(piece.pointAddressing, own);
 
             EXPECT_EQ(own, turned ? f.reverseFace() : f);
             EXPECT_EQ
             (
-                piece.cellAddressing[piece.owner[i]],
+                piece.cellAddressing[piece.faces.owner[i]],
                 turned
               ? m.mesh().faceNeighbour()[facei] : m.mesh().faceOwner()[facei]
             );
@@ -130,24 +134,20 @@ TEST(meshPiece, facesAreThoseOfTheWholeMesh)
 TEST(meshPiece, facesBetweenProcessesAreInOneOrder)
 {
     const piecedMesh m;
-    EXPECT_EQ(m.lists[0].processors, labelList(1, 1));
-    EXPECT_EQ(m.lists[1].processors, labelList({0, 2}));
+    EXPECT_EQ(m.pieces[0].others, labelList(1, 1));
+    EXPECT_EQ(m.pieces[1].others, labelList({0, 2}));
 
-    for (const label other : {0, 2})
+    for (const label k : {0, 1})
     {
-        const listedPiece& a = m.lists[1];
-        const listedPiece& b = m.lists[other];
-        const label k = a.processors.find(other);
-        EXPECT_EQ(a.processorSizes[k], b.processorSizes[0]);
-
-        for (label i = 0; i < a.processorSizes[k]; ++i)
+        const meshPiece& a = m.pieces[1];
+        const meshPiece& b = m.pieces[a.others[k]];
+        labelList addresses(addressesTo(b, 0));
+        for (label& address : addresses)
         {
-            EXPECT_EQ
-            (
-                a.faceAddressing[startOf(a, k) + i],
-                -b.faceAddressing[startOf(b, 0) + i]
-            );
+            address = -address;
         }
+
+        EXPECT_EQ(addressesTo(a, k), addresses);
     }
 }
 
@@ -177,9 +177,9 @@ TEST_F(meshPieceFiles, areAMeshInUpperTriangularOrder)
         io.readOpt() = IOobject::MUST_READ;
         const polyMesh mesh(io);
 
-        EXPECT_EQ(mesh.nCells(), m.lists[i].cellAddressing.size());
-        EXPECT_EQ(mesh.points(), m.lists[i].points);
-        EXPECT_EQ(mesh.faces(), m.lists[i].faces);
+        EXPECT_EQ(mesh.nCells(), m.pieces[i].cellAddressing.size());
+        EXPECT_EQ(mesh.points(), m.pieces[i].points);
+        EXPECT_EQ(mesh.faces(), facesOf(m.pieces[i]));
         EXPECT_FALSE(mesh.checkUpperTriangular());
         EXPECT_EQ(mesh.boundaryMesh().last().type(), "processor");
         EXPECT_FALSE(mesh.boundaryMesh().checkDefinition());
@@ -193,7 +193,7 @@ TEST_F(meshPieceFiles, areAMeshInUpperTriangularOrder)
                     mesh, IOobject::MUST_READ, IOobject::NO_WRITE, false
                 )
             ),
-            m.lists[i].faceAddressing
+            m.pieces[i].faces.addressing
         );
     }
 }

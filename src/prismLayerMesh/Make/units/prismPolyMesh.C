@@ -10,9 +10,6 @@
 #include "prismPolyMesh/meshFiles.C"
 #include "prismPolyMesh/prismPolyMesh.C"
 #include "prismPolyMesh/wedgeMesh.C"
-#include "prismPolyMesh/divideFarField.C"
-#include "prismPolyMesh/divideStacks.C"
-#include "prismPolyMesh/assemblePiece.C"
 #include "prismPolyMesh/divideMesh.C"
 
 // ************************************************************************* //

@@ -8,7 +8,6 @@
 #include "prismPolyMesh/meshPieceTest.C"
 #include "prismPolyMesh/writeBlocksTest.C"
 #include "prismPolyMesh/divideMeshTest.C"
-#include "prismPolyMesh/divideStacksTest.C"
 #include "prismPolyMesh/multipleNormalsMeshTest.C"
 #include "prismPolyMesh/cyclicMeshTest.C"
 #include "prismPolyMesh/endedMeshTest.C"
