@@ -16,7 +16,7 @@ namespace Foam
 namespace diffusionTensors
 {
     defineTypeNameAndDebug(anisotropic, 0);
-    addToRunTimeSelectionTable(diffusionTensor, anisotropic, dictionary);
+    addToRunTimeSelectionTable(diffusionTensor, anisotropic, empty);
 }
 }
 
@@ -40,18 +40,24 @@ static Foam::scalar normalPart(const Foam::scalar x)
 }
 
 
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-Foam::diffusionTensors::anisotropic::anisotropic(const dictionary& coeffs)
+void Foam::diffusionTensors::anisotropic::declare(controlEntries& entries)
 {
-    checkKeys(coeffs, {"beta", "delta", "maxSlope"});
-    readBounded(coeffs, "beta", scalar(-4), scalar(0), beta_);
-    readBounded(coeffs, "delta", scalar(0.05), scalar(100), delta_);
-    readBounded(coeffs, "maxSlope", scalar(1), scalar(10), maxSlope_);
+    entries.readBounded
+    (
+        "beta", beta_, -4, 0, "Factor of the drop of H along a direction"
+    );
+    entries.readBounded
+    (
+        "delta", delta_, 0.05, 100, "Smaller values make it more anisotropic"
+    );
+    entries.readBounded
+    (
+        "maxSlope", maxSlope_, 1, 10, "Cap on the slope of H"
+    );
 }
 
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
 Foam::symmTensorField Foam::diffusionTensors::anisotropic::tensors
 (

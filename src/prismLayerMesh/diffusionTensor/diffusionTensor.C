@@ -11,37 +11,43 @@
 namespace Foam
 {
 
-fieldControls readFieldControls(const dictionary& dict, const bool onLevelSets)
+void declare(controlEntries& entries, fieldControls& controls)
 {
     const wordList models
     (
-        diffusionTensor::dictionaryConstructorTablePtr_->sortedToc()
+        diffusionTensor::emptyConstructorTablePtr_->sortedToc()
     );
-    wordList keys({"tensor", "solver", "tolerance"});
+    entries.readChoice
+    (
+        "tensor", controls.tensor, models,
+        "Conductivity of the field; anisotropic with levelSets"
+    );
+    entries.readChoice
+    (
+        "solver", controls.solver, {"krylov", "iteration"},
+        "Conjugate gradients, or Algorithm 1 of the paper"
+    );
+    entries.readBounded
+    (
+        "tolerance", controls.tolerance, 1e-14, 0.1, "Tolerance of the solver"
+    );
+
+    // Coefficients are checked here, not when they are used in mid-run
     for (const word& model : models)
     {
-        keys.append(model + "Coeffs");
+        const word key(model + "Coeffs");
+        const bool isThere = entries.readDict
+        (
+            key, "Of tensor " + model, [&](controlEntries& coeffs)
+            {
+                diffusionTensor::New(model)->declare(coeffs);
+            }
+        );
+        if (isThere && model == controls.tensor)
+        {
+            controls.tensorCoeffs = optionalDict(*entries.dict(), key);
+        }
     }
-
-    checkKeys(dict, keys);
-
-    fieldControls controls;
-    if (onLevelSets)
-    {
-        controls.tensor = fieldControls::levelSetTensor;
-    }
-    readChoice(dict, "tensor", models, controls.tensor);
-    readChoice(dict, "solver", {"krylov", "iteration"}, controls.solver);
-    readBounded
-    (
-        dict, "tolerance", scalar(1e-14), scalar(0.1), controls.tolerance
-    );
-
-    // Its coefficients are checked here, not when they are used in mid-run
-    controls.tensorCoeffs = optionalDict(dict, controls.tensor + "Coeffs");
-    diffusionTensor::New(controls.tensor, controls.tensorCoeffs);
-
-    return controls;
 }
 
 } // End namespace Foam
@@ -52,7 +58,7 @@ fieldControls readFieldControls(const dictionary& dict, const bool onLevelSets)
 namespace Foam
 {
     defineTypeNameAndDebug(diffusionTensor, 0);
-    defineRunTimeSelectionTable(diffusionTensor, dictionary);
+    defineRunTimeSelectionTable(diffusionTensor, empty);
 }
 
 
@@ -60,22 +66,37 @@ namespace Foam
 
 Foam::autoPtr<Foam::diffusionTensor> Foam::diffusionTensor::New
 (
+    const word& name
+)
+{
+    const auto model = emptyConstructorTablePtr_->cfind(name);
+
+    if (!model.found())
+    {
+        FatalErrorInFunction
+            << "Unknown value of tensor: " << name << nl
+            << "Valid ones: "
+            << listed(emptyConstructorTablePtr_->sortedToc()).c_str()
+            << exit(FatalError);
+    }
+
+    return model.val()();
+}
+
+
+Foam::autoPtr<Foam::diffusionTensor> Foam::diffusionTensor::New
+(
     const word& name,
     const dictionary& coeffs
 )
 {
-    const auto model = dictionaryConstructorTablePtr_->cfind(name);
+    autoPtr<diffusionTensor> model(New(name));
+    controlEntries::read
+    (
+        coeffs, [&](controlEntries& entries) { model->declare(entries); }
+    );
 
-    if (!model.found())
-    {
-        FatalIOErrorInFunction(coeffs)
-            << "Unknown value of tensor: " << name << nl
-            << "Valid ones: "
-            << listed(dictionaryConstructorTablePtr_->sortedToc()).c_str()
-            << exit(FatalIOError);
-    }
-
-    return model.val()(coeffs);
+    return model;
 }
 
 

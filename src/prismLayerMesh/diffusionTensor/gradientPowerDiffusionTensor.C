@@ -14,23 +14,29 @@ namespace Foam
 namespace diffusionTensors
 {
     defineTypeNameAndDebug(gradientPower, 0);
-    addToRunTimeSelectionTable(diffusionTensor, gradientPower, dictionary);
+    addToRunTimeSelectionTable(diffusionTensor, gradientPower, empty);
 }
-}
-
-
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::diffusionTensors::gradientPower::gradientPower(const dictionary& coeffs)
-{
-    checkKeys(coeffs, {"qConcave", "qConvex", "tau"});
-    readBounded(coeffs, "qConcave", scalar(0), scalar(10), qConcave_);
-    readBounded(coeffs, "qConvex", scalar(0), scalar(10), qConvex_);
-    readBounded(coeffs, "tau", scalar(0.01), scalar(1), tau_);
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::diffusionTensors::gradientPower::declare(controlEntries& entries)
+{
+    entries.readBounded
+    (
+        "qConcave", qConcave_, 0, 10, "Exponent of the slope where H is flat"
+    );
+    entries.readBounded
+    (
+        "qConvex", qConvex_, 0, 10, "Exponent of the slope where H is steep"
+    );
+    entries.readBounded
+    (
+        "tau", tau_, 0.01, 1, "Conductivity along level sets over that across"
+    );
+}
+
 
 Foam::symmTensorField Foam::diffusionTensors::gradientPower::tensors
 (

@@ -15,20 +15,16 @@ namespace Foam
 namespace diffusionTensors
 {
     defineTypeNameAndDebug(isotropic, 0);
-    addToRunTimeSelectionTable(diffusionTensor, isotropic, dictionary);
+    addToRunTimeSelectionTable(diffusionTensor, isotropic, empty);
 }
-}
-
-
-// * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
-
-Foam::diffusionTensors::isotropic::isotropic(const dictionary& coeffs)
-{
-    checkKeys(coeffs, {});
 }
 
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+void Foam::diffusionTensors::isotropic::declare(controlEntries&)
+{}
+
 
 Foam::symmTensorField Foam::diffusionTensors::isotropic::tensors
 (

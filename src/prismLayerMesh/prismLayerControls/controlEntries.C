@@ -7,6 +7,7 @@
 #include "ListOps.H"
 #include "label.H"
 #include "scalar.H"
+#include "Switch.H"
 
 namespace Foam
 {
@@ -63,6 +64,18 @@ static string joined(const wordList& words)
     {
         text += (text.empty() ? "" : ", ") + w;
     }
+
+    return text;
+}
+
+
+//- A number as in a dictionary, 2e8 in place of 2e+08
+static string shortest(const scalar value)
+{
+    string text(name(value));
+    text.replaceAll("e-0", "e-");
+    text.replaceAll("e+0", "e");
+    text.replaceAll("e+", "e");
 
     return text;
 }
@@ -146,98 +159,164 @@ const dictionary& mandatoryDict(const dictionary& dict, const word& key)
 }
 
 
-template<class Type>
-bool readBounded
+// * * * * * * * * * * * * * * Static Functions  * * * * * * * * * * * * * * //
+
+void controlEntries::read
 (
     const dictionary& dict,
-    const word& key,
-    const typename std::common_type<Type>::type& min,
-    const typename std::common_type<Type>::type& max,
-    Type& value
+    const declaration& declare
 )
 {
-    if (!dict.found(key, keyType::LITERAL))
+    controlEntries keys(nullptr, nullptr, "");
+    declare(keys);
+    checkKeys(dict, wordList(std::move(keys.keys_)));
+
+    controlEntries entries(&dict, nullptr, "");
+    declare(entries);
+}
+
+
+List<entryText> controlEntries::list(const declaration& declare)
+{
+    DynamicList<entryText> texts;
+    controlEntries entries(nullptr, &texts, "");
+    declare(entries);
+
+    return List<entryText>(std::move(texts));
+}
+
+
+// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
+
+bool controlEntries::has
+(
+    const word& key,
+    const string& text,
+    const string& range,
+    const string& standard
+)
+{
+    keys_.append(key);
+    if (texts_)
+    {
+        texts_->append(entryText{scope_ + key, standard, range, text});
+    }
+
+    return dict_ && dict_->found(key, keyType::LITERAL);
+}
+
+
+template<class Number>
+bool controlEntries::readBounded
+(
+    const word& key,
+    Number& value,
+    const scalar min,
+    const scalar max,
+    const string& text,
+    const string& standard
+)
+{
+    const bool isPositive = min <= SMALL && max >= GREAT;
+    const bool isThere = has
+    (
+        key,
+        text,
+        isPositive ? "> 0" : '[' + shortest(min) + ", " + shortest(max) + ']',
+        standard.empty() && value ? shortest(value) : standard
+    );
+    if (!isThere)
     {
         return false;
     }
 
-    const Type read = dict.get<Type>(key, keyType::LITERAL);
+    const Number read = dict_->get<Number>(key, keyType::LITERAL);
 
     // Written so that a value that is not a number fails
     if (!(read >= min && read <= max))
     {
-        entryError(dict, key)
+        entryError(*dict_, key)
             << "Value of " << key << " is " << read
             << "; it must be from " << min << " to " << max
             << exit(FatalIOError);
     }
-
     value = read;
 
     return true;
 }
 
 
-scalar readMandatory
+template bool controlEntries::readBounded
 (
-    const dictionary& dict,
-    const word& key,
-    const scalar min,
-    const scalar max
-)
-{
-    scalar value = 0;
+    const word&, scalar&, scalar, scalar, const string&, const string&
+);
 
-    if (!readBounded(dict, key, min, max, value))
-    {
-        missingEntry(dict, key);
-    }
-
-    return value;
-}
-
-
-bool readChoice
+template bool controlEntries::readBounded
 (
-    const dictionary& dict,
+    const word&, label&, scalar, scalar, const string&, const string&
+);
+
+
+bool controlEntries::readChoice
+(
     const word& key,
+    word& value,
     const wordList& choices,
-    word& value
+    const string& text
 )
 {
-    if (!dict.found(key, keyType::LITERAL))
+    word read(value);
+    const bool isThere = this->read(key, read, text, joined(choices), value);
+    if (isThere && !choices.found(read))
     {
-        return false;
-    }
-
-    const word read(dict.get<word>(key, keyType::LITERAL));
-
-    if (!choices.found(read))
-    {
-        entryError(dict, key)
+        entryError(*dict_, key)
             << "Value of " << key << " is " << read << ", which is not"
             << " available" << suggestion(read, choices).c_str() << nl
             << "Valid values: " << joined(choices).c_str()
             << exit(FatalIOError);
     }
-
     value = read;
 
-    return true;
+    return isThere;
 }
 
 
-template bool readBounded
+bool controlEntries::readFlag
 (
-    const dictionary&, const word&,
-    const scalar&, const scalar&, scalar&
-);
+    const word& key,
+    bool& value,
+    const string& text
+)
+{
+    Switch read(value);
+    const bool isThere =
+        this->read(key, read, text, "yes, no", value ? "yes" : "no");
+    value = read;
 
-template bool readBounded
+    return isThere;
+}
+
+
+bool controlEntries::readDict
 (
-    const dictionary&, const word&,
-    const label&, const label&, label&
-);
+    const word& key,
+    const string& text,
+    const declaration& declare
+)
+{
+    const bool isThere = has(key, text, "dictionary");
+    if (texts_)
+    {
+        controlEntries entries(nullptr, texts_, scope_ + key + '.');
+        declare(entries);
+    }
+    if (isThere)
+    {
+        read(optionalDict(*dict_, key), declare);
+    }
+
+    return isThere;
+}
 
 } // End namespace Foam
 

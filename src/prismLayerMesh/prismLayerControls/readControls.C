@@ -4,173 +4,161 @@
 \*---------------------------------------------------------------------------*/
 
 #include "readControls.H"
-#include "Enum.H"
 #include "ranges.H"
 
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * * Static Data * * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * *  Parts of Space * * * * * * * * * * * * * * //
 
-const wordList geometryRegionKeys
-({
-    "geometry", "mode", "distance"
-});
-
-static const Enum<geometryRegion::modes> modeNames
-({
-    {Foam::geometryRegion::modes::inside, "inside"},
-    {Foam::geometryRegion::modes::outside, "outside"},
-    {Foam::geometryRegion::modes::distance, "distance"}
-});
-
-
-geometryRegion readGeometryRegion(const dictionary& dict)
+void declareRegion
+(
+    controlEntries& entries,
+    const keyType& name,
+    geometryRegion& region
+)
 {
-    geometryRegion region;
-    region.name = dict.dictName();
-    region.geometry = mandatoryDict(dict, "geometry");
-
-    word mode(modeNames[region.mode]);
-    readChoice(dict, "mode", modeNames.names(), mode);
-    region.mode = modeNames[mode];
-
-    const bool hasDistance =
-        readBounded(dict, "distance", SMALL, GREAT, region.distance);
-
-    if (hasDistance != (region.mode == geometryRegion::modes::distance))
+    region.name = name;
+    if
+    (
+        entries.has
+        (
+            "geometry", "A searchableSurface of OpenFOAM", "dictionary"
+        )
+    )
     {
-        entryError(dict, hasDistance ? "distance" : "mode")
-            << "The region " << region.name << " has mode " << mode
+        region.geometry = optionalDict(*entries.dict(), "geometry");
+    }
+    static const wordList modes({"inside", "outside", "distance"});
+    entries.readChoice
+    (
+        "mode", region.mode, modes,
+        "Side of the geometry on which the region is"
+    );
+    const bool hasDistance = entries.readBounded
+    (
+        "distance", region.distance, SMALL, GREAT,
+        "Width of a region of mode distance [m]"
+    );
+
+    const dictionary* dict = entries.dict();
+    if (dict)
+    {
+        mandatoryDict(*dict, "geometry");
+    }
+    if (dict && hasDistance != (region.mode == geometryRegion::modes::distance))
+    {
+        entryError(*dict, hasDistance ? "distance" : "mode")
+            << "The region " << region.name << " has mode "
+            << modes[int(region.mode)]
             << (hasDistance ? " with a distance" : " without a distance")
             << exit(FatalIOError);
     }
-
-    return region;
 }
 
 
-// * * * * * * * * * * * * *  Read Remesh Controls * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * * * Remesh  * * * * * * * * * * * * * * * * //
 
 //- The longest edge in a part of the surface, no shorter than the shortest
-static scalar readMaxEdge
+static void declareMaxEdge
 (
-    const dictionary& dict,
-    const surfaceRemeshControls& general
+    controlEntries& entries,
+    const surfaceRemeshControls& general,
+    scalar& maxEdge
 )
 {
-    return readMandatory(dict, "maxEdge", max(general.minEdge, SMALL), GREAT);
+    entries.readBounded
+    (
+        "maxEdge", maxEdge, max(general.minEdge, SMALL), GREAT,
+        "Length of edges there, at most, and at least minEdge [m]"
+    );
+    entries.require("maxEdge");
 }
 
 
-static patchEdges readPatch
+static void declareParts
 (
-    const keyType& key,
-    const dictionary& dict,
-    const surfaceRemeshControls& general
-)
-{
-    checkKeys(dict, {"maxEdge"});
-
-    return patchEdges{key, readMaxEdge(dict, general)};
-}
-
-
-static edgeRegion readRegion
-(
-    const dictionary& dict,
-    const surfaceRemeshControls& general
-)
-{
-    wordList keys(geometryRegionKeys);
-    keys.append("maxEdge");
-    checkKeys(dict, keys);
-
-    return edgeRegion{readGeometryRegion(dict), readMaxEdge(dict, general)};
-}
-
-
-static void readSharpEdges
-(
-    const dictionary& dict,
+    controlEntries& entries,
     surfaceRemeshControls& controls
 )
 {
-    if (!dict.found("sharpEdges", keyType::LITERAL))
-    {
-        return;
-    }
-
-    const dictionary& sharp = optionalDict(dict, "sharpEdges");
-    checkKeys(sharp, {"angle", "maxEdge"});
-    controls.sharpAngle = max(controls.sharpAngle, controls.featureAngle);
-    readBounded
+    entries.readDicts
     (
-        sharp, "angle", controls.featureAngle, 180, controls.sharpAngle
+        "patches", controls.patches, "Edges on patches",
+        [&](controlEntries& part, const keyType& key, patchEdges& patch)
+        {
+            patch.patches = key;
+            declareMaxEdge(part, controls, patch.maxEdge);
+        }
     );
-    controls.sharpMaxEdge = readMaxEdge(sharp, controls);
+    entries.readDicts
+    (
+        "regions", controls.regions, "Edges in parts of space",
+        [&](controlEntries& part, const keyType& key, edgeRegion& region)
+        {
+            declareRegion(part, key, region);
+            declareMaxEdge(part, controls, region.maxEdge);
+        }
+    );
+    entries.readDict
+    (
+        "sharpEdges", "Edges on sharp edges", [&](controlEntries& sharp)
+        {
+            scalar& angle = controls.sharpAngle;
+            angle = max(angle, controls.featureAngle);
+            sharp.readBounded
+            (
+                "angle", angle, controls.featureAngle, 180,
+                "Least angle of a sharp edge, at least featureAngle [deg]"
+            );
+            declareMaxEdge(sharp, controls, controls.sharpMaxEdge);
+        }
+    );
 }
 
 
-surfaceRemeshControls readRemeshControls(const dictionary& surface)
+void declare(controlEntries& entries, surfaceRemeshControls& controls)
 {
-    const dictionary& dict = optionalDict(surface, "remesh");
-    checkKeys
+    entries.readBounded
     (
-        dict,
-        {
-            "maxEdge", "minEdge", "deviation", "featureAngle", "growthRate",
-            "patches", "regions", "sharpEdges", "edgePerGap"
-        }
+        "maxEdge", controls.maxEdge, SMALL, GREAT,
+        "Length of edges, at most [m]", "0.02 of the diagonal"
     );
-
-    surfaceRemeshControls controls;
-    controls.active = surface.found("remesh");
-    readBounded(dict, "maxEdge", SMALL, GREAT, controls.maxEdge);
-    readBounded
+    entries.readBounded
     (
-        dict, "minEdge", SMALL,
-        controls.maxEdge > 0 ? controls.maxEdge : GREAT, controls.minEdge
+        "minEdge", controls.minEdge, SMALL,
+        controls.maxEdge > 0 ? controls.maxEdge : GREAT,
+        "Length of edges, at least [m]", "0.02 of maxEdge"
     );
-    readBounded(dict, "deviation", SMALL, GREAT, controls.deviation);
-    readBounded(dict, "featureAngle", 1, 90, controls.featureAngle);
-    readBounded(dict, "growthRate", 1.01, 2, controls.growthRate);
-
-    controls.patches = readEntries<patchEdges>
+    entries.readBounded
     (
-        dict, "patches",
-        [&](const keyType& key, const dictionary& entries)
-        {
-            return readPatch(key, entries, controls);
-        }
+        "deviation", controls.deviation, SMALL, GREAT,
+        "Distance from the given surface, at most [m]", "5e-4 of the diagonal"
     );
-    controls.regions = readEntries<edgeRegion>
+    entries.readBounded
     (
-        dict, "regions",
-        [&](const keyType&, const dictionary& entries)
-        {
-            return readRegion(entries, controls);
-        }
+        "featureAngle", controls.featureAngle, 1, 90,
+        "Edges with a larger angle between normals are kept [deg]"
     );
-    readSharpEdges(dict, controls);
-    readBounded(dict, "edgePerGap", 0.1, 100, controls.edgePerGap);
-
-    return controls;
+    entries.readBounded
+    (
+        "growthRate", controls.growthRate, 1.01, 2,
+        "Length of an edge over the length of the edge before it, at most"
+    );
+    declareParts(entries, controls);
+    entries.readBounded
+    (
+        "edgePerGap", controls.edgePerGap, 0.1, 100,
+        "Length of edges beside a gap over the width of the gap, at most"
+    );
 }
 
 
-// * * * * * * * * * * * *  Read Far Field Controls  * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * *  Far Field  * * * * * * * * * * * * * * * //
 
 const wordList farFieldTypes({"none", "tet", "hexCore", "mesh"});
 
 const wordList farBoundaryTypes({"box", "sphere", "surface"});
-
-
-//- Keys of all kinds of boundary
-static const wordList boundaryKeys
-({
-    "type", "patches", "min", "max", "origin", "radius", "file", "scale"
-});
 
 
 //- Refuses the keys of the other kinds of boundary
@@ -178,78 +166,72 @@ static void checkKind(const dictionary& dict, const wordList& own)
 {
     for (const entry& e : dict)
     {
-        if (e.keyword() != "type" && !own.found(e.keyword()))
+        const word& key = e.keyword();
+        if (key != "type" && key != "patches" && !own.found(key))
         {
-            entryError(dict, e.keyword())
-                << "The entry " << e.keyword() << " is not one of a far"
+            entryError(dict, key)
+                << "The entry " << key << " is not one of a far"
                 << " boundary of type " << dict.get<word>("type") << nl
-                << "Its entries: " << listed(own).c_str() << exit(FatalIOError);
+                << "Its entries: patches, " << listed(own).c_str()
+                << exit(FatalIOError);
         }
     }
 }
 
 
-static void readBox(const dictionary& dict, farBoundaryControls& boundary)
+static void checkBox(const dictionary& dict, const boundBox& box)
 {
-    checkKind(dict, {"patches", "min", "max"});
-
-    const point low(dict.get<point>("min"));
-    const point high(dict.get<point>("max"));
-
     // Written so that values that are no numbers fail
-    if (!(cmptMin(high - low) > 0 && mag(high - low) < GREAT))
+    if (!(cmptMin(box.span()) > 0 && box.mag() < GREAT))
     {
         entryError(dict, "max")
-            << "Value of max is " << high << "; it must be more than min "
-            << low << " in all directions" << exit(FatalIOError);
+            << "Value of max is " << box.max() << "; it must be more than min "
+            << box.min() << " in all directions" << exit(FatalIOError);
     }
-
-    boundary.box = boundBox(low, high);
 }
 
 
-static void readSphere(const dictionary& dict, farBoundaryControls& boundary)
-{
-    checkKind(dict, {"patches", "origin", "radius"});
-
-    dict.readEntry("origin", boundary.origin);
-
-    boundary.radius = readMandatory(dict, "radius", 1e-9, 1e9);
-}
-
-
-static void readSurface(const dictionary& dict, farBoundaryControls& boundary)
-{
-    checkKind(dict, {"patches", "file", "scale"});
-
-    dict.readEntry("file", boundary.file);
-    readBounded(dict, "scale", 1e-9, 1e9, boundary.scale);
-}
-
-
-cyclicControls readCyclic(const word& type, const dictionary& dict)
+cyclicControls readCyclic
+(
+    controlEntries& entries,
+    const word& type,
+    const bool mayRotate
+)
 {
     cyclicControls cyclic;
-    dict.readIfPresent("partner", cyclic.partner);
-    const dictionary& rotation = optionalDict(dict, "rotation");
-    checkKeys(rotation, {"axis", "origin", "angle"});
-    if (rotation.size())
-    {
-        rotation.readEntry("axis", cyclic.axis);
-        rotation.readEntry("origin", cyclic.origin);
-        cyclic.angle = readMandatory(rotation, "angle", -180, 180);
-    }
+    entries.read
+    (
+        "partner", cyclic.partner, "The other patch of a cyclic pair", "word"
+    );
+    const bool rotates = mayRotate && entries.readDict
+    (
+        "rotation", "Rotation to the partner", [&](controlEntries& rotation)
+        {
+            rotation.read("axis", cyclic.axis, "Axis", "vector");
+            rotation.read
+            (
+                "origin", cyclic.origin, "Point of the axis", "point"
+            );
+            rotation.readBounded
+            (
+                "angle", cyclic.angle, -180, 180, "Angle to the partner [deg]"
+            );
+            for (const word key : {"axis", "origin", "angle"})
+            {
+                rotation.require(key);
+            }
+        }
+    );
 
-    const bool isCyclic = type == "cyclic";
-    if ((cyclic.partner.size() || rotation.size()) && !isCyclic)
+    if ((cyclic.partner.size() || rotates) && type != "cyclic")
     {
-        entryError(dict, "type")
+        entryError(*entries.dict(), "type")
             << "Patches with a partner or a rotation are of type cyclic, not "
             << type << exit(FatalIOError);
     }
-    if (rotation.size() && (!(mag(cyclic.axis) > 0) || cyclic.partner.empty()))
+    if (rotates && (!(mag(cyclic.axis) > 0) || cyclic.partner.empty()))
     {
-        entryError(dict, "rotation")
+        entryError(*entries.dict(), "rotation")
             << "The rotation must have an axis that is not zero, and is of the"
             << " patch that has the partner" << exit(FatalIOError);
     }
@@ -258,86 +240,102 @@ cyclicControls readCyclic(const word& type, const dictionary& dict)
 }
 
 
-static farPatch readFarPatch(const keyType& key, const dictionary& dict)
+static void declareFarPatch
+(
+    controlEntries& entries,
+    const keyType& key,
+    farPatch& patch
+)
 {
-    checkKeys(dict, {"type", "sides", "partner"});
-
-    if (key.isPattern())
+    if (entries.dict() && key.isPattern())
     {
-        entryError(dict, key)
+        entryError(*entries.dict(), key)
             << "The patch " << key << " of the far boundary must have a name"
             << exit(FatalIOError);
     }
-
-    farPatch patch;
     patch.name = key;
     patch.sides = wordRes(1, wordRe(key));
-    readChoice(dict, "type", planeTypes, patch.type);
-    patch.cyclic = readCyclic(patch.type, dict);
-    dict.readIfPresent("sides", patch.sides);
-
-    return patch;
-}
-
-
-//- Whether one of some patches is of type cyclic
-template<class Patch>
-static bool anyCyclic(const UList<Patch>& patches)
-{
-    return anyOf
+    entries.readChoice("type", patch.type, planeTypes, "Type of the patch");
+    patch.cyclic = readCyclic(entries, patch.type, false);
+    entries.read
     (
-        patches, [](const Patch& patch) { return patch.type == "cyclic"; }
+        "sides", patch.sides, "Sides of the boundary in the patch",
+        "words or regular expressions", "the side with the patch's name"
     );
 }
 
 
-static farBoundaryControls readBoundary(const dictionary& dict)
+//- Declares where the boundary of each type is
+static void declarePlace(controlEntries& entries, farBoundaryControls& boundary)
 {
-    checkKeys(dict, boundaryKeys);
+    entries.read("min", boundary.box.min(), "Lower corner of a box", "point");
+    entries.read("max", boundary.box.max(), "Upper corner of a box", "point");
+    entries.read("origin", boundary.origin, "Centre of a sphere", "point");
+    entries.readBounded
+    (
+        "radius", boundary.radius, 1e-9, 1e9, "Radius of a sphere [m]"
+    );
+    entries.read("file", boundary.file, "File of a surface", "file");
+    entries.readBounded
+    (
+        "scale", boundary.scale, 1e-9, 1e9,
+        "Factor on the coordinates of a surface"
+    );
+}
 
-    farBoundaryControls boundary;
 
-    if (!readChoice(dict, "type", farBoundaryTypes, boundary.type))
-    {
-        missingEntry(dict, "type");
-    }
+static void declare(controlEntries& entries, farBoundaryControls& boundary)
+{
+    static const List<wordList> needed
+    ({
+        wordList({"min", "max"}), wordList({"origin", "radius"}),
+        wordList({"file"})
+    });
 
-    if (boundary.type == farBoundaryType::box)
-    {
-        readBox(dict, boundary);
-    }
-    else if (boundary.type == farBoundaryType::sphere)
-    {
-        readSphere(dict, boundary);
-    }
-    else
-    {
-        readSurface(dict, boundary);
-    }
+    word type;
+    entries.readChoice
+    (
+        "type", type, farBoundaryTypes, "Form of the far boundary"
+    );
+    entries.require("type");
+    declarePlace(entries, boundary);
+    entries.readDicts
+    (
+        "patches", boundary.patches, "Patches in place of sides",
+        declareFarPatch
+    );
 
-    boundary.patches = readEntries<farPatch>(dict, "patches", readFarPatch);
-    if (boundary.type != farBoundaryType::box && anyCyclic(boundary.patches))
+    const dictionary* dict = entries.dict();
+    if (!dict)
     {
-        entryError(dict, "type")
+        return;
+    }
+    const label typei = farBoundaryTypes.find(type);
+    boundary.type = farBoundaryType(typei);
+    wordList own(needed[typei]);
+    for (const word& key : own)
+    {
+        entries.require(key);
+    }
+    if (boundary.type == farBoundaryType::surface)
+    {
+        own.append("scale");
+    }
+    checkKind(*dict, own);
+
+    const bool isBox = boundary.type == farBoundaryType::box;
+    if (isBox)
+    {
+        checkBox(*dict, boundary.box);
+    }
+    if (!isBox && anyOf(boundary.patches, [](const farPatch& patch)
+        { return patch.type == "cyclic"; }))
+    {
+        entryError(*dict, "type")
             << "Patches of type cyclic are possible with farField.boundary.type"
             << " box alone"
             << exit(FatalIOError);
     }
-
-    return boundary;
-}
-
-
-static sizeRegion readSizeRegion(const keyType&, const dictionary& dict)
-{
-    wordList keys(geometryRegionKeys);
-    keys.append("cellSize");
-    checkKeys(dict, keys);
-
-    return sizeRegion
-    {
-        readGeometryRegion(dict), readMandatory(dict, "cellSize", 1e-9, 1e9)
-    };
 }
 
 
@@ -370,56 +368,62 @@ static void refuseOtherTypes(const dictionary& dict, const farFieldType type)
 }
 
 
-farFieldControls readFarFieldControls
+//- Declares the sizes of the cells of the far field
+static void declareSizes(controlEntries& entries, farFieldControls& controls)
+{
+    entries.readBounded
+    (
+        "growthRate", controls.growthRate, 1.01, 2,
+        "Size of a cell over the size of its neighbour nearer to the wall"
+    );
+    entries.readBounded
+    (
+        "maxCellSize", controls.maxCellSize, 1e-9, 1e9,
+        "Length of edges, at most [m]"
+    );
+    entries.readBounded
+    (
+        "maxCells", controls.maxCells, 1, 2e8, "Number of cells, at most"
+    );
+    entries.readDicts
+    (
+        "regions", controls.regions, "Sizes in parts of space",
+        [](controlEntries& part, const keyType& key, sizeRegion& region)
+        {
+            declareRegion(part, key, region);
+            part.readBounded
+            (
+                "cellSize", region.cellSize, 1e-9, 1e9,
+                "Length of edges there, at most [m]"
+            );
+            part.require("cellSize");
+        }
+    );
+}
+
+
+//- Refuses a boundary where the fluid is inside of the wall, and a far field
+//  outside of the wall without one
+static void checkBoundary
 (
     const dictionary& dict,
+    const farFieldControls& controls,
     const wallSurfaceControls& surface
 )
 {
-    checkKeys
-    (
-        dict,
-        {
-            "type", "boundary", "growthRate", "maxCellSize", "maxCells",
-            "regions", "gap", "polyhedra", "region"
-        }
-    );
-
-    farFieldControls controls;
-    readChoice(dict, "type", farFieldTypes, controls.type);
-
-    readBounded(dict, "growthRate", 1.01, 2, controls.growthRate);
-    readBounded(dict, "maxCellSize", 1e-9, 1e9, controls.maxCellSize);
-    readBounded(dict, "maxCells", 1, 200000000, controls.maxCells);
-    controls.regions = readEntries<sizeRegion>(dict, "regions", readSizeRegion);
-
-    readBounded(dict, "gap", 0.1, 10, controls.gap);
-    Switch polyhedra(controls.polyhedra);
-    dict.readIfPresent("polyhedra", polyhedra, keyType::LITERAL);
-    controls.polyhedra = polyhedra;
-    dict.readIfPresent("region", controls.region);
-
-    const bool hasBoundary = dict.found("boundary", keyType::LITERAL);
-    refuseOtherTypes(dict, controls.type);
-
-    if (hasBoundary)
-    {
-        controls.boundary = readBoundary(optionalDict(dict, "boundary"));
-    }
-
     // An open wall inside of which the fluid is may have one. The point inside
     // tells later where the fluid is.
-    const bool fluidOutside = surface.fluidOutside;
+    const bool hasBoundary = dict.found("boundary", keyType::LITERAL);
     const bool isKnown = surface.isFluidGiven || !surface.hasInside;
     if
     (
         isKnown && controls.isWanted() && controls.type != farFieldType::mesh
-     && hasBoundary != fluidOutside && surface.sidePlanes.empty()
+     && hasBoundary != surface.fluidOutside && surface.sidePlanes.empty()
      && controls.boundary.type != farBoundaryType::box
     )
     {
         entryError(dict, hasBoundary ? "boundary" : "type")
-            << (fluidOutside
+            << (surface.fluidOutside
               ? "The far field has no boundary: give it one, a box, a sphere or"
                 " a surface"
               : "The fluid is inside of the wall: there is no far boundary."
@@ -427,8 +431,49 @@ farFieldControls readFarFieldControls
                 " }")
             << exit(FatalIOError);
     }
+}
 
-    return controls;
+
+void declare
+(
+    controlEntries& entries,
+    farFieldControls& controls,
+    const wallSurfaceControls& surface
+)
+{
+    entries.readChoice
+    (
+        "type", controls.type, farFieldTypes, "Cells around the layers"
+    );
+    entries.readDict
+    (
+        "boundary", "The far boundary", [&](controlEntries& boundary)
+        {
+            declare(boundary, controls.boundary);
+        }
+    );
+    declareSizes(entries, controls);
+    entries.readBounded
+    (
+        "gap", controls.gap, 0.1, 10,
+        "Distance of a hexCore or a mesh from the layers in widths of its cells"
+    );
+    entries.readFlag
+    (
+        "polyhedra", controls.polyhedra,
+        "Tetrahedra merge where plain schemes would not converge"
+    );
+    entries.read
+    (
+        "region", controls.region, "Region of an existing mesh", "word",
+        "the mesh of the case"
+    );
+
+    if (entries.dict())
+    {
+        refuseOtherTypes(*entries.dict(), controls.type);
+        checkBoundary(*entries.dict(), controls, surface);
+    }
 }
 
 } // End namespace Foam

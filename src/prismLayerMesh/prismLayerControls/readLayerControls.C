@@ -3,88 +3,121 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
-#include "controlEntries.H"
 #include "readControls.H"
-#include "Switch.H"
 
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * * Static Data * * * * * * * * * * * * * * * //
+// * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-const wordList layerHeightKeys
-({
-    "nSurfaceLayers",
-    "firstLayerThickness",
-    "finalLayerThickness",
-    "thickness",
-    "expansionRatio",
-    "yPlus",
-    "relativeSizes"
-});
-
-
-static yPlusRun readRun(const dictionary& yPlus)
+//- Declares the earlier run of yPlus
+static void declare(controlEntries& entries, yPlusRun& run)
 {
-    checkKeys(yPlus, {"target", "from"});
-    const dictionary& dict = optionalDict(yPlus, "from");
-    checkKeys(dict, {"case", "time"});
+    entries.read("case", run.folder, "Folder of the case", "a folder");
+    const bool hasTime =
+        entries.has("time", "Time of the field", "a time, latest", "latest");
+    if (!entries.dict())
+    {
+        return;
+    }
 
-    yPlusRun run;
-    run.target = readMandatory(yPlus, "target", 1e-3, 1e4);
-    dict.readEntry("case", run.folder);
-
+    const dictionary& dict = *entries.dict();
+    entries.require("case");
     if (run.folder.empty())
     {
         entryError(dict, "case")
             << "Value of case is empty; it must be the folder of a case"
             << exit(FatalIOError);
     }
-    if (!dict.found("time", keyType::LITERAL))
-    {
-        return run;
-    }
-
-    const ITstream& is = dict.lookup("time", keyType::LITERAL);
-    run.isLatest = is.size() && is[0].isWord();
-
-    if (run.isLatest)
-    {
-        word value;
-        readChoice(dict, "time", {"latest"}, value);
-    }
-    else
+    run.isLatest =
+        !hasTime || dict.get<token>("time", keyType::LITERAL).isWord();
+    if (!run.isLatest)
     {
         run.time = dict.get<scalar>("time", keyType::LITERAL);
     }
-
-    return run;
+    else if (hasTime && dict.get<word>("time", keyType::LITERAL) != "latest")
+    {
+        entryError(dict, "time")
+            << "Value of time is " << dict.get<word>("time")
+            << "; it must be a time, or latest" << exit(FatalIOError);
+    }
 }
 
 
-static void readFlatPlate(const dictionary& dict, heightEntries& given)
-{
-    checkKeys(dict, {"target", "U", "nu", "L", "from"});
-
-    const scalar yPlus = readMandatory(dict, "target", 1e-3, 1e4);
-    const scalar U = readMandatory(dict, "U", 1e-9, 1e6);
-    const scalar nu = readMandatory(dict, "nu", 1e-12, 1e3);
-    const scalar L = readMandatory(dict, "L", 1e-9, 1e6);
-
-    given.firstLayerThickness = flatPlateThickness(yPlus, U, nu, L);
-    given.yPlus = yPlus;
-    given.Re = U*L/nu;
-}
-
-
-//- Reads the entry yPlus of dict; the others are given
-static void readYPlus
+//- Declares yPlus of the heights of a dictionary with a name.
+//  run: set if yPlus is from a run; null if it may not be
+static void declareYPlus
 (
-    const dictionary& dict,
+    controlEntries& entries,
+    const word& name,
     heightEntries& given,
     yPlusRun* run
 )
 {
+    scalar U = 0;
+    scalar nu = 0;
+    scalar L = 0;
+    yPlusRun from;
+    entries.readBounded
+    (
+        "target", given.yPlus, 1e-3, 1e4,
+        "y+ of the centres of the first cells"
+    );
+    entries.require("target");
+    entries.readBounded("U", U, 1e-9, 1e6, "Speed of the free stream [m/s]");
+    entries.readBounded("nu", nu, 1e-12, 1e3, "Kinematic viscosity [m2/s]");
+    entries.readBounded
+    (
+        "L", L, 1e-9, 1e6, "Length of the body along the flow [m]"
+    );
+    const bool isFrom = entries.readDict
+    (
+        "from", "A run with a field yPlus, in place of U, nu and L",
+        [&](controlEntries& earlier) { declare(earlier, from); }
+    );
+
+    const dictionary* dict = entries.dict();
+    if (dict && isFrom && !run)
+    {
+        entryError(*dict, "from")
+            << "yPlus.from applies to the whole wall. Move it from "
+            << name << " to layers.yPlus" << exit(FatalIOError);
+    }
+    if (dict && isFrom)
+    {
+        checkKeys(*dict, {"target", "from"});
+        from.target = given.yPlus;
+        given.yPlus = 0;
+        *run = from;
+    }
+    else if (dict)
+    {
+        for (const word key : {"U", "nu", "L"})
+        {
+            entries.require(key);
+        }
+        given.firstLayerThickness =
+            flatPlateThickness(given.yPlus, U, nu, L);
+        given.Re = U*L/nu;
+    }
+}
+
+
+//- Refuses yPlus beside a first height, and in relative heights
+static void checkYPlus
+(
+    const dictionary& dict,
+    const bool hasFirst,
+    const heightEntries& given
+)
+{
+    if (hasFirst)
+    {
+        entryError(dict, "yPlus")
+            << "Both yPlus and firstLayerThickness determine the first"
+            << " layer of " << dict.dictName() << ". Remove one"
+            << exit(FatalIOError);
+    }
     if (given.relativeSizes)
     {
         entryError(dict, "yPlus")
@@ -93,73 +126,67 @@ static void readYPlus
             << "Write relativeSizes false, or firstLayerThickness"
             << exit(FatalIOError);
     }
-
-    const dictionary& yPlus = mandatoryDict(dict, "yPlus");
-
-    if (!yPlus.found("from", keyType::LITERAL))
-    {
-        readFlatPlate(yPlus, given);
-    }
-    else if (run)
-    {
-        *run = readRun(yPlus);
-    }
-    else
-    {
-        entryError(yPlus, "from")
-            << "yPlus.from applies to the whole wall. Move it from "
-            << dict.dictName() << " to layers.yPlus"
-            << exit(FatalIOError);
-    }
 }
 
 
-heightEntries readLayerHeights
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+void declare
 (
-    const dictionary& dict,
-    const bool relativeSizes,
+    controlEntries& entries,
+    heightEntries& given,
     yPlusRun* run
 )
 {
-    heightEntries given;
-
-    const auto read = [&](const word& key, scalar& value)
+    const auto readHeight = [&]
+    (
+        const word& key,
+        scalar& value,
+        const string& text
+    )
     {
-        return readBounded
+        return entries.readBounded
         (
-            dict, key,
-            heightSeries::minThickness, heightSeries::maxThickness, value
+            key, value, heightSeries::minThickness, heightSeries::maxThickness,
+            text
         );
     };
-
-    const bool hasFirst =
-        read("firstLayerThickness", given.firstLayerThickness);
-    read("finalLayerThickness", given.finalLayerThickness);
-    read("thickness", given.thickness);
-    readBounded
+    const bool hasFirst = readHeight
     (
-        dict, "expansionRatio",
-        heightSeries::minRatio, heightSeries::maxRatio, given.expansionRatio
+        "firstLayerThickness", given.firstLayerThickness,
+        "Height of the first layer [m]"
     );
-
-    Switch relative(relativeSizes);
-    dict.readIfPresent("relativeSizes", relative, keyType::LITERAL);
-    given.relativeSizes = relative;
-
-    if (dict.found("yPlus", keyType::LITERAL))
+    readHeight
+    (
+        "finalLayerThickness", given.finalLayerThickness,
+        "Height of the last layer [m]"
+    );
+    readHeight
+    (
+        "thickness", given.thickness, "Sum of the heights of all layers [m]"
+    );
+    entries.readBounded
+    (
+        "expansionRatio", given.expansionRatio, heightSeries::minRatio,
+        heightSeries::maxRatio,
+        "Height of a layer over the height of the layer before it", "1.2"
+    );
+    entries.readFlag
+    (
+        "relativeSizes", given.relativeSizes,
+        "Heights are in units of local edges, or cells: see relativeTo"
+    );
+    if (entries.dict() && entries.dict()->found("yPlus", keyType::LITERAL))
     {
-        if (hasFirst)
-        {
-            entryError(dict, "yPlus")
-                << "Both yPlus and firstLayerThickness determine the first"
-                << " layer of " << dict.dictName() << ". Remove one"
-                << exit(FatalIOError);
-        }
-
-        readYPlus(dict, given, run);
+        checkYPlus(*entries.dict(), hasFirst, given);
+        mandatoryDict(*entries.dict(), "yPlus");
     }
-
-    return given;
+    const word name(entries.dict() ? entries.dict()->dictName() : word());
+    entries.readDict
+    (
+        "yPlus", "The first height by y+ of a turbulent flat plate",
+        [&](controlEntries& yPlus) { declareYPlus(yPlus, name, given, run); }
+    );
 }
 
 
@@ -207,112 +234,6 @@ const wordList planeTypes
 });
 
 
-//- Number of layers of a patch or region; 0 if it is the general number
-static label readNumber(const dictionary& dict, const layerControls& general)
-{
-    label n = 0;
-    readBounded(dict, "nSurfaceLayers", 1, heightSeries::maxLayers, n);
-
-    if (n && general.automatic())
-    {
-        entryError(dict, "nSurfaceLayers")
-            << "Value of nSurfaceLayers for " << dict.dictName() << " is " << n
-            << ", but layers.nSurfaceLayers auto is for all of the wall" << nl
-            << "Remove nSurfaceLayers from " << dict.dictName()
-            << exit(FatalIOError);
-    }
-
-    return n;
-}
-
-
-//- Entries for a part of the wall, checked together with the general entries
-static heightEntries readPart
-(
-    const dictionary& dict,
-    const layerControls& general
-)
-{
-    heightEntries given(readLayerHeights(dict, general.heights.relativeSizes));
-    given.nSurfaceLayers = readNumber(dict, general);
-
-    if (general.automatic())
-    {
-        checkAutomatic(dict, given);
-    }
-
-    // In other units, or on heights of a run, they are checked at each point
-    // later
-    if
-    (
-        given.relativeSizes == general.heights.relativeSizes
-     && !general.fromRun.isGiven()
-    )
-    {
-        atEntriesOf(dict, [&]()
-        {
-            const heightSeries before
-            (
-                changedHeights(heightSeries(), general.heights, 1)
-            );
-            changedHeights(before, given, 1);
-        });
-    }
-
-    return given;
-}
-
-
-//- What is said of patches: of those with 0 layers nothing but their type
-static patchLayers readPatches
-(
-    const keyType& key,
-    const dictionary& dict,
-    const layerControls& general
-)
-{
-    wordList keys(layerHeightKeys);
-    keys.append("type");
-    checkKeys(dict, keys);
-
-    patchLayers patches;
-    patches.patches = key;
-    readChoice(dict, "type", sideTypes, patches.type);
-
-    label n = -1;
-    patches.isSide =
-        dict.readIfPresent("nSurfaceLayers", n, keyType::LITERAL) && n == 0;
-
-    if (!patches.isSide)
-    {
-        patches.heights = readPart(dict, general);
-    }
-    else if (dict.size() > (patches.type.empty() ? 1 : 2))
-    {
-        entryError(dict, "nSurfaceLayers")
-            << "Patches " << key << " have no layers, and so no heights"
-            << nl << "Remove nSurfaceLayers 0, or all entries but type"
-            << exit(FatalIOError);
-    }
-
-    return patches;
-}
-
-
-static layerRegion readRegion
-(
-    const dictionary& dict,
-    const layerControls& general
-)
-{
-    wordList keys(geometryRegionKeys);
-    keys.append(layerHeightKeys);
-    checkKeys(dict, keys);
-
-    return layerRegion{readGeometryRegion(dict), readPart(dict, general)};
-}
-
-
 void checkAutomatic(const dictionary& dict, const heightEntries& given)
 {
     if (given.finalLayerThickness > 0 || given.thickness > 0)
@@ -325,115 +246,169 @@ void checkAutomatic(const dictionary& dict, const heightEntries& given)
 }
 
 
-List<patchLayers> readLayerPatches
+//- Entries for a part of the wall, checked together with the general entries
+static void declarePart
 (
-    const dictionary& dict,
-    const layerControls& general
+    controlEntries& entries,
+    const layerControls& general,
+    const label leastNumber,
+    heightEntries& given
 )
 {
-    return readEntries<patchLayers>
+    given.relativeSizes = general.heights.relativeSizes;
+    declare(entries, given);
+    const bool hasNumber = entries.readBounded
     (
-        dict, "patches", [&](const keyType& key, const dictionary& entries)
-        {
-            return readPatches(key, entries, general);
-        }
+        "nSurfaceLayers", given.nSurfaceLayers, leastNumber,
+        heightSeries::maxLayers, "Number of layers there"
     );
-}
 
-
-List<layerRegion> readLayerRegions
-(
-    const dictionary& dict,
-    const layerControls& general
-)
-{
-    return readEntries<layerRegion>
-    (
-        dict, "regions", [&](const keyType&, const dictionary& entries)
-        {
-            return readRegion(entries, general);
-        }
-    );
-}
-
-
-// * * * * * * * * * * * * *  Read Layer Controls  * * * * * * * * * * * * * //
-
-static heightField readHeightField(const dictionary& dict)
-{
-    checkKeys(dict, {"file", "field"});
-
-    heightField field;
-    dict.readEntry("file", field.file);
-    dict.readIfPresent("field", field.field);
-
-    if (field.file.empty())
+    const dictionary* dict = entries.dict();
+    if (dict && hasNumber && given.nSurfaceLayers && general.automatic())
     {
-        entryError(dict, "file")
-            << "Value of file is empty; it must be the name of a file of values"
+        entryError(*dict, "nSurfaceLayers")
+            << "Value of nSurfaceLayers for " << dict->dictName() << " is "
+            << given.nSurfaceLayers << ", but layers.nSurfaceLayers auto is for"
+            << " all of the wall" << nl
+            << "Remove nSurfaceLayers from " << dict->dictName()
             << exit(FatalIOError);
     }
+    if (dict && general.automatic())
+    {
+        checkAutomatic(*dict, given);
+    }
 
-    return field;
+    // In other units, or on heights of a run, they are checked at each point
+    // later
+    if
+    (
+        dict
+     && given.relativeSizes == general.heights.relativeSizes
+     && !general.fromRun.isGiven()
+    )
+    {
+        atEntriesOf(*dict, [&]()
+        {
+            const heightSeries before
+            (
+                changedHeights(heightSeries(), general.heights, 1)
+            );
+            changedHeights(before, given, 1);
+        });
+    }
 }
 
 
-static void readFields(const dictionary& dict, layerControls& controls)
+//- What is said of patches: of those with 0 layers nothing but their type
+static void declarePatches
+(
+    controlEntries& entries,
+    const keyType& key,
+    const layerControls& general,
+    patchLayers& patches
+)
 {
-    const dictionary& fields = optionalDict(dict, "fields");
-    checkKeys(fields, {"firstLayerThickness", "thickness"});
+    patches.patches = key;
+    entries.readChoice("type", patches.type, sideTypes, "Type of the patch");
 
-    if (fields.found("firstLayerThickness", keyType::LITERAL))
+    const dictionary* dict = entries.dict();
+    patches.isSide = dict
+     && dict->lookupOrDefault<label>
+        (
+            "nSurfaceLayers", -1, keyType::LITERAL
+        ) == 0;
+    if (patches.isSide && dict->size() > (patches.type.empty() ? 1 : 2))
     {
-        controls.firstLayerField =
-            readHeightField(optionalDict(fields, "firstLayerThickness"));
+        entryError(*dict, "nSurfaceLayers")
+            << "Patches " << key << " have no layers, and so no heights"
+            << nl << "Remove nSurfaceLayers 0, or all entries but type"
+            << exit(FatalIOError);
     }
-    if (fields.found("thickness", keyType::LITERAL))
-    {
-        controls.thicknessField =
-            readHeightField(optionalDict(fields, "thickness"));
-    }
-
-    if (controls.automatic() && controls.thicknessField.isGiven())
-    {
-        entryError(dict, "fields")
-            << "With nSurfaceLayers auto, fields may have firstLayerThickness"
-            << " alone" << exit(FatalIOError);
-    }
+    declarePart(entries, general, 0, patches.heights);
 }
 
 
 //- n, or auto
-static void readGeneralNumber(const dictionary& dict, layerControls& controls)
+static void declareNumber(controlEntries& entries, layerControls& controls)
 {
+    const string range("[1, " + name(heightSeries::maxLayers) + "], auto");
     label& n = controls.heights.nSurfaceLayers;
-
-    if (!dict.found("nSurfaceLayers", keyType::LITERAL))
+    const bool isThere =
+        entries.has("nSurfaceLayers", "Number of layers", range);
+    entries.require("nSurfaceLayers");
+    word number("auto");
+    if
+    (
+        isThere
+     && entries.dict()->get<token>("nSurfaceLayers", keyType::LITERAL).isWord()
+    )
     {
-        missingEntry(dict, "nSurfaceLayers");
+        entries.readChoice("nSurfaceLayers", number, {number}, "");
+    }
+    else if (isThere)
+    {
+        entries.readBounded
+        (
+            "nSurfaceLayers", n, 1, heightSeries::maxLayers, ""
+        );
     }
 
-    const ITstream& is = dict.lookup("nSurfaceLayers", keyType::LITERAL);
-
-    if (is.size() && is[0].isWord())
-    {
-        word value;
-        readChoice(dict, "nSurfaceLayers", {"auto"}, value);
-    }
-    else
-    {
-        readBounded(dict, "nSurfaceLayers", 1, heightSeries::maxLayers, n);
-    }
-
-    const bool hasAspect =
-        readBounded(dict, "finalAspect", 0.01, 100, controls.finalAspect);
-
+    const bool hasAspect = entries.readBounded
+    (
+        "finalAspect", controls.finalAspect, 0.01, 100,
+        "Height of the last layer over local edges, with nSurfaceLayers auto"
+    );
     if (hasAspect && !controls.automatic())
     {
-        entryError(dict, "finalAspect")
+        entryError(*entries.dict(), "finalAspect")
             << "finalAspect is for nSurfaceLayers auto, but nSurfaceLayers is "
             << n << exit(FatalIOError);
     }
+}
+
+
+static void declare(controlEntries& entries, heightField& field)
+{
+    entries.read
+    (
+        "file", field.file, "A VTK file, or a list of OpenFOAM", "file"
+    );
+    entries.read("field", field.field, "Field of the VTK file", "word");
+    entries.require("file");
+    if (entries.dict() && field.file.empty())
+    {
+        entryError(*entries.dict(), "file")
+            << "Value of file is empty; it must be the name of a file of values"
+            << exit(FatalIOError);
+    }
+}
+
+
+static void declareFields(controlEntries& entries, layerControls& controls)
+{
+    entries.readDict
+    (
+        "fields", "Heights from files, at the points of the wall",
+        [&](controlEntries& fields)
+        {
+            fields.readDict
+            (
+                "firstLayerThickness", "Height of the first layer [m]",
+                [&](controlEntries& first)
+                {
+                    declare(first, controls.firstLayerField);
+                }
+            );
+            fields.readDict
+            (
+                "thickness", "Sum of the heights of all layers [m]",
+                [&](controlEntries& total)
+                {
+                    declare(total, controls.thicknessField);
+                }
+            );
+        }
+    );
 }
 
 
@@ -465,18 +440,23 @@ static void checkRun(const dictionary& dict, const layerControls& controls)
 }
 
 
-static void readGeneralHeights(const dictionary& dict, layerControls& controls)
+//- Refuses heights that are missing, or contradict each other
+static void checkHeights(const dictionary& dict, const layerControls& controls)
 {
-    controls.heights = readLayerHeights(dict, false, &controls.fromRun);
-    heightEntries& given = controls.heights;
-    readGeneralNumber(dict, controls);
-
+    const heightEntries& given = controls.heights;
     if (controls.automatic())
     {
         checkAutomatic(dict, given);
     }
+    if (controls.automatic() && controls.thicknessField.isGiven())
+    {
+        entryError(dict, "fields")
+            << "With nSurfaceLayers auto, fields may have firstLayerThickness"
+            << " alone" << exit(FatalIOError);
+    }
     if (controls.fromRun.isGiven())
     {
+        checkRun(dict, controls);
         return;
     }
 
@@ -517,58 +497,74 @@ const patchLayers* layerControls::entryOf(const word& patchName) const
 }
 
 
-layerControls readLayerControls(const dictionary& dict)
+//- Declares where columns go
+static void declareMarching(controlEntries& entries, layerControls& controls)
 {
-    wordList keys(layerHeightKeys);
-    keys.append
+    entries.readChoice
     (
-        wordList
-        ({
-            "finalAspect", "marchingDistances", "marchingDirections",
-            "transitionRatio", "maxStretch", "multipleNormalsAngle", "fields",
-            "relativeTo", "patches", "regions", "allowPoorHeights"
-        })
+        "relativeTo", controls.relativeToCells, {"edges", "cells"},
+        "Unit of relative heights: edges of the wall, or cells beside it"
     );
-    checkKeys(dict, keys);
+    entries.readChoice
+    (
+        "marchingDistances", controls.onLevelSets, {"requested", "levelSets"},
+        "Layers end at their heights, or on level sets of the field"
+    );
+    entries.readChoice
+    (
+        "marchingDirections", controls.alongField, {"axes", "field"},
+        "Columns stand on axes of visibility, or follow the field"
+    );
+    entries.readBounded
+    (
+        "transitionRatio", controls.transitionRatio, 1.01, 100,
+        "Height over the height at a neighbour where both differ, at most"
+    );
+    entries.readBounded
+    (
+        "maxStretch", controls.maxStretch, 1, 10,
+        "Length of a column over its height at sharp points, at most"
+    );
+    entries.readBounded
+    (
+        "multipleNormalsAngle", controls.multipleNormalsAngle, 0, 90,
+        "Several columns where a face is seen under a smaller angle [deg]"
+    );
+    entries.readFlag
+    (
+        "allowPoorHeights", controls.allowPoorHeights,
+        "A mesh is written also if its heights are useless"
+    );
+}
 
-    layerControls controls;
-    readGeneralHeights(dict, controls);
-    readFields(dict, controls);
-    if (controls.fromRun.isGiven())
+
+void declare(controlEntries& entries, layerControls& controls)
+{
+    declare(entries, controls.heights, &controls.fromRun);
+    declareNumber(entries, controls);
+    declareFields(entries, controls);
+    if (entries.dict())
     {
-        checkRun(dict, controls);
+        checkHeights(*entries.dict(), controls);
     }
-
-    word unit("edges");
-    readChoice(dict, "relativeTo", {"edges", "cells"}, unit);
-    controls.relativeToCells = unit == "cells";
-
-    word distances("requested");
-    readChoice
+    declareMarching(entries, controls);
+    entries.readDicts
     (
-        dict, "marchingDistances", {"requested", "levelSets"}, distances
+        "patches", controls.patches, "Layers on patches",
+        [&](controlEntries& part, const keyType& key, patchLayers& patches)
+        {
+            declarePatches(part, key, controls, patches);
+        }
     );
-    controls.onLevelSets = distances == "levelSets";
-
-    word directions("field");
-    readChoice(dict, "marchingDirections", {"field", "axes"}, directions);
-    controls.alongField = directions == "field";
-
-    readBounded(dict, "transitionRatio", 1.01, 100, controls.transitionRatio);
-    readBounded(dict, "maxStretch", 1, 10, controls.maxStretch);
-    readBounded
+    entries.readDicts
     (
-        dict, "multipleNormalsAngle", 0, 90, controls.multipleNormalsAngle
+        "regions", controls.regions, "Layers in parts of space",
+        [&](controlEntries& part, const keyType& key, layerRegion& region)
+        {
+            declareRegion(part, key, region);
+            declarePart(part, controls, 1, region.heights);
+        }
     );
-
-    Switch allow(controls.allowPoorHeights);
-    dict.readIfPresent("allowPoorHeights", allow, keyType::LITERAL);
-    controls.allowPoorHeights = allow;
-
-    controls.patches = readLayerPatches(dict, controls);
-    controls.regions = readLayerRegions(dict, controls);
-
-    return controls;
 }
 
 } // End namespace Foam

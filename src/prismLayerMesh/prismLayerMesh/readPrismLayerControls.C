@@ -17,262 +17,339 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-static fileNameList readFiles(const dictionary& dict)
+static void declareFiles(controlEntries& entries, fileNameList& files)
 {
-    const bool isOne = dict.found("file", keyType::LITERAL);
-    const word key(isOne ? "file" : "files");
-    fileNameList files(1);
-
-    if (isOne && dict.found("files", keyType::LITERAL))
+    const string kind("a file, or a path");
+    fileName file;
+    const bool isOne =
+        entries.read("file", file, "The surface, in constant/triSurface", kind);
+    const bool areSeveral = entries.read
+    (
+        "files", files, "Several files in place of one", "files"
+    );
+    const dictionary* dict = entries.dict();
+    if (!dict)
     {
-        entryError(dict, "files")
+        return;
+    }
+
+    if (isOne && areSeveral)
+    {
+        entryError(*dict, "files")
             << "Give file or files, not both" << exit(FatalIOError);
     }
-
     if (isOne)
     {
-        dict.readEntry(key, files[0]);
+        files = fileNameList(1, file);
     }
-    else if (dict.found(key, keyType::LITERAL))
+    else if (!areSeveral)
     {
-        dict.readEntry(key, files);
+        missingEntry(*dict, "file");
     }
-    else
-    {
-        missingEntry(dict, "file");
-    }
-
     if (files.empty() || files.found(fileName()))
     {
-        entryError(dict, key)
+        const word key(isOne ? "file" : "files");
+        entryError(*dict, key)
             << "Value of " << key << " is empty; it must be the name of a"
             << " surface file" << exit(FatalIOError);
     }
-
-    return files;
 }
 
 
-static sidePatch readSidePlane(const keyType& key, const dictionary& dict)
+static void declareSidePlane
+(
+    controlEntries& entries,
+    const keyType& key,
+    sidePatch& plane
+)
 {
-    checkKeys(dict, {"point", "normal", "type", "partner", "rotation"});
-
-    sidePatch plane;
     plane.name = key;
-    dict.readEntry("point", plane.origin);
-    dict.readEntry("normal", plane.normal);
-    readChoice(dict, "type", planeTypes, plane.type);
-    plane.cyclic = readCyclic(plane.type, dict);
+    entries.read("point", plane.origin, "A point of the plane", "point");
+    entries.read
+    (
+        "normal", plane.normal, "Normal of the plane, out of the fluid",
+        "vector"
+    );
+    entries.readChoice("type", plane.type, planeTypes, "Type of the patch");
+    plane.cyclic = readCyclic(entries, plane.type, true);
+    entries.require("point");
+    entries.require("normal");
 
-    if (key.isPattern() || !(mag(plane.normal) > 0))
+    if
+    (
+        entries.dict() && (key.isPattern() || !(mag(plane.normal) > 0))
+    )
     {
-        entryError(dict, key)
+        entryError(*entries.dict(), key)
             << "The side plane " << key << (key.isPattern()
               ? " must have a name" : " must have a normal that is not zero")
             << exit(FatalIOError);
     }
     plane.normal.normalise();
-
-    return plane;
 }
 
 
-static surfacePatchName readPatchName
+static void declarePatchName
 (
+    controlEntries& entries,
     const keyType& key,
-    const dictionary& dict
+    surfacePatchName& patch
 )
 {
-    checkKeys(dict, {"file", "solid"});
-
-    surfacePatchName patch;
+    const string kind("word or regular expression");
     patch.name = key;
-    dict.readIfPresent("file", patch.file);
-    dict.readIfPresent("solid", patch.solid);
+    entries.read("file", patch.file, "Files of the patch", kind, "all files");
+    entries.read
+    (
+        "solid", patch.solid, "Solids of the patch", kind, "all solids"
+    );
 
-    if (key.isPattern() || dict.empty())
+    const dictionary* dict = entries.dict();
+    if (dict && (key.isPattern() || dict->empty()))
     {
-        entryError(dict, key)
+        entryError(*dict, key)
             << "The patch " << key << (key.isPattern()
               ? " must have a name" : " must have a file, a solid, or both")
             << exit(FatalIOError);
     }
-
-    return patch;
 }
 
 
-static surfaceCadControls readCad(const dictionary& dict)
+static void declare(controlEntries& entries, surfaceCadControls& controls)
 {
-    checkKeys(dict, {"maxEdge", "nPerCircle", "maxSeconds"});
-
-    surfaceCadControls controls;
-    readBounded(dict, "maxEdge", SMALL, GREAT, controls.maxEdge);
-    readBounded(dict, "nPerCircle", 4, 100, controls.nPerCircle);
-    readBounded(dict, "maxSeconds", 1, 1000000, controls.maxSeconds);
-
-    return controls;
-}
-
-
-static surfaceRepairControls readRepair(const dictionary& dict)
-{
-    surfaceRepairControls controls;
-    readChoice(dict, "repair", {"none", "stitch", "wrap"}, controls.repair);
-
-    const dictionary& stitch = optionalDict(dict, "stitchCoeffs");
-    checkKeys(stitch, {"gap", "hole"});
-    readBounded(stitch, "gap", SMALL, GREAT, controls.gap);
-    readBounded(stitch, "hole", SMALL, GREAT, controls.hole);
-
-    const dictionary& wrap = optionalDict(dict, "wrapCoeffs");
-    checkKeys(wrap, {"size", "offset", "seeds"});
-    readBounded(wrap, "size", SMALL, GREAT, controls.size);
-    readBounded(wrap, "offset", SMALL, GREAT, controls.offset);
-    wrap.readIfPresent("seeds", controls.seeds);
-
-    return controls;
-}
-
-
-static planarControls readPlanar(const dictionary& dict)
-{
-    planarControls controls;
-    if (!dict.found("twoDimensional"))
-    {
-        return controls;
-    }
-
-    const dictionary& planar = dict.subDict("twoDimensional");
-    checkKeys
+    entries.readBounded
     (
-        planar,
+        "maxEdge", controls.maxEdge, SMALL, GREAT,
+        "Length of edges on CAD faces, at most [m]", "0.03 of the diagonal"
+    );
+    entries.readBounded
+    (
+        "nPerCircle", controls.nPerCircle, 4, 100,
+        "Edges on a full circle of a curved CAD face"
+    );
+    entries.readBounded
+    (
+        "maxSeconds", controls.maxSeconds, 1, 1e6,
+        "Time that gmsh may take for a file [s]"
+    );
+}
+
+
+static void declare(controlEntries& entries, surfaceRepairControls& controls)
+{
+    entries.readChoice
+    (
+        "repair", controls.repair, {"none", "stitch", "wrap"},
+        "How a surface with defects becomes a wall"
+    );
+    entries.readDict
+    (
+        "stitchCoeffs", "Of repair stitch", [&](controlEntries& stitch)
         {
-            "normal", "thickness", "sectionAt", "maxEdge", "maxTurn",
-            "wedgeAngle"
+            stitch.readBounded
+            (
+                "gap", controls.gap, SMALL, GREAT,
+                "Gaps narrower than this are closed [m]", "1e-4 of the diagonal"
+            );
+            stitch.readBounded
+            (
+                "hole", controls.hole, SMALL, GREAT,
+                "Holes narrower than this are filled [m]",
+                "0.05 of the diagonal"
+            );
         }
     );
-    planar.readIfPresent("normal", controls.normal);
+    entries.readDict
+    (
+        "wrapCoeffs", "Of repair wrap", [&](controlEntries& wrap)
+        {
+            wrap.readBounded
+            (
+                "size", controls.size, SMALL, GREAT,
+                "Diameter of a ball that gets into openings [m]",
+                "0.01 of the diagonal"
+            );
+            wrap.readBounded
+            (
+                "offset", controls.offset, SMALL, GREAT,
+                "Distance of the wrap before it is brought back [m]",
+                "0.1 of size"
+            );
+            wrap.read
+            (
+                "seeds", controls.seeds, "Points of the fluid", "points"
+            );
+        }
+    );
+}
+
+
+static void declare(controlEntries& entries, planarControls& controls)
+{
+    controls.thickness = 1;
+    entries.read
+    (
+        "normal", controls.normal, "Normal of the plane", "an axis", "(0 0 1)"
+    );
+    entries.readBounded
+    (
+        "thickness", controls.thickness, SMALL, GREAT,
+        "Distance of front and back [m]"
+    );
+    entries.readBounded
+    (
+        "sectionAt", controls.sectionAt, -1e9, 1e9,
+        "Where the plane cuts a surface [m]", "0"
+    );
+    scalar maxEdge = 0;
+    entries.readBounded
+    (
+        "maxEdge", maxEdge, SMALL, GREAT,
+        "Length of edges, at most [m]", "none: the points of the file"
+    );
+    controls.maxEdge = maxEdge > 0 ? maxEdge : controls.maxEdge;
+    scalar maxTurn = radToDeg(controls.maxTurn);
+    entries.readBounded
+    (
+        "maxTurn", maxTurn, 0.1, 30, "Angle between two edges, at most [deg]",
+        "2.86"
+    );
+    controls.maxTurn = degToRad(maxTurn);
+    scalar wedgeAngle = 0;
+    entries.readBounded
+    (
+        "wedgeAngle", wedgeAngle, 0.01, 20, "Angle of a wedge [deg]",
+        "none: the mesh is plane"
+    );
+    controls.wedgeAngle = degToRad(wedgeAngle);
+
     if (mag(cmptMax(cmptMag(controls.normal)) - mag(controls.normal)) > 0)
     {
-        entryError(planar, "normal")
+        entryError(*entries.dict(), "normal")
             << "The normal " << controls.normal << " of twoDimensional is not"
             << " along an axis" << exit(FatalIOError);
     }
     controls.normal.normalise();
-    controls.thickness = 1;
-    readBounded(planar, "thickness", SMALL, GREAT, controls.thickness);
-    readBounded(planar, "sectionAt", -1e9, 1e9, controls.sectionAt);
-    readBounded(planar, "maxEdge", SMALL, GREAT, controls.maxEdge);
-    scalar maxTurn = radToDeg(controls.maxTurn);
-    readBounded(planar, "maxTurn", 0.1, 30, maxTurn);
-    controls.maxTurn = degToRad(maxTurn);
-    scalar wedgeAngle = 0;
-    readBounded(planar, "wedgeAngle", 0.01, 20, wedgeAngle);
-    controls.wedgeAngle = degToRad(wedgeAngle);
-
-    return controls;
 }
 
 
-static wallSurfaceControls readSurface(const dictionary& dict)
+//- Declares where the fluid is
+static void declareFluid(controlEntries& entries, wallSurfaceControls& controls)
 {
-    checkKeys
+    controls.isFluidGiven = entries.readChoice
     (
-        dict,
+        "fluid", controls.fluidOutside, {"inside", "outside"},
+        "Side of the surface on which the fluid is"
+    );
+    controls.hasInside = entries.read
+    (
+        "inside", controls.inside, "A point in the fluid", "point"
+    );
+}
+
+
+static void declare(controlEntries& entries, wallSurfaceControls& controls)
+{
+    const string patches("words or regular expressions");
+    declareFiles(entries, controls.files);
+    entries.readDicts
+    (
+        "patches", controls.patches, "Names of patches", declarePatchName
+    );
+    entries.readDicts
+    (
+        "sidePlanes", controls.sidePlanes, "Planes on which the wall ends",
+        declareSidePlane
+    );
+    declareFluid(entries, controls);
+    entries.read
+    (
+        "acceptLoss", controls.acceptedLosses,
+        "Patches of which the wall may miss parts", patches, "none"
+    );
+    entries.readBounded
+    (
+        "scale", controls.scale, 1e-9, 1e9, "Factor on the coordinates"
+    );
+    entries.readBounded
+    (
+        "mergeTolerance", controls.mergeTolerance, 0, 1e-3,
+        "Points nearer to each other than this share of the diagonal are one",
+        "0"
+    );
+    entries.readDict("cad", "Triangles of CAD files", [&](controlEntries& cad)
+    {
+        declare(cad, controls.cad);
+    });
+    declare(entries, controls.repair);
+    controls.remesh.active = entries.readDict
+    (
+        "remesh", "New triangles", [&](controlEntries& remesh)
         {
-            "file", "files", "patches", "fluid", "scale", "mergeTolerance",
-            "sidePlanes", "cad", "repair", "stitchCoeffs", "wrapCoeffs",
-            "remesh", "baffles", "inside", "acceptLoss"
+            declare(remesh, controls.remesh);
         }
     );
-
-    wallSurfaceControls controls;
-    controls.files = readFiles(dict);
-    controls.patches =
-        readEntries<surfacePatchName>(dict, "patches", readPatchName);
-    controls.sidePlanes =
-        readEntries<sidePatch>(dict, "sidePlanes", readSidePlane);
-
-    word fluid(controls.fluidOutside ? "outside" : "inside");
-    readChoice(dict, "fluid", {"outside", "inside"}, fluid);
-    controls.fluidOutside = (fluid == "outside");
-    controls.isFluidGiven = dict.found("fluid", keyType::LITERAL);
-    controls.hasInside = dict.readIfPresent("inside", controls.inside);
-    dict.readIfPresent("acceptLoss", controls.acceptedLosses);
-
-    readBounded(dict, "scale", 1e-9, 1e9, controls.scale);
-    readBounded(dict, "mergeTolerance", 0, 1e-3, controls.mergeTolerance);
-    controls.cad = readCad(optionalDict(dict, "cad"));
-    controls.repair = readRepair(dict);
-    controls.remesh = readRemeshControls(dict);
-    if (dict.found("baffles", keyType::LITERAL))
+    const bool hasBaffles = entries.has
+    (
+        "baffles", "Patches of sheets of no thickness, with regions", patches
+    );
+    if (hasBaffles)
     {
-        entryError(dict, "baffles")
+        entryError(*entries.dict(), "baffles")
             << "Sheets of no thickness are possible with regions. One region"
             << " is enough: regions { fluid { inside (x y z); } }"
             << exit(FatalIOError);
     }
-
-    return controls;
 }
 
 
-static envelopeControls readEnvelope(const dictionary& dict)
+static void declare(controlEntries& entries, backgroundMeshControls& controls)
 {
-    checkKeys(dict, {"scale"});
-
-    envelopeControls controls;
-    readBounded(dict, "scale", 1, 10, controls.scale);
-
-    return controls;
-}
-
-
-static backgroundMeshControls readBackgroundMesh
-(
-    const dictionary& dict,
-    const bool onLevelSets
-)
-{
-    checkKeys(dict, {"radiusEdgeRatio", "minSheets"});
-
-    backgroundMeshControls controls;
-    if (onLevelSets)
-    {
-        controls.minSheets = backgroundMeshControls::levelSetSheets;
-    }
-    readBounded(dict, "minSheets", 0, 10, controls.minSheets);
-    readBounded(dict, "radiusEdgeRatio", 1, 10, controls.radiusEdgeRatio);
-
-    return controls;
-}
-
-
-static qualityControls readQuality(const dictionary& dict)
-{
-    checkKeys
+    entries.readBounded
     (
-        dict,
-        {
-            "maxNonOrtho", "maxInternalSkewness", "minFaceWeight",
-            "minVolRatio", "minTetQuality", "priority"
-        }
+        "radiusEdgeRatio", controls.radiusEdgeRatio, 1, 10,
+        "d of the paper: distance of points of a sheet over its height"
     );
-
-    qualityControls controls;
-    readBounded(dict, "maxNonOrtho", 30, 90, controls.maxNonOrtho);
-    readBounded
+    entries.readBounded
     (
-        dict, "maxInternalSkewness", 1, 100, controls.maxInternalSkewness
+        "minSheets", controls.minSheets, 0, 10,
+        "Sheets of points below the envelope, at least", "0; 2 with levelSets"
     );
-    readBounded(dict, "minFaceWeight", 0, 0.5, controls.minFaceWeight);
-    readBounded(dict, "minVolRatio", 0, 1, controls.minVolRatio);
-    readBounded(dict, "minTetQuality", -1e30, 1, controls.minTetQuality);
+}
 
-    readChoice(dict, "priority", {"quality", "thickness"}, controls.priority);
 
-    return controls;
+static void declare(controlEntries& entries, qualityControls& controls)
+{
+    entries.readBounded
+    (
+        "maxNonOrtho", controls.maxNonOrtho, 30, 90,
+        "Non-orthogonality of a face, at most [deg]"
+    );
+    entries.readBounded
+    (
+        "maxInternalSkewness", controls.maxInternalSkewness, 1, 100,
+        "Skewness of a face, at most"
+    );
+    entries.readBounded
+    (
+        "minFaceWeight", controls.minFaceWeight, 0, 0.5,
+        "Distance of the nearer centre over that of both, at least"
+    );
+    entries.readBounded
+    (
+        "minVolRatio", controls.minVolRatio, 0, 1,
+        "Volume of the smaller cell over that of the larger, at least"
+    );
+    entries.readBounded
+    (
+        "minTetQuality", controls.minTetQuality, -1e30, 1,
+        "Quality of the tetrahedra of a face, at least"
+    );
+    entries.readChoice
+    (
+        "priority", controls.priority, {"quality", "thickness"},
+        "What is kept if not both can be"
+    );
 }
 
 
@@ -323,34 +400,28 @@ static void refuseEmptySides
 }
 
 
-//- Reads the form of the cells. Refuses polygons beside what they cannot be
-//  made with.
-static void readCells(const dictionary& dict, prismLayerControls& controls)
+//- Refuses polygons beside what they cannot be made with
+static void checkCells
+(
+    const dictionary& dict,
+    const prismLayerControls& controls
+)
 {
-    word cells("triangles");
-    readChoice(dict, "cells", {"triangles", "polygons"}, cells);
-    controls.polygons = (cells == "polygons");
-    if (!controls.polygons)
-    {
-        return;
-    }
     const auto refuse = [&](const bool isThere, const char* what)
     {
-        if (isThere)
+        if (controls.polygons && isThere)
         {
             entryError(dict, "cells")
                 << "cells polygons is not possible with " << what
                 << ": use cells triangles" << exit(FatalIOError);
         }
     };
-    const farFieldControls& far = controls.farField;
     refuse(controls.surface.planar.isWanted(), "twoDimensional");
     refuse
     (
-        far.type == farFieldType::mesh,
+        controls.farField.type == farFieldType::mesh,
         "farField.type mesh, whose cells stay as they are"
     );
-    controls.farField.forPolygons = true;
 }
 
 
@@ -368,54 +439,110 @@ static void setPlanar(const dictionary& layers, prismLayerControls& controls)
 }
 
 
+//- Declares the dictionaries of surface and layers
+static void declareWall(controlEntries& entries, prismLayerControls& controls)
+{
+    entries.readDict("surface", "The wall", [&](controlEntries& surface)
+    {
+        declare(surface, controls.surface);
+    });
+    entries.readChoice
+    (
+        "cells", controls.polygons, {"triangles", "polygons"},
+        "Form of the faces of layers and of the cells of the far field"
+    );
+    entries.readDict
+    (
+        "twoDimensional", "A mesh of one cell between two planes",
+        [&](controlEntries& planar)
+        {
+            declare(planar, controls.surface.planar);
+        }
+    );
+    entries.readDict("layers", "The layers", [&](controlEntries& layers)
+    {
+        declare(layers, controls.layers);
+    });
+    if (entries.dict())
+    {
+        mandatoryDict(*entries.dict(), "surface");
+        const dictionary& layers = mandatoryDict(*entries.dict(), "layers");
+        if (controls.surface.planar.isWanted())
+        {
+            setPlanar(layers, controls);
+        }
+    }
+}
+
+
+//- Declares the dictionaries of the field and its mesh
+static void declareField(controlEntries& entries, prismLayerControls& controls)
+{
+    entries.readDict("envelope", "The envelope", [&](controlEntries& envelope)
+    {
+        envelope.readBounded
+        (
+            "scale", controls.envelope.scale, 1, 10,
+            "t of the paper: distance of the envelope over the thickness"
+        );
+    });
+    if (controls.layers.onLevelSets)
+    {
+        controls.backgroundMesh.minSheets =
+            backgroundMeshControls::levelSetSheets;
+        controls.field.tensor = fieldControls::levelSetTensor;
+    }
+    entries.readDict
+    (
+        "backgroundMesh", "The mesh of the field", [&](controlEntries& mesh)
+        {
+            declare(mesh, controls.backgroundMesh);
+        }
+    );
+    entries.readDict("field", "The harmonic field", [&](controlEntries& field)
+    {
+        declare(field, controls.field);
+    });
+}
+
+
+//- Declares all entries, in the order in which one needs the other
+static void declare(controlEntries& entries, prismLayerControls& controls)
+{
+    declareWall(entries, controls);
+    declareField(entries, controls);
+    entries.readDict
+    (
+        "quality", "Bounds on faces between cells", [&](controlEntries& quality)
+        {
+            declare(quality, controls.quality);
+        }
+    );
+    entries.readDict
+    (
+        "farField", "The rest of the mesh", [&](controlEntries& farField)
+        {
+            declare(farField, controls.farField, controls.surface);
+        }
+    );
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 prismLayerControls readPrismLayerControls(const dictionary& dict)
 {
-    checkKeys
-    (
-        dict,
-        {
-            "surface",
-            "layers",
-            "envelope",
-            "backgroundMesh",
-            "field",
-            "quality",
-            "farField",
-            "twoDimensional",
-            "cells"
-        }
-    );
-
     prismLayerControls controls;
-    controls.surface = readSurface(mandatoryDict(dict, "surface"));
-    controls.surface.planar = readPlanar(dict);
-    controls.layers = readLayerControls(mandatoryDict(dict, "layers"));
-    if (controls.surface.planar.isWanted())
+    controlEntries::read(dict, [&](controlEntries& entries)
     {
-        setPlanar(dict.subDict("layers"), controls);
-    }
-    controls.envelope = readEnvelope(optionalDict(dict, "envelope"));
-    controls.backgroundMesh =
-        readBackgroundMesh
-        (
-            optionalDict(dict, "backgroundMesh"), controls.layers.onLevelSets
-        );
-    controls.field = readFieldControls
-    (
-        optionalDict(dict, "field"), controls.layers.onLevelSets
-    );
-    controls.quality = readQuality(optionalDict(dict, "quality"));
-    controls.farField = readFarFieldControls
-    (
-        optionalDict(dict, "farField"), controls.surface
-    );
+        declare(entries, controls);
+    });
     if (controls.farField.isWanted())
     {
         refuseEmptySides(dict, controls);
     }
-    readCells(dict, controls);
+    checkCells(dict, controls);
+    controls.farField.forPolygons = controls.polygons;
 
     const List<sidePatch>& planes = controls.surface.sidePlanes;
     controls.surface.planar.sides = planes;
@@ -425,6 +552,17 @@ prismLayerControls readPrismLayerControls(const dictionary& dict)
     );
 
     return controls;
+}
+
+
+List<entryText> prismLayerEntries()
+{
+    prismLayerControls controls;
+
+    return controlEntries::list([&](controlEntries& entries)
+    {
+        declare(entries, controls);
+    });
 }
 
 } // End namespace Foam

@@ -115,6 +115,22 @@ static const dictionary& regionsOf(const dictionary& dict)
 }
 
 
+//- Declares the entries of a region. Others than the point change the general
+//  entries: mergeLayers and readRegion merge them.
+static void declare(controlEntries& entries, regionSeed& seed)
+{
+    entries.read("inside", seed.inside, "A point in the region", "point");
+    entries.require("inside");
+    entries.has
+    (
+        "layers", "Layers on the walls of the region",
+        "dictionary, or no", "the general layers"
+    );
+    entries.has("patches", "Layers on patches of the region", "dictionary");
+    entries.has("farField", "Cells of the region", "dictionary");
+}
+
+
 static regionControls readRegion
 (
     const keyType& name,
@@ -123,14 +139,12 @@ static regionControls readRegion
     const farBoundary& sides
 )
 {
-    checkKeys(region, {"inside", "layers", "patches", "farField"});
-
     regionControls result;
     result.seed.name = name;
-    if (!region.readIfPresent("inside", result.seed.inside))
+    controlEntries::read(region, [&](controlEntries& entries)
     {
-        missingEntry(region, "inside");
-    }
+        declare(entries, result.seed);
+    });
     result.hasLayers = mergeLayers(region, dict);
     const dictionary& ownFarField = optionalDict(region, "farField");
     if (ownFarField.found("boundary", keyType::LITERAL))

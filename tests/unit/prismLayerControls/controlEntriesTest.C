@@ -5,6 +5,7 @@
 
 #include "controlEntries.H"
 #include "IFstream.H"
+#include "labelPair.H"
 #include "thrownMessage.H"
 
 #include <unistd.h>
@@ -17,17 +18,30 @@ using namespace Foam;
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
 
-//- What reading n within [1, 10] says
-template<class Type>
-static std::string errorOf(const std::string& text, Type& value)
+//- Declares n, within [1, 10], and m
+template<class Number>
+static void declareNumbers(controlEntries& entries, Number& value)
 {
-    return thrownMessage
-    (
-        [&]()
-        {
-            readBounded(dictionaryOf(text), "n", Type(1), Type(10), value);
-        }
-    );
+    scalar other = 0;
+    entries.readBounded("n", value, 1, 10, "A number");
+    entries.readBounded("m", other, SMALL, GREAT, "Another", "the first");
+}
+
+
+template<class Number>
+static void readNumbers(const dictionary& dict, Number& value)
+{
+    controlEntries::read(dict, [&](controlEntries& entries)
+    {
+        declareNumbers(entries, value);
+    });
+}
+
+
+template<class Number>
+static std::string errorOf(const std::string& text, Number& value)
+{
+    return thrownMessage([&]() { readNumbers(dictionaryOf(text), value); });
 }
 
 // * * * * * * * * * * * * * * * * * Tests * * * * * * * * * * * * * * * * * //
@@ -47,10 +61,7 @@ TEST(readBounded, readsWhatIsThere)
 TEST(readBounded, keepsTheDefault)
 {
     scalar x = 5;
-    EXPECT_FALSE
-    (
-        readBounded(dictionaryOf("m 2;"), "n", scalar(1), scalar(10), x)
-    );
+    readNumbers(dictionaryOf("m 2;"), x);
     EXPECT_EQ(x, 5);
 }
 
@@ -78,7 +89,7 @@ TEST(readBounded, namesFileAndLine)
     scalar x = 5;
     try
     {
-        readBounded(dict, "n", scalar(1), scalar(10), x);
+        readNumbers(dict, x);
         ADD_FAILURE();
     }
     catch (const IOerror& e)
@@ -116,24 +127,85 @@ TEST(readBounded, refusesWhatIsNotANumber)
 
 TEST(readChoice, namesTheChoices)
 {
-    const wordList choices({"krylov", "iteration"});
     word value("krylov");
-
-    EXPECT_TRUE(readChoice(dictionaryOf("s iteration;"), "s", choices, value));
+    bool isSecond = false;
+    const auto readAll = [&](const std::string& text)
+    {
+        controlEntries::read(dictionaryOf(text), [&](controlEntries& entries)
+        {
+            entries.readChoice("s", value, {"krylov", "iteration"}, "A word");
+            entries.readChoice("t", isSecond, {"first", "second"}, "A word");
+        });
+    };
+    readAll("s iteration; t second;");
     EXPECT_EQ(value, "iteration");
+    EXPECT_TRUE(isSecond);
 
     expectWords
     (
-        thrownMessage
-        (
-            [&]()
-            {
-                readChoice(dictionaryOf("\n\ns krilov;"), "s", choices, value);
-            }
-        ),
+        thrownMessage([&]() { readAll("\n\ns krilov;"); }),
         {"s is krilov", "did you mean krylov?", "krylov, iteration"}
     );
     EXPECT_EQ(value, "iteration");
+}
+
+
+TEST(controlEntries, unknownKeysComeFirst)
+{
+    scalar x = 5;
+    expectWords
+    (
+        errorOf("n 20; k 1;", x), {"Unknown key k", "Valid keys: n, m"}
+    );
+}
+
+
+TEST(controlEntries, itemsHaveTheirNames)
+{
+    List<labelPair> items;
+    wordList names;
+    controlEntries::read
+    (
+        dictionaryOf("parts { a { n 2; } b { n 3; } }"),
+        [&](controlEntries& entries)
+        {
+            entries.readDicts
+            (
+                "parts", items, "Parts",
+                [&](controlEntries& part, const keyType& key, labelPair& item)
+                {
+                    names.append(part.dict() ? wordList(1, key) : wordList());
+                    part.readBounded("n", item.first(), 1, 10, "A number");
+                    part.require("n");
+                }
+            );
+        }
+    );
+    EXPECT_EQ(names, wordList({"a", "b"}));
+    ASSERT_EQ(items.size(), 2);
+    EXPECT_EQ(items[0].first(), 2);
+    EXPECT_EQ(items[1].first(), 3);
+}
+
+
+TEST(controlEntries, listHasNamesDefaultsAndRanges)
+{
+    const List<entryText> all(controlEntries::list([](controlEntries& entries)
+    {
+        label n = 5;
+        entries.readDict("sub", "Some entries", [&](controlEntries& sub)
+        {
+            declareNumbers(sub, n);
+        });
+    }));
+    ASSERT_EQ(all.size(), 3);
+    EXPECT_EQ(all[0].name, "sub");
+    EXPECT_EQ(all[1].name, "sub.n");
+    EXPECT_EQ(all[1].standard, "5");
+    EXPECT_EQ(all[1].range, "[1, 10]");
+    EXPECT_EQ(all[1].text, "A number");
+    EXPECT_EQ(all[2].standard, "the first");
+    EXPECT_EQ(all[2].range, "> 0");
 }
 
 

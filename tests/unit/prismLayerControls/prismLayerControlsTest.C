@@ -153,7 +153,7 @@ TEST(prismLayerControls, valuesOutOfBoundsAreRefused)
     expectWords
     (
         errorOf("surface { file a; fluid around; }" + layers),
-        {"fluid is around", "outside, inside"}
+        {"fluid is around", "inside, outside"}
     );
     expectWords(errorOfLayers("maxStretch 0.5;"), {"maxStretch is 0.5"});
     expectWords

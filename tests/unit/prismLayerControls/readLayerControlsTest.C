@@ -39,7 +39,7 @@ TEST(readLayerControls, patchesWithoutLayersAreSides)
     expectWords
     (
         errorOfLayers("patches { inlet { nSurfaceLayers -1; } }"),
-        {"nSurfaceLayers is -1", "1 to 1000"}
+        {"nSurfaceLayers is -1", "0 to 1000"}
     );
     expectWords
     (

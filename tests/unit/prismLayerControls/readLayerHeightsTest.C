@@ -50,6 +50,23 @@ static std::string ratioEntry()
 }
 
 
+static heightEntries readHeights
+(
+    const std::string& text,
+    const bool relativeSizes = false
+)
+{
+    heightEntries given;
+    given.relativeSizes = relativeSizes;
+    controlEntries::read(dictionaryOf(text), [&](controlEntries& entries)
+    {
+        declare(entries, given);
+    });
+
+    return given;
+}
+
+
 //- What entries make of heights, and the general ones of none
 static heightSeries read
 (
@@ -59,7 +76,7 @@ static heightSeries read
 )
 {
     const dictionary dict(dictionaryOf(text));
-    heightEntries given(readLayerHeights(dict));
+    heightEntries given(readHeights(text));
     given.nSurfaceLayers = nLayers;
     heightSeries result;
 
@@ -280,13 +297,9 @@ TEST(readLayerHeights, relativeSizesAreMultiplesOfTheUnit)
 {
     heightEntries given
     (
-        readLayerHeights
+        readHeights
         (
-            dictionaryOf
-            (
-                "relativeSizes yes; finalLayerThickness 0.5;"
-                " expansionRatio 1.1;"
-            )
+            "relativeSizes yes; finalLayerThickness 0.5; expansionRatio 1.1;"
         )
     );
     given.nSurfaceLayers = n;
@@ -327,11 +340,8 @@ TEST(readLayerHeights, yPlusIsNotRelative)
 
 TEST(readLayerHeights, partsInheritRelativeSizes)
 {
-    EXPECT_TRUE(readLayerHeights(dictionaryOf(""), true).relativeSizes);
-    EXPECT_FALSE
-    (
-        readLayerHeights(dictionaryOf("relativeSizes no;"), true).relativeSizes
-    );
+    EXPECT_TRUE(readHeights("", true).relativeSizes);
+    EXPECT_FALSE(readHeights("relativeSizes no;", true).relativeSizes);
 }
 
 
@@ -339,10 +349,7 @@ TEST(readLayerHeights, reynoldsNumberIsKept)
 {
     const heightEntries given
     (
-        readLayerHeights
-        (
-            dictionaryOf("yPlus { target 30; U 50; nu 1.5e-5; L 4; }")
-        )
+        readHeights("yPlus { target 30; U 50; nu 1.5e-5; L 4; }")
     );
 
     EXPECT_EQ(given.yPlus, 30);
