@@ -50,6 +50,34 @@ void polyMeshTopology::startPatch()
 }
 
 
+void polyMeshTopology::setPatches(const UList<labelList>& patchFaces)
+{
+    DynamicList<label> order(identity(neighbour.size()));
+    patchStarts.clear();
+    patchSizes.clear();
+    for (const labelList& ofPatch : patchFaces)
+    {
+        patchStarts.append(order.size());
+        patchSizes.append(ofPatch.size());
+        order.append(ofPatch);
+    }
+    faces = faceList(UIndirectList<face>(faces, order));
+    owner = labelList(UIndirectList<label>(owner, order));
+}
+
+
+void polyMeshTopology::addEmptyPatch(const label patchi)
+{
+    patchStarts.append(faces.size());
+    patchSizes.append(0);
+    for (label i = patchSizes.size() - 1; i > patchi; --i)
+    {
+        patchStarts[i] = patchStarts[i - 1];
+        std::swap(patchSizes[i], patchSizes[i - 1]);
+    }
+}
+
+
 void meshPatches::append(const word& name, const word& type)
 {
     names.append(name);
@@ -125,7 +153,6 @@ void setCentresAndVolumes
 )
 {
     // Faces of the cells that are asked for
-    const label nInternal = mesh.topology.neighbour.size();
     boolList wanted(mesh.nCells, false);
     UIndirectList<bool>(wanted, cells) = true;
     Map<DynamicList<label>> facesOf(2*cells.size());
@@ -133,13 +160,12 @@ void setCentresAndVolumes
     forAll(mesh.topology.faces, facei)
     {
         const label own = mesh.topology.owner[facei];
-        const label nei =
-            facei < nInternal ? mesh.topology.neighbour[facei] : own;
+        const label nei = mesh.topology.beyond(facei);
         if (wanted[own])
         {
             facesOf(own).append(facei);
         }
-        if (nei != own && wanted[nei])
+        if (nei >= 0 && wanted[nei])
         {
             facesOf(nei).append(facei);
         }

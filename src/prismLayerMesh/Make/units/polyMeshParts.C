@@ -3,6 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
+#include "polyMeshParts/meshBuilder.C"
 #include "polyMeshParts/polyMeshParts.C"
 
 // ************************************************************************* //
