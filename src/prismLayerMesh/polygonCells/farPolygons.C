@@ -43,7 +43,7 @@ class farFaces
     const farFieldCorners& c_;
     const placesInMesh& part_;
     const polyMeshTopology& t_;
-    polygonFaces& faces_;
+    meshBuilder& faces_;
 
     //- Internal faces within one cell at each of their points. Their inner
     //  points would be on a line but for its bend.
@@ -191,7 +191,7 @@ public:
     (
         const farFieldCorners& corners,
         const placesInMesh& part,
-        polygonFaces& faces
+        meshBuilder& faces
     )
     :
         c_(corners),
@@ -366,7 +366,7 @@ void farFaces::appendOnPatches
         {
             continue;
         }
-        const label patch = polygonFaces::onPatch(patches[patchOf[i]]);
+        const label patch = meshBuilder::onPatch(patches[patchOf[i]]);
         if (isWhole(own))
         {
             appendWhole(facei, cell(own, f[0]), patch);
@@ -433,7 +433,7 @@ void appendFarFaces
     const placesInMesh& part,
     const labelUList& patches,
     const scalar sharpAngle,
-    polygonFaces& faces
+    meshBuilder& faces
 )
 {
     farFaces far(corners, part, faces);

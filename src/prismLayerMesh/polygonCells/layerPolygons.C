@@ -222,7 +222,7 @@ class columnFaces
     const cornerPoints& points_;
     const labelUList& sidePatches_;
     const placesInMesh& part_;
-    polygonFaces& faces_;
+    meshBuilder& faces_;
 
     label n() const { return layers_.nLayers; }
 
@@ -323,8 +323,8 @@ class columnFaces
             const label patch = sidePatches_[front_.starts[facei] + k];
             appendBoth
             (
-                {a, m, b}, {here.first(), polygonFaces::onPatch(patch)},
-                {here.second(), polygonFaces::onPatch(patch)}
+                {a, m, b}, {here.first(), meshBuilder::onPatch(patch)},
+                {here.second(), meshBuilder::onPatch(patch)}
             );
             if (here.first() != here.second())
             {
@@ -355,7 +355,7 @@ public:
         const cornerPoints& points,
         const labelUList& sidePatches,
         const placesInMesh& part,
-        polygonFaces& faces
+        meshBuilder& faces
     )
     :
         layers_(layers),
@@ -474,7 +474,7 @@ public:
                     const label patchi = layers_.patchIDs[facei];
                     appendFlat
                     (
-                        outline, 0, cell(g, 1), polygonFaces::onPatch(patchi)
+                        outline, 0, cell(g, 1), meshBuilder::onPatch(patchi)
                     );
                 }
                 for (label i = 1; i < n(); ++i)
@@ -498,7 +498,7 @@ public:
                 inplaceRotateList(turned, -max(outline.find(first), label(0)));
                 appendFlat
                 (
-                    turned, n(), cell(g, n()), polygonFaces::onPatch(patchi)
+                    turned, n(), cell(g, n()), meshBuilder::onPatch(patchi)
                 );
             }
         );
@@ -549,7 +549,7 @@ void appendLayerFaces
     const labelUList& sidePatches,
     const bool hasWall,
     const placesInMesh& part,
-    polygonFaces& faces
+    meshBuilder& faces
 )
 {
     columnFaces columns
@@ -568,7 +568,7 @@ void appendOuterFaces
     const cornerPoints& points,
     const label patchi,
     const placesInMesh& part,
-    polygonFaces& faces
+    meshBuilder& faces
 )
 {
     columnFaces

@@ -5,47 +5,10 @@
 
 #include "polygonFaces.H"
 
-#include "CompactListList.H"
-
-#include <algorithm>
-
 namespace Foam
 {
 
 // * * * * * * * * * * * * * * * Local Functions * * * * * * * * * * * * * * //
-
-//- Starts patches until there are n
-static void startPatches(const label n, polyMeshTopology& topology)
-{
-    while (topology.patchStarts.size() < n)
-    {
-        topology.startPatch();
-    }
-}
-
-
-//- Appends a face between two cells, or on a patch
-static void appendTo
-(
-    polyMeshTopology& topology,
-    face&& f,
-    const labelPair& cells
-)
-{
-    const label first = cells.first(), second = cells.second();
-    if (second < 0)
-    {
-        startPatches(-second, topology);
-        topology.append(std::move(f), first);
-        return;
-    }
-    topology.append
-    (
-        first < second ? std::move(f) : f.reverseFace(),
-        min(first, second), max(first, second)
-    );
-}
-
 
 //- The area of the smallest triangle of the fan from a corner of a face, seen
 //  along a normal of any length
@@ -99,92 +62,9 @@ static face withBestFan(const face& f, const UList<point>& points)
 }
 
 
-// * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
-const SubList<label> polygonFaces::pointsOf(const label facei) const
-{
-    const label start = facei ? ends_[facei - 1] : 0;
-
-    return SubList<label>(points_, ends_[facei] - start, start);
-}
-
-
-labelList polygonFaces::order
-(
-    const label nCells,
-    const label nPatches
-) const
-{
-    // Faces by their smaller cell, or behind these by their patch
-    const auto bucketOf = [&](const labelPair& cells)
-    {
-        const label first = cells.first(), second = cells.second();
-
-        return second < 0 ? nCells - 1 - second : min(first, second);
-    };
-    labelList n(nCells + nPatches, Zero);
-    for (const labelPair& cells : cells_)
-    {
-        ++n[bucketOf(cells)];
-    }
-    CompactListList<label> faces(n);
-    forAllReverse(cells_, facei)
-    {
-        const label bucket = bucketOf(cells_[facei]);
-        faces(bucket, --n[bucket]) = facei;
-    }
-    for (label celli = 0; celli < nCells; ++celli)
-    {
-        UList<label> ofCell(faces[celli]);
-        std::sort
-        (
-            ofCell.begin(), ofCell.end(), [&](const label a, const label b)
-            {
-                const label other = max(cells_[a].first(), cells_[a].second());
-
-                return
-                    labelPair(other, a)
-                  < labelPair(max(cells_[b].first(), cells_[b].second()), b);
-            }
-        );
-    }
-
-    return faces.m();
-}
-
-
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-void polygonFaces::append
-(
-    const UList<label>& f,
-    const label first,
-    const label second
-)
-{
-    const label start = points_.size();
-    for (const label p : f)
-    {
-        if (points_.size() == start || points_.last() != p)
-        {
-            points_.append(p);
-        }
-    }
-    if (points_.size() > start && points_.last() == points_[start])
-    {
-        points_.remove();
-    }
-    if (points_.size() < start + 3)
-    {
-        points_.setSize(start);
-        return;
-    }
-    ends_.append(points_.size());
-    cells_.append(labelPair(first, second));
-}
-
-
-boolList polygonFaces::stayingPoints(const cornerPoints& points) const
+boolList stayingPoints(const meshBuilder& faces, const cornerPoints& points)
 {
     // Two neighbours of each point; a third one makes it stay
     boolList stays(points.size(), false);
@@ -205,9 +85,9 @@ boolList polygonFaces::stayingPoints(const cornerPoints& points) const
             stays[p] = true;
         }
     };
-    forAll(ends_, facei)
+    for (label facei = 0; facei < faces.size(); ++facei)
     {
-        const SubList<label> f(pointsOf(facei));
+        const SubList<label> f(faces.pointsOf(facei));
         forAll(f, k)
         {
             const label next = f[f.fcIndex(k)];
@@ -221,61 +101,62 @@ boolList polygonFaces::stayingPoints(const cornerPoints& points) const
 }
 
 
-polyMeshParts polygonFaces::makeParts
+polyMeshParts makePolygonParts
 (
+    meshBuilder& faces,
     const cornerPoints& points,
     const boolList& stays,
     const bitSet& cells,
     const label nPatches,
     labelList& labels
-) const
+)
 {
-    polyMeshParts mesh;
-    mesh.nCells = cells.size();
-    mesh.topology.reserve(ends_.size(), ends_.size());
-    labelList newLabels(points.size(), -1);
-    DynamicList<point> places;
-    DynamicList<label> labelsOf;
-    DynamicList<label> kept;
-    for (const label facei : order(cells.size(), nPatches))
+    for (label facei = 0; facei < faces.size(); ++facei)
     {
-        const labelPair& sides = cells_[facei];
+        const labelPair& sides = faces.cellsOf(facei);
         if (!cells.test(sides.first()) && !cells.test(sides.second()))
         {
-            continue;
+            faces.leaveOut(facei);
         }
-        kept.clear();
-        for (const label p : pointsOf(facei))
+    }
+    const labelList order(faces.order(cells.size(), nPatches));
+    labelList newLabels(points.size(), -1);
+    DynamicList<label> labelsOf;
+    for (const label facei : order)
+    {
+        label n = 0;
+        for (const label p : faces.pointsOf(facei))
         {
-            if (!stays[p])
+            n += stays[p];
+            if (stays[p] && newLabels[p] < 0)
             {
-                continue;
-            }
-            if (newLabels[p] < 0)
-            {
-                newLabels[p] = places.size();
-                places.append(points.position(p));
+                newLabels[p] = labelsOf.size();
                 labelsOf.append(p);
             }
-            kept.append(newLabels[p]);
         }
-        if (kept.size() < 3)
+        if (n < 3)
         {
             FatalErrorInFunction
                 << "A face between polygons is a line, at "
-                << points.position(pointsOf(facei)[0]) << nl
+                << points.position(faces.pointsOf(facei)[0]) << nl
                 << "Use cells triangles" << exit(FatalError);
         }
-        face f(kept);
-        if (sides.second() < 0)
-        {
-            f = withBestFan(f, places);
-        }
-        appendTo(mesh.topology, std::move(f), sides);
     }
-    startPatches(nPatches, mesh.topology);
-    mesh.points.transfer(places);
     labels.transfer(labelsOf);
+    faces.renumberPoints(newLabels);
+
+    polyMeshParts mesh;
+    mesh.nCells = cells.size();
+    mesh.points.setSize(labels.size());
+    forAll(labels, p)
+    {
+        mesh.points[p] = points.position(labels[p]);
+    }
+    polyMeshTopology& t = mesh.topology = faces.topology(order, nPatches);
+    for (label facei = t.neighbour.size(); facei < t.faces.size(); ++facei)
+    {
+        t.faces[facei] = withBestFan(t.faces[facei], mesh.points);
+    }
 
     return mesh;
 }

@@ -45,7 +45,7 @@ static labelList uncertifiedCells
     labelList outer;
     if (nLayerCells == mesh.nCells && some.all())
     {
-        outer = identity(t.patchSizes[nPatches], t.patchStarts[nPatches]);
+        outer = t.patchFaces(nPatches).labels();
     }
     bitSet beyondLayers(mesh.nCells, true);
     beyondLayers.unset(identity(nLayerCells));
@@ -107,10 +107,10 @@ void polygonMaker::setPairs(const UList<sidePatch>& sides)
     const polyMeshTopology& t = far_.topology;
     forAll(patches_.ofFar, i)
     {
-        const label n = pairs_.has(patches_.ofFar[i]) ? t.patchSizes[i] : 0;
-        for (label k = 0; k < n; ++k)
+        const bool isPaired = pairs_.has(patches_.ofFar[i]);
+        for (const label f : isPaired ? t.patchFaces(i) : labelRange())
         {
-            pointsOnPairs_.set(t.faces[t.patchStarts[i] + k]);
+            pointsOnPairs_.set(t.faces[f]);
         }
     }
     keepAt(pointsOnPairs_, tets_.points(), tetsOnPairs_);
@@ -472,7 +472,7 @@ void polygonMaker::group(commonPolygons& polygons)
 
 void polygonMaker::collectFaces(commonPolygons& polygons)
 {
-    faces_ = polygonFaces();
+    faces_ = meshBuilder();
     part_ =
         isPart_ ? changedParts_.since(front_.starts, onFront_, inFar_)
       : changedPart();
@@ -508,7 +508,7 @@ void polygonMaker::collectFaces(commonPolygons& polygons)
             faces_
         );
     }
-    stays_ = faces_.stayingPoints(points_);
+    stays_ = stayingPoints(faces_, points_);
     if (isTouched())
     {
         addCommonPoints(wall(), points_, stays_, polygons);
@@ -524,13 +524,13 @@ void polygonMaker::makeMesh(const commonPolygons& polygons)
         keepCommonPoints(wall(), points_, polygons, stays_);
     }
     made_ = polygonMesh();
-    polyMeshParts& mesh = made_.mesh = faces_.makeParts
+    polyMeshParts& mesh = made_.mesh = makePolygonParts
     (
-        points_, stays_, corners().cellsAt(part_.second),
+        faces_, points_, stays_, corners().cellsAt(part_.second),
         patches_.all.names.size(), labels_
     );
     mesh.patches = patches_.all;
-    faces_ = polygonFaces();
+    faces_ = meshBuilder();
     stays_.clear();
     setCommonPolygons();
 

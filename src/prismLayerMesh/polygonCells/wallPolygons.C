@@ -304,14 +304,13 @@ void compareWalls
     distance = 0;
     for (label patchi = 0; patchi < layers.patchNames.size(); ++patchi)
     {
-        const label start = mesh.topology.patchStarts[patchi];
-        for (label i = 0; i < mesh.topology.patchSizes[patchi]; ++i)
+        for (const label f : mesh.topology.patchFaces(patchi))
         {
-            const label own = mesh.topology.owner[start + i];
-            const vector& normal = geometry.faceAreas[start + i];
+            const label own = mesh.topology.owner[f];
+            const vector& normal = geometry.faceAreas[f];
             const vector off
             (
-                layers(columnOf[own], 0) - geometry.faceCentres[start + i]
+                layers(columnOf[own], 0) - geometry.faceCentres[f]
             );
             polygons += mag(normal);
             distance = max
@@ -329,7 +328,7 @@ void appendWallFaces
     const wallCorners& wall,
     const cornerPoints& points,
     const commonPolygons& polygons,
-    polygonFaces& faces,
+    meshBuilder& faces,
     List<DynamicList<label>>& ofPatches
 )
 {
@@ -354,7 +353,7 @@ void appendWallFaces
                 {
                     polygons.polygon(wall.commonCorner(facei, k)),
                     wall.cells[corner],
-                    polygonFaces::onPatch(layers.patchIDs[facei]),
+                    meshBuilder::onPatch(layers.patchIDs[facei]),
                     cornerQuad
                     ({
                         points.ofColumn(f[k], 0), edgePoint(f.rcIndex(k)),
@@ -369,7 +368,7 @@ void appendWallFaces
         [&](const labelUList& outline, const quadBetween& quad)
         {
             faces.append(outline, quad.first, quad.second);
-            ofPatches[polygonFaces::patchOf(quad.second)].append(quad.carrier);
+            ofPatches[meshBuilder::patchOf(quad.second)].append(quad.carrier);
         }
     );
 }

@@ -54,14 +54,15 @@ TEST(appendOuterFaces, aFaceThatStaysIsCutAsTheLayersAre)
         const farTets tets(none, 0);
         const commonTriangles common;
         const cornerPoints points(layers, none, tets, common, controls);
-        polygonFaces faces;
+        meshBuilder faces;
         appendOuterFaces(layers, front, points, 1, placesInMesh(), faces);
         labelList labels;
         const polyMeshParts mesh
         (
-            faces.makeParts
+            makePolygonParts
             (
-                points, faces.stayingPoints(points), bitSet(1, true), 2, labels
+                faces, points, stayingPoints(faces, points), bitSet(1, true), 2,
+                labels
             )
         );
         ASSERT_EQ(mesh.topology.faces.size(), 1);
