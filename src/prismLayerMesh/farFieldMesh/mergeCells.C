@@ -6,8 +6,9 @@
 #include "mergeCells.H"
 #include "HashSet.H"
 #include "ListOps.H"
-#include "mergedFaces.H"
+#include "meshBuilder.H"
 #include "mergingMesh.H"
+#include "surfacePart.H"
 
 #include <algorithm>
 
@@ -421,29 +422,6 @@ void gainMerger::mergeAll()
 } // End anonymous namespace
 
 
-//- Points inside of polyhedra go
-static void dropUnusedPoints(farFieldMesh& far)
-{
-    bitSet used(far.points.size());
-    for (const face& f : far.topology.faces)
-    {
-        used.set(f);
-    }
-    if (label(used.count()) == far.points.size())
-    {
-        return;
-    }
-
-    const labelList kept(used.sortedToc());
-    const labelList newPoints(invert(far.points.size(), kept));
-    for (face& f : far.topology.faces)
-    {
-        inplaceRenumber(newPoints, f);
-    }
-    far.points = pointField(far.points, kept);
-}
-
-
 //- Keeps polygons of the outer surface whole
 static void mergeOnPolygons
 (
@@ -491,6 +469,95 @@ static label numberCells(const mergingMesh& mesh, labelList& newCells)
 }
 
 
+static void updateZones
+(
+    const labelList& newCells,
+    const meshBuilder& faces,
+    const labelList& newFaces,
+    farFieldMesh& far
+)
+{
+    for (cellZoneParts& zone : far.cellZones)
+    {
+        bitSet cells(far.nCells);
+        for (const label c : zone.cells)
+        {
+            cells.set(newCells[c]);
+        }
+        zone.cells = cells.sortedToc();
+    }
+    for (faceZoneParts& zone : far.faceZones)
+    {
+        label n = 0;
+        forAll(zone.faces, k)
+        {
+            const label f = zone.faces[k];
+            if (newFaces[f] >= 0)
+            {
+                zone.flips[n] = zone.flips[k] != faces.isTurned(f);
+                zone.faces[n++] = newFaces[f];
+            }
+        }
+        zone.faces.setSize(n);
+        zone.flips.setSize(n);
+    }
+}
+
+
+//- Sets faces and zones of a far field whose cells have merged
+static void setMergedFaces
+(
+    const mergingMesh& mesh,
+    const labelList& newCells,
+    const label nNewCells,
+    farFieldMesh& far
+)
+{
+    const polyMeshTopology& t = far.topology;
+    const label nPatches = t.patchSizes.size();
+    meshBuilder faces;
+    forAll(t.neighbour, f)
+    {
+        faces.append
+        (
+            t.faces[f], newCells[t.owner[f]], newCells[t.neighbour[f]]
+        );
+    }
+    for (label patchi = 0; patchi < nPatches; ++patchi)
+    {
+        for (const label f : t.patchFaces(patchi))
+        {
+            const auto polygon = mesh.polygons().cfind(f);
+            faces.append
+            (
+                polygon.good() ? *polygon : t.faces[f], newCells[t.owner[f]],
+                meshBuilder::onPatch(patchi)
+            );
+            if (mesh.gone().test(f))
+            {
+                faces.leaveOut(f);
+            }
+        }
+    }
+    const labelList order(faces.order(nNewCells, nPatches));
+    const labelList newFaces(invert(faces.size(), order));
+    updateZones(newCells, faces, newFaces, far);
+    DynamicList<label> fronts;
+    forAll(far.frontFaces, k)
+    {
+        if (newFaces[t.patchStarts[0] + k] >= 0)
+        {
+            fronts.append(far.frontFaces[k]);
+        }
+    }
+    far.frontFaces = fronts;
+    far.topology = faces.topology(order, nPatches);
+
+    // Points inside of polyhedra go
+    removeUnusedPoints(far.topology.faces, far.points);
+}
+
+
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
 
 void mergeCells
@@ -510,28 +577,8 @@ void mergeCells
 
     labelList newCells(far.nCells, -1);
     const label nNew = numberCells(mesh, newCells);
-    polyMeshTopology topology;
-    const mergedFaces faces(mesh, newCells, nNew, topology);
-    for (cellZoneParts& zone : far.cellZones)
-    {
-        faces.update(zone);
-    }
-    for (faceZoneParts& zone : far.faceZones)
-    {
-        faces.update(zone);
-    }
-    DynamicList<label> fronts;
-    forAll(far.frontFaces, k)
-    {
-        if (!mesh.gone().test(far.topology.patchStarts[0] + k))
-        {
-            fronts.append(far.frontFaces[k]);
-        }
-    }
-    far.frontFaces = fronts;
-    far.topology = std::move(topology);
+    setMergedFaces(mesh, newCells, nNew, far);
     far.nCells = nNew;
-    dropUnusedPoints(far);
 }
 
 } // End namespace Foam

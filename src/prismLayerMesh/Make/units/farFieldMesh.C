@@ -22,7 +22,6 @@
 #include "farFieldMesh/tetImprover.C"
 #include "farFieldMesh/coreBoundary.C"
 #include "farFieldMesh/mergingMesh.C"
-#include "farFieldMesh/mergedFaces.C"
 #include "farFieldMesh/mergeCells.C"
 #include "farFieldMesh/planarFarField.C"
 #include "farFieldMesh/joinCells.C"
