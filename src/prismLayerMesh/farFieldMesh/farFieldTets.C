@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "farFieldTets.H"
+#include "bitSet.H"
 #include "farFieldMeshControls.H"
 #include "ListOps.H"
 #include "packPoints.H"
@@ -20,19 +21,7 @@
 namespace Foam
 {
 
-// * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
-
-Map<DynamicList<label>> boundaryTets::cutTriangles() const
-{
-    Map<DynamicList<label>> ofTets(2*onCut.size());
-    forAll(onCut, i)
-    {
-        ofTets(onCut[i]).append(i);
-    }
-
-    return ofTets;
-}
-
+// * * * * * * * * * * * * * * * Boundary Tets * * * * * * * * * * * * * * * //
 
 boundaryTets findBoundaryTets(const farFieldTets& tets)
 {
@@ -69,21 +58,15 @@ boundaryTets findBoundaryTets(const farFieldTets& tets)
 //- Leaves out the points inside that are in no tetrahedron
 static void compact(farFieldTets& mesh)
 {
-    boolList used(mesh.nBoundaryPoints, true);
-    used.setSize(mesh.points.size(), false);
-
+    bitSet used(mesh.points.size());
+    used.set(labelRange(0, mesh.nBoundaryPoints));
     for (const tetCell& tet : mesh.tets)
     {
-        for (const label p : tet)
-        {
-            used[p] = true;
-        }
+        used.set(tet);
     }
 
-    const labelList kept(findIndices(used, true));
-    const labelList newLabels(invert(used.size(), kept));
-    mesh.points = pointField(mesh.points, kept);
-
+    const labelList newLabels(invert(used));
+    inplaceSubset(used, mesh.points);
     for (tetCell& tet : mesh.tets)
     {
         inplaceRenumber(newLabels, tet);

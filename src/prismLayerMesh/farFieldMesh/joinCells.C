@@ -7,8 +7,7 @@
 #include "ListOps.H"
 #include "makeFarFieldMesh.H"
 #include "Map.H"
-
-#include <algorithm>
+#include "meshBuilder.H"
 
 namespace Foam
 {
@@ -30,20 +29,18 @@ class cellJoiner
 
     const boundaryTets boundary_;
 
-    //- Labels here of the core's points and faces, and of faces that are
-    //  several triangles
+    //- Labels here of the core's points and faces, and of the cut's triangles
     labelList points_;
     labelList faces_;
-    Map<DynamicList<label>> cutFaces_;
+    labelList cutFaces_;
 
     //- The patches of the core are the last
     label firstCorePatch_;
 
+    meshBuilder made_;
     farFieldMesh mesh_;
 
     label nTets() const { return tets_.tets.size(); }
-
-    label nCoreInternal() const { return core_.topology.neighbour.size(); }
 
     void addPoints()
     {
@@ -61,9 +58,10 @@ class cellJoiner
         points.append(tets_.points);
         forAll(t.faces, facei)
         {
+            const label other = t.beyond(facei);
             const bool stays =
                 cells_[t.owner[facei]] >= 0
-             || (facei < nCoreInternal() && cells_[t.neighbour[facei]] >= 0);
+             || (other >= 0 && cells_[other] >= 0);
 
             for (const label p : t.faces[facei])
             {
@@ -79,130 +77,66 @@ class cellJoiner
     }
 
     //- Takes a face out of the core
-    face takeFace(const label facei)
+    void takeFace(const label facei, const label first, const label second)
     {
         face f(std::move(core_.topology.faces[facei]));
         inplaceRenumber(points_, f);
-
-        return f;
-    }
-
-    //- Sets the cells across the faces of a tetrahedron that come after it, in
-    //  ascending order, with the face of the tetrahedron, or less than 0 the
-    //  triangle of the cut
-    void setLaterNeighbours
-    (
-        const label t,
-        const Map<DynamicList<label>>& cutOf,
-        DynamicList<labelPair>& neighbours
-    ) const
-    {
-        neighbours.clear();
-        for (label i = 0; i < 4; ++i)
-        {
-            if (tets_.neighbours[t][i] > t)
-            {
-                neighbours.append(labelPair(tets_.neighbours[t][i], i));
-            }
-        }
-        const auto cut = cutOf.cfind(t);
-        if (cut.good())
-        {
-            for (const label i : *cut)
-            {
-                const label celli = cells_[tets_.cutCells[i]];
-                neighbours.append(labelPair(nTets() + celli, -1 - i));
-            }
-        }
-        std::sort(neighbours.begin(), neighbours.end());
-    }
-
-    //- Returns the label in the mesh of the first face that each tetrahedron
-    //  owns, and then the number of these faces
-    labelList firstFaces(const Map<DynamicList<label>>& cutOf) const
-    {
-        labelList starts(nTets() + 1, 0);
-        forAll(tets_.tets, t)
-        {
-            starts[t + 1] += starts[t] + (cutOf.found(t) ? cutOf[t].size() : 0);
-            for (const label neighbour : tets_.neighbours[t])
-            {
-                starts[t + 1] += neighbour > t;
-            }
-        }
-
-        return starts;
+        faces_[facei] = made_.size();
+        made_.append(f, first, second);
     }
 
     //- Internal faces of tetrahedra, with those to cells of the core
     void addTetFaces()
     {
-        const Map<DynamicList<label>> cutOf(boundary_.cutTriangles());
-        const labelList starts(firstFaces(cutOf));
-        polyMeshTopology& topology = mesh_.topology;
-        topology.faces.setSize(starts[nTets()]);
-        topology.owner.setSize(starts[nTets()]);
-        topology.neighbour.setSize(starts[nTets()]);
-        labelList cutFaces(tets_.cutTriangles.size());
-
-        #pragma omp parallel
+        forAll(tets_.tets, t)
         {
-            DynamicList<labelPair> neighbours(4);
-
-            #pragma omp for schedule(static)
-            for (label t = 0; t < nTets(); ++t)
+            for (label i = 0; i < 4; ++i)
             {
-                setLaterNeighbours(t, cutOf, neighbours);
-                forAll(neighbours, k)
+                const label other = tets_.neighbours[t][i];
+                if (other > t)
                 {
-                    const label facei = starts[t] + k;
-                    const label i = neighbours[k].second();
-                    if (i < 0)
-                    {
-                        cutFaces[-1 - i] = facei;
-                    }
-                    topology.faces[facei] =
-                        i < 0
-                      ? tets_.cutTriangles[-1 - i].reverseFace()
-                      : tets_.tets[t].face(i).triFaceFace();
-                    topology.owner[facei] = t;
-                    topology.neighbour[facei] = neighbours[k].first();
+                    made_.append
+                    (
+                        tets_.tets[t].face(i).triFaceFace(), t, other
+                    );
                 }
             }
         }
-        for (const label i : sortedOrder(cutFaces))
+        forAllReverse(tets_.cutTriangles, i)
         {
-            cutFaces_(tets_.cutFaces[i]).append(cutFaces[i]);
+            cutFaces_[i] = made_.size();
+            made_.append
+            (
+                tets_.cutTriangles[i].reverseFace(), boundary_.onCut[i],
+                nTets() + cells_[tets_.cutCells[i]]
+            );
         }
     }
 
     void addCoreFaces()
     {
         const polyMeshTopology& t = core_.topology;
-        for (label facei = 0; facei < nCoreInternal(); ++facei)
+        forAll(t.neighbour, facei)
         {
             const label own = cells_[t.owner[facei]];
             const label nei = cells_[t.neighbour[facei]];
 
             if (own >= 0 && nei >= 0)
             {
-                faces_[facei] = mesh_.topology.faces.size();
-                const label first = nTets();
-                mesh_.topology.append
-                (
-                    takeFace(facei), first + own, first + nei
-                );
+                takeFace(facei, nTets() + own, nTets() + nei);
             }
         }
     }
 
     void addOuterFaces()
     {
-        mesh_.topology.startPatch();
         forAll(tets_.outerTriangles, i)
         {
-            face f(tets_.outerTriangles[i].reverseFace());
-            mesh_.topology.append(std::move(f), boundary_.onLayers[i]);
+            made_.append
+            (
+                tets_.outerTriangles[i].reverseFace(), boundary_.onLayers[i],
+                meshBuilder::onPatch(0)
+            );
         }
         mesh_.frontFaces = tets_.outerFaces;
     }
@@ -217,11 +151,14 @@ class cellJoiner
 
         forAll(mesh_.patches.names, patchi)
         {
-            mesh_.topology.startPatch();
+            const label second = meshBuilder::onPatch(1 + patchi);
             for (const label i : triangles[patchi])
             {
-                face f(tets_.boundaryTriangles[i].reverseFace());
-                mesh_.topology.append(std::move(f), boundary_.onPatches[i]);
+                made_.append
+                (
+                    tets_.boundaryTriangles[i].reverseFace(),
+                    boundary_.onPatches[i], second
+                );
             }
 
             const label corePatch = patchi - firstCorePatch_;
@@ -229,18 +166,37 @@ class cellJoiner
             {
                 continue;
             }
-            const label start = core_.topology.patchStarts[corePatch];
-            const label end = start + core_.topology.patchSizes[corePatch];
-            for (label facei = start; facei < end; ++facei)
+            for (const label facei : core_.topology.patchFaces(corePatch))
             {
                 const label own = cells_[core_.topology.owner[facei]];
                 if (own >= 0)
                 {
-                    faces_[facei] = mesh_.topology.faces.size();
-                    mesh_.topology.append(takeFace(facei), nTets() + own);
+                    takeFace(facei, nTets() + own, second);
                 }
             }
         }
+    }
+
+    //- Puts the faces in order, and adds the zones
+    void finish()
+    {
+        const label nPatches = 1 + mesh_.patches.names.size();
+        const labelList order(made_.order(mesh_.nCells, nPatches));
+        mesh_.topology = made_.topology(order, nPatches);
+        const labelList newFaces(invert(made_.size(), order));
+        inplaceRenumber(newFaces, faces_);
+        inplaceRenumber(newFaces, cutFaces_);
+        Map<DynamicList<label>> ofCoreFaces;
+        for (const label i : sortedOrder(cutFaces_))
+        {
+            ofCoreFaces(tets_.cutFaces[i]).append(cutFaces_[i]);
+        }
+        mesh_.cellZones.append(cellZoneParts(farFieldName, identity(nTets())));
+        mesh_.cellZones.append(coreCellZones(tets_, core_, cut_, boundary_));
+        mesh_.faceZones.append
+        (
+            coreFaceZones(core_, cells_, faces_, ofCoreFaces)
+        );
     }
 
 public:
@@ -258,7 +214,8 @@ public:
         cells_(invert(core.nCells, cut.cells)),
         boundary_(findBoundaryTets(tets)),
         points_(core.points.size(), -1),
-        faces_(core.topology.faces.size(), -1)
+        faces_(core.topology.faces.size(), -1),
+        cutFaces_(tets.cutTriangles.size())
     {
         mesh_.nCells = tets.tets.size() + cut.cells.size();
         firstCorePatch_ = tets.patches.names.size() - core.patches.names.size();
@@ -272,16 +229,12 @@ public:
 
     farFieldMesh join()
     {
-        const label nFaces = 2*nTets() + core_.topology.faces.size();
         addPoints();
-        mesh_.topology.reserve(nFaces, nFaces);
         addTetFaces();
         addCoreFaces();
         addOuterFaces();
         addPatches();
-        mesh_.cellZones.append(cellZoneParts(farFieldName, identity(nTets())));
-        mesh_.cellZones.append(coreCellZones(tets_, core_, cut_, boundary_));
-        mesh_.faceZones.append(coreFaceZones(core_, cells_, faces_, cutFaces_));
+        finish();
 
         return std::move(mesh_);
     }
