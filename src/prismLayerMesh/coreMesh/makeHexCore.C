@@ -6,8 +6,8 @@
 #include "makeHexCore.H"
 #include "error.H"
 #include "hexOctree.H"
+#include "meshBuilder.H"
 
-#include <algorithm>
 #include <cmath>
 
 namespace Foam
@@ -27,24 +27,12 @@ class hexFaceMaker
 
     hexPoints points_;
 
+    //- The last patch has no name
+    const label nPatches_;
+
     polyMeshParts mesh_;
 
-    //- Faces of a patch: the owner, the leaf whose side it is, and the side
-    struct boundaryFace
-    {
-        label owner;
-        label leaf;
-        label side;
-    };
-    List<DynamicList<boundaryFace>> boundary_;
-
-    //- The neighbour across a face, the leaf whose side it is, and the side
-    struct cellFace
-    {
-        label neighbour;
-        label leaf;
-        label side;
-    };
+    meshBuilder faces_;
 
     //- Numbers cells along the curve of the octree
     void number(const label node)
@@ -95,9 +83,27 @@ class hexFaceMaker
         }
     }
 
+    //- Adds a face of a cell: a side of its leaf, or of a smaller leaf beyond
+    void addFace
+    (
+        const label celli,
+        const label leaf,
+        const label side,
+        const label second
+    )
+    {
+        face polygon(points_.sideOf(leaf, side));
+        if (leaf != leaves_[celli])
+        {
+            polygon.flip();
+        }
+        faces_.append(polygon, celli, second);
+    }
+
+    //- Adds the faces of a cell on patches, and to cells with higher labels
     void addCell(const label celli, const labelList& sidePatches)
     {
-        DynamicList<cellFace, 24> higher;
+        const label last = meshBuilder::onPatch(nPatches_ - 1);
         DynamicList<label> neighbours;
         const label leaf = leaves_[celli];
 
@@ -108,62 +114,23 @@ class hexFaceMaker
 
             if (neighbours.empty())
             {
-                boundary_[sidePatches[side]].append
+                addFace
                 (
-                    boundaryFace{celli, leaf, side}
+                    celli, leaf, side, meshBuilder::onPatch(sidePatches[side])
                 );
             }
             for (const label other : neighbours)
             {
                 const bool isSmaller = tree_.level(other) > tree_.level(leaf);
-                const label facing = side ^ 1;
-                const label smaller = isSmaller ? other : leaf;
-                const label its = isSmaller ? facing : side;
-
-                if (!tree_.isCell(other))
+                const label second = tree_.isCell(other) ? cells_[other] : last;
+                if (second < 0 || second > celli)
                 {
-                    boundary_.last().append(boundaryFace{celli, smaller, its});
+                    addFace
+                    (
+                        celli, isSmaller ? other : leaf,
+                        isSmaller ? side ^ 1 : side, second
+                    );
                 }
-                else if (cells_[other] > celli)
-                {
-                    higher.append(cellFace{cells_[other], smaller, its});
-                }
-            }
-        }
-
-        std::sort
-        (
-            higher.begin(), higher.end(),
-            [](const cellFace& a, const cellFace& b)
-            {
-                return a.neighbour < b.neighbour;
-            }
-        );
-
-        for (const cellFace& f : higher)
-        {
-            face polygon(points_.sideOf(f.leaf, f.side));
-            if (f.leaf != leaf)
-            {
-                polygon.flip();
-            }
-            mesh_.topology.append(std::move(polygon), celli, f.neighbour);
-        }
-    }
-
-    void addPatches()
-    {
-        for (const DynamicList<boundaryFace>& patch : boundary_)
-        {
-            mesh_.topology.startPatch();
-            for (const boundaryFace& f : patch)
-            {
-                face polygon(points_.sideOf(f.leaf, f.side));
-                if (f.leaf != leaves_[f.owner])
-                {
-                    polygon.flip();
-                }
-                mesh_.topology.append(std::move(polygon), f.owner);
             }
         }
     }
@@ -175,7 +142,7 @@ public:
         tree_(tree),
         cells_(tree.size(), -1),
         points_(tree),
-        boundary_(box.patches.names.size() + 1)
+        nPatches_(box.patches.names.size() + 1)
     {
         const labelVector& n = tree.nRoots();
         for (label root = 0; root < n.x()*n.y()*n.z(); ++root)
@@ -187,15 +154,17 @@ public:
         const labelList sidePatches
         (
             box.sidePatches.size()
-          ? box.sidePatches : labelList(6, boundary_.size() - 1)
+          ? box.sidePatches : labelList(6, nPatches_ - 1)
         );
         mesh_.nCells = leaves_.size();
-        mesh_.topology.reserve(4*leaves_.size(), 4*leaves_.size());
         forAll(leaves_, celli)
         {
             addCell(celli, sidePatches);
         }
-        addPatches();
+        mesh_.topology = faces_.topology
+        (
+            faces_.order(mesh_.nCells, nPatches_), nPatches_
+        );
         mesh_.patches = box.patches;
     }
 
