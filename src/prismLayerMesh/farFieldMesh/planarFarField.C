@@ -11,6 +11,7 @@
 #include "HashSet.H"
 #include "ListOps.H"
 #include "makeFarFieldMesh.H"
+#include "meshBuilder.H"
 #include "planarColumns.H"
 
 #include <algorithm>
@@ -155,6 +156,7 @@ class planarJoiner
     //- The second patches of cyclic pairs
     labelHashSet isSecond_;
 
+    meshBuilder faces_;
     farFieldMesh mesh_;
 
     label patchOf(const word& name) const
@@ -248,18 +250,14 @@ class planarJoiner
     //- The internal faces, and the sides at the boundary
     void addSides()
     {
-        List<DynamicList<std::pair<label, edge>>> neighbours
-        (
-            triangles_.size()
-        );
         EdgeMap<prismSide> single(triangles_.size());
         allSides([&](const label c, const edge& e)
         {
             const auto other = single.cfind(e);
             if (other.found())
             {
-                const prismSide owner(*other);
-                neighbours[owner.cell].append(std::make_pair(c, owner.along));
+                const prismSide& owner = *other;
+                faces_.append(side(owner.along), owner.cell, c);
                 single.erase(e);
             }
             else
@@ -267,20 +265,6 @@ class planarJoiner
                 single.insert(e, prismSide{c, e});
             }
         });
-
-        forAll(neighbours, c)
-        {
-            auto& own = neighbours[c];
-            std::sort
-            (
-                own.begin(), own.end(),
-                [](const auto& a, const auto& b) { return a.first < b.first; }
-            );
-            for (const auto& n : own)
-            {
-                mesh_.topology.append(side(n.second), c, n.first);
-            }
-        }
         sortOpen(single);
     }
 
@@ -350,12 +334,14 @@ class planarJoiner
 
     void addLayersPatch()
     {
-        mesh_.topology.startPatch();
         DynamicList<label> fronts(onLayers_.size());
         for (const auto& s : onLayers_)
         {
             fronts.append(s.first);
-            mesh_.topology.append(side(s.second.along), s.second.cell);
+            faces_.append
+            (
+                side(s.second.along), s.second.cell, meshBuilder::onPatch(0)
+            );
         }
         mesh_.frontFaces = fronts;
     }
@@ -366,23 +352,23 @@ class planarJoiner
         forAll(s.patchNames, patchi)
         {
             mesh_.patches.append(s.patchNames[patchi], s.patchTypes[patchi]);
-            mesh_.topology.startPatch();
+            const label second = meshBuilder::onPatch(1 + patchi);
             for (const prismSide& open : onPatches_[patchi])
             {
-                mesh_.topology.append
+                faces_.append
                 (
-                    side(open.along, isSecond_.found(patchi)), open.cell
+                    side(open.along, isSecond_.found(patchi)), open.cell, second
                 );
             }
             forAll(triangles_, c)
             {
                 if (patchi == first_)
                 {
-                    mesh_.topology.append(triangles_[c].reverseFace(), c);
+                    faces_.append(triangles_[c].reverseFace(), c, second);
                 }
                 else if (patchi == second_)
                 {
-                    mesh_.topology.append(renumber(images_, triangles_[c]), c);
+                    faces_.append(renumber(images_, triangles_[c]), c, second);
                 }
             }
         }
@@ -414,6 +400,11 @@ public:
         orderCyclic(cyclicSides);
         addLayersPatch();
         addPatches();
+        const label nPatches = 1 + mesh_.patches.names.size();
+        mesh_.topology = faces_.topology
+        (
+            faces_.order(mesh_.nCells, nPatches), nPatches
+        );
         mesh_.cellZones.append
         (
             cellZoneParts(farFieldName, identity(mesh_.nCells))
