@@ -6,11 +6,12 @@
 #include "regionMeshes.H"
 #include "disjointSets.H"
 #include "equalPoints.H"
+#include "ListOps.H"
 #include "Map.H"
+#include "meshBuilder.H"
 #include "triangleIndex.H"
 
 #include <algorithm>
-#include <tuple>
 #include <vector>
 
 namespace Foam
@@ -177,27 +178,6 @@ public:
 };
 
 
-//- A face of the whole mesh: its cells, the mesh that it is taken from, and its
-//  label there
-struct joinedFace
-{
-    label owner;
-    label neighbour;
-    label regioni;
-    label facei;
-
-    bool operator<(const joinedFace& other) const
-    {
-        return
-            std::tie(owner, neighbour, regioni, facei)
-          < std::tie
-            (
-                other.owner, other.neighbour, other.regioni, other.facei
-            );
-    }
-};
-
-
 //- Joins the meshes of regions
 class regionJoiner
 {
@@ -210,12 +190,15 @@ class regionJoiner
     labelList firstCell_;
     labelList firstPoint_;
 
-    //- For each common polygon: the face of the mesh of the first region, and
-    //  that region
-    Map<labelPair> firstOf_;
+    //- For each common polygon: each region, and the face of its mesh
+    Map<DynamicList<labelPair>> facesOf_;
 
     labelList pointLabels_;
+    meshBuilder made_;
     polyMeshParts joined_;
+
+    //- The faces of each faceZone among the faces that are made
+    HashTable<DynamicList<label>> zones_;
 
     void setStarts()
     {
@@ -252,11 +235,12 @@ class regionJoiner
                 {
                     continue;
                 }
-                if (firstOf_.insert(key, labelPair(r, f)))
+                facesOf_(key).append(labelPair(r, f));
+                if (facesOf_[key].size() == 1)
                 {
                     continue;
                 }
-                const labelPair& other = firstOf_[key];
+                const labelPair& other = facesOf_[key][0];
                 const face& own = faceOf(r, f);
                 for (const label p : faceOf(other.first(), other.second()))
                 {
@@ -314,105 +298,78 @@ class regionJoiner
         return f;
     }
 
-    //- Internal faces of all regions, and faces between regions
-    std::vector<joinedFace> internalFaces() const
+    label cellOf(const label regioni, const label celli) const
     {
-        std::vector<joinedFace> faces;
+        return firstCell_[regioni] + celli;
+    }
+
+    //- Adds the internal faces of all regions, and the faces between regions
+    void addInternal()
+    {
         forAll(meshes_, r)
         {
             const polyMeshTopology& t = meshes_[r].topology;
-            forAll(t.neighbour, f)
+            forAll(t.faces, f)
             {
-                faces.push_back
-                (
-                    joinedFace
-                    {
-                        firstCell_[r] + t.owner[f],
-                        firstCell_[r] + t.neighbour[f], r, f
-                    }
-                );
-            }
-            for (label f = t.neighbour.size(); f < t.faces.size(); ++f)
-            {
-                const label key = common_[r].polygon(f);
-                if (key >= 0 && firstOf_[key] != labelPair(r, f))
+                const label own = cellOf(r, t.owner[f]);
+                if (f < t.neighbour.size())
                 {
-                    const labelPair& first = firstOf_[key];
-                    const polyMeshTopology& other =
-                        meshes_[first.first()].topology;
-                    faces.push_back
+                    made_.append
                     (
-                        joinedFace
-                        {
-                            firstCell_[first.first()]
-                          + other.owner[first.second()],
-                            firstCell_[r] + t.owner[f],
-                            first.first(), first.second()
-                        }
+                        joinedPoints(r, f), own, cellOf(r, t.neighbour[f])
                     );
+                }
+                else if (common_[r].isCommon(f))
+                {
+                    addBetween(r, f, own);
                 }
             }
         }
-        std::sort(faces.begin(), faces.end());
-
-        return faces;
     }
 
-    void addInternal()
+    //- Adds a face between regions when it is the face of the first one
+    void addBetween(const label r, const label f, const label own)
     {
-        HashTable<DynamicList<label>> zones;
-        for (const joinedFace& f : internalFaces())
+        const auto& both = facesOf_[common_[r].polygon(f)];
+        if (both.size() < 2 || both[0] != labelPair(r, f))
         {
-            const commonFaces& common = common_[f.regioni];
-            if (common.isCommon(f.facei))
-            {
-                const labelPair& both =
-                    all_.regionsOfFace[common.surfaceFace(f.facei)];
-                const word name
-                (
-                    nameBetween
-                    (
-                        all_, min(both.first(), both.second()),
-                        max(both.first(), both.second())
-                    )
-                );
-                zones(name).append(joined_.topology.faces.size());
-            }
-            joined_.topology.append
-            (
-                joinedPoints(f.regioni, f.facei), f.owner, f.neighbour
-            );
+            return;
         }
-        for (const word& name : zones.sortedToc())
-        {
-            const labelList faces(zones[name]);
-            joined_.faceZones.append
+        const label other = both[1].first();
+        const labelPair& regions =
+            all_.regionsOfFace[common_[r].surfaceFace(f)];
+        const word name
+        (
+            nameBetween
             (
-                faceZoneParts{name, faces, boolList(faces.size(), false)}
-            );
-        }
+                all_, min(regions.first(), regions.second()),
+                max(regions.first(), regions.second())
+            )
+        );
+        zones_(name).append(made_.size());
+        made_.append
+        (
+            joinedPoints(r, f), own,
+            cellOf(other, meshes_[other].topology.owner[both[1].second()])
+        );
     }
 
     //- Adds the faces on a patch of each region
-    void addPatch(const word& name)
+    void addPatch(const label patchi)
     {
-        joined_.topology.startPatch();
         forAll(meshes_, r)
         {
-            const label patchi = meshes_[r].patches.names.find(name);
-            if (patchi < 0)
-            {
-                continue;
-            }
             const polyMeshTopology& t = meshes_[r].topology;
-            const label start = t.patchStarts[patchi];
-            for (label f = start; f < start + t.patchSizes[patchi]; ++f)
+            const label own =
+                meshes_[r].patches.names.find(joined_.patches.names[patchi]);
+            for (const label f : own < 0 ? labelRange() : t.patchFaces(own))
             {
                 if (!common_[r].isCommon(f))
                 {
-                    joined_.topology.append
+                    made_.append
                     (
-                        joinedPoints(r, f), firstCell_[r] + t.owner[f]
+                        joinedPoints(r, f), cellOf(r, t.owner[f]),
+                        meshBuilder::onPatch(patchi)
                     );
                 }
             }
@@ -422,17 +379,13 @@ class regionJoiner
     //- Whether a patch of a region has faces that no other region has
     bool hasOwnFaces(const label r, const label patchi) const
     {
-        const polyMeshTopology& t = meshes_[r].topology;
-        const label start = t.patchStarts[patchi];
-        for (label f = start; f < start + t.patchSizes[patchi]; ++f)
+        bool has = false;
+        for (const label f : meshes_[r].topology.patchFaces(patchi))
         {
-            if (!common_[r].isCommon(f))
-            {
-                return true;
-            }
+            has = has || !common_[r].isCommon(f);
         }
 
-        return false;
+        return has;
     }
 
     void addPatches()
@@ -468,9 +421,39 @@ class regionJoiner
                 }
             }
         }
-        for (const word& name : patches.names)
+        forAll(patches.names, patchi)
         {
-            addPatch(name);
+            addPatch(patchi);
+        }
+    }
+
+    //- Puts the faces in order, and adds the zones
+    void finish()
+    {
+        const label nPatches = joined_.patches.names.size();
+        const labelList order(made_.order(joined_.nCells, nPatches));
+        joined_.topology = made_.topology(order, nPatches);
+        const labelList newFaces(invert(made_.size(), order));
+        for (const word& name : zones_.sortedToc())
+        {
+            labelList faces(zones_[name]);
+            inplaceRenumber(newFaces, faces);
+            Foam::sort(faces);
+            joined_.faceZones.append
+            (
+                faceZoneParts{name, faces, boolList(faces.size(), false)}
+            );
+        }
+        forAll(meshes_, r)
+        {
+            joined_.cellZones.append
+            (
+                cellZoneParts
+                (
+                    all_.regions[r].name,
+                    identity(meshes_[r].nCells, firstCell_[r])
+                )
+            );
         }
     }
 
@@ -494,17 +477,7 @@ public:
         joinPoints();
         addInternal();
         addPatches();
-        forAll(meshes_, r)
-        {
-            joined_.cellZones.append
-            (
-                cellZoneParts
-                (
-                    all_.regions[r].name,
-                    identity(meshes_[r].nCells, firstCell_[r])
-                )
-            );
-        }
+        finish();
 
         return std::move(joined_);
     }
@@ -556,9 +529,7 @@ std::vector<newPatch> separatePatches
                 mesh.patches.names[patchi], mesh.patches.entries[patchi], {}
             }
         );
-        const label start = mesh.topology.patchStarts[patchi];
-        const label end = start + mesh.topology.patchSizes[patchi];
-        for (label f = start; f < end; ++f)
+        for (const label f : mesh.topology.patchFaces(patchi))
         {
             if (common.isCommon(f))
             {
@@ -622,7 +593,7 @@ static void separateRegion
             facesOf.append(patch.faces);
         }
     }
-    mesh.topology = withPatches(mesh.topology, facesOf);
+    mesh.topology.setPatches(facesOf);
 }
 
 
