@@ -226,24 +226,7 @@ struct coreBoundaryMaker
             if (!core.patches.names.found(side.name))
             {
                 // Before the faces of no patch, if there are any
-                const label n = core.patches.names.size();
-                const label end = n < core.topology.patchStarts.size()
-                  ? core.topology.patchStarts[n] : core.topology.faces.size();
-                const label nNameless = core.topology.patchStarts.size() - n;
-                labelList starts(SubList<label>(core.topology.patchStarts, n));
-                labelList sizes(SubList<label>(core.topology.patchSizes, n));
-                starts.append(end);
-                sizes.append(0);
-                starts.append
-                (
-                    SubList<label>(core.topology.patchStarts, nNameless, n)
-                );
-                sizes.append
-                (
-                    SubList<label>(core.topology.patchSizes, nNameless, n)
-                );
-                core.topology.patchStarts = starts;
-                core.topology.patchSizes = sizes;
+                core.topology.addEmptyPatch(core.patches.names.size());
                 core.patches.append(side.name, side.type);
             }
         }

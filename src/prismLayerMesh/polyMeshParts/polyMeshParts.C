@@ -14,42 +14,6 @@ namespace Foam
 
 // * * * * * * * * * * * * * * * Member Functions  * * * * * * * * * * * * * //
 
-void polyMeshTopology::reserve(const label nFaces, const label nInternal)
-{
-    faces.reserve(nFaces);
-    owner.reserve(nFaces);
-    neighbour.reserve(nInternal);
-}
-
-
-void polyMeshTopology::append
-(
-    face&& f,
-    const label ownerCell,
-    const label neighbourCell
-)
-{
-    faces.append(std::move(f));
-    owner.append(ownerCell);
-
-    if (neighbourCell >= 0)
-    {
-        neighbour.append(neighbourCell);
-    }
-    else
-    {
-        ++patchSizes.last();
-    }
-}
-
-
-void polyMeshTopology::startPatch()
-{
-    patchStarts.append(faces.size());
-    patchSizes.append(0);
-}
-
-
 void polyMeshTopology::setPatches(const UList<labelList>& patchFaces)
 {
     DynamicList<label> order(identity(neighbour.size()));
@@ -101,32 +65,6 @@ wordList meshPatches::types() const
 
 
 // * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
-polyMeshTopology withPatches
-(
-    const polyMeshTopology& given,
-    const UList<labelList>& patchFaces
-)
-{
-    const label nInternal = given.neighbour.size();
-    polyMeshTopology made;
-    made.reserve(given.faces.size(), nInternal);
-    for (label f = 0; f < nInternal; ++f)
-    {
-        made.append(face(given.faces[f]), given.owner[f], given.neighbour[f]);
-    }
-    for (const labelList& faces : patchFaces)
-    {
-        made.startPatch();
-        for (const label f : faces)
-        {
-            made.append(face(given.faces[f]), given.owner[f]);
-        }
-    }
-
-    return made;
-}
-
 
 void setCyclic(const UList<sidePatch>& sides, meshPatches& patches)
 {

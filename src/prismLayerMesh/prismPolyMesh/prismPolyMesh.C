@@ -337,30 +337,24 @@ static polyMeshParts makeWallMeshParts
     mesh.points = std::move(far.points);
     mesh.nCells = far.nCells;
 
-    const polyMeshTopology& t = far.topology;
-    List<labelList> facesOf(wall.patchNames.size());
+    mesh.topology = std::move(far.topology);
+
+    const polyMeshTopology& t = mesh.topology;
+    List<DynamicList<label>> onWall(wall.patchNames.size());
+    forAll(far.frontFaces, k)
     {
-        List<DynamicList<label>> onWall(facesOf.size());
-        forAll(far.frontFaces, k)
-        {
-            onWall[wall.patchIDs[far.frontFaces[k]]].append
-            (
-                t.patchStarts[0] + k
-            );
-        }
-        forAll(facesOf, patchi)
-        {
-            facesOf[patchi] = onWall[patchi];
-        }
+        onWall[wall.patchIDs[far.frontFaces[k]]].append(t.patchStarts[0] + k);
+    }
+    DynamicList<labelList> facesOf;
+    for (const DynamicList<label>& faces : onWall)
+    {
+        facesOf.append(faces);
     }
     for (label patchi = 1; patchi < t.patchStarts.size(); ++patchi)
     {
-        facesOf.append
-        (
-            identity(t.patchSizes[patchi], t.patchStarts[patchi])
-        );
+        facesOf.append(t.patchFaces(patchi).labels());
     }
-    mesh.topology = withPatches(t, facesOf);
+    mesh.topology.setPatches(facesOf);
 
     return mesh;
 }

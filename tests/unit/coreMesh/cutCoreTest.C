@@ -5,6 +5,7 @@
 
 #include "cutCore.H"
 #include "makeHexCore.H"
+#include "meshBuilder.H"
 #include "testSurfaces.H"
 #include "thrownMessage.H"
 
@@ -247,42 +248,37 @@ static polyMeshParts castellated
     made.patches = core.patches;
     made.patches.append("body", "wall");
     const polyMeshTopology& t = core.topology;
-    DynamicList<face> body;
-    DynamicList<label> bodyCells;
+    meshBuilder faces;
 
     forAll(t.neighbour, facei)
     {
         const label own = newCells[t.owner[facei]];
         const label nei = newCells[t.neighbour[facei]];
         const face& f = t.faces[facei];
-        if (own >= 0 && nei >= 0)
+        if (own >= 0)
         {
-            made.topology.append(face(f), own, nei);
+            faces.append(f, own, nei >= 0 ? nei : meshBuilder::onPatch(2));
         }
-        else if (own >= 0 || nei >= 0)
+        else if (nei >= 0)
         {
-            body.append(own < 0 ? f.reverseFace() : f);
-            bodyCells.append(max(own, nei));
+            faces.append(f.reverseFace(), nei, meshBuilder::onPatch(2));
         }
     }
     for (label patchi = 0; patchi < 2; ++patchi)
     {
-        made.topology.startPatch();
-        for (label i = 0; i < t.patchSizes[patchi]; ++i)
+        for (const label facei : t.patchFaces(patchi))
         {
-            const label facei = t.patchStarts[patchi] + i;
             const label own = newCells[t.owner[facei]];
             if (own >= 0)
             {
-                made.topology.append(face(t.faces[facei]), own);
+                faces.append
+                (
+                    t.faces[facei], own, meshBuilder::onPatch(patchi)
+                );
             }
         }
     }
-    made.topology.startPatch();
-    forAll(body, i)
-    {
-        made.topology.append(face(body[i]), bodyCells[i]);
-    }
+    made.topology = faces.topology(faces.order(stays.size(), 3), 3);
 
     return made;
 }

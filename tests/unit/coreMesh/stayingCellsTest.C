@@ -5,6 +5,7 @@
 
 #include "stayingCells.H"
 #include "makeHexCore.H"
+#include "meshBuilder.H"
 #include "testSurfaces.H"
 
 #include <gtest/gtest.h>
@@ -27,14 +28,13 @@ static polyMeshParts meshOf
     made.points = points;
     made.nCells = cells.size();
     made.patches.append("low", "patch");
-    DynamicList<labelPair> boundary;
+    meshBuilder built;
 
     forAll(cells, celli)
     {
-        forAll(cells[celli], i)
+        for (const face& f : cells[celli])
         {
-            const face& f = cells[celli][i];
-            label beyond = -1;
+            label beyond = meshBuilder::onPatch(0);
             forAll(cells, other)
             {
                 for (const face& g : cells[other])
@@ -44,21 +44,13 @@ static polyMeshParts meshOf
                 }
             }
 
-            if (beyond > celli)
+            if (beyond < 0 || beyond > celli)
             {
-                made.topology.append(face(f), celli, beyond);
-            }
-            else if (beyond < 0)
-            {
-                boundary.append(labelPair(celli, i));
+                built.append(f, celli, beyond);
             }
         }
     }
-    made.topology.startPatch();
-    for (const labelPair& b : boundary)
-    {
-        made.topology.append(face(cells[b.first()][b.second()]), b.first());
-    }
+    made.topology = built.topology(built.order(cells.size(), 1), 1);
 
     return made;
 }

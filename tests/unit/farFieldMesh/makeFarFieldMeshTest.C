@@ -5,6 +5,7 @@
 
 #include "farFieldReport.H"
 #include "memoryMesh.H"
+#include "meshBuilder.H"
 #include "soundMesh.H"
 #include "testFarField.H"
 #include "testLayers.H"
@@ -207,15 +208,16 @@ TEST(requireVolumes, refusesATetrahedronThatIsFlatButForRounding)
             point(1.2, 0.2, height)
         });
         far.nCells = 1;
-        far.topology.startPatch();
         const faceList faces
         ({
             face({0, 2, 1}), face({0, 1, 3}), face({1, 2, 3}), face({2, 0, 3})
         });
+        meshBuilder made;
         for (const face& f : faces)
         {
-            far.topology.append(face(f), 0);
+            made.append(f, 0, meshBuilder::onPatch(0));
         }
+        far.topology = made.topology(made.order(1, 1), 1);
 
         return far;
     };

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "mergingMesh.H"
+#include "meshBuilder.H"
 
 #include <gtest/gtest.h>
 
@@ -19,16 +20,17 @@ static farFieldMesh twoTets(const scalar y)
     far.points = pointField
     ({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, -1}, {0, y, 1}});
     far.nCells = 2;
-    far.topology.append(face({0, 2, 1}), 0, 1);
-    far.topology.startPatch();
+    meshBuilder faces;
+    faces.append(face({0, 2, 1}), 0, 1);
     for (const face& f : {face({0, 1, 4}), face({1, 2, 4}), face({2, 0, 4})})
     {
-        far.topology.append(face(f), 0);
+        faces.append(f, 0, meshBuilder::onPatch(0));
     }
     for (const face& f : {face({1, 0, 3}), face({2, 1, 3}), face({0, 2, 3})})
     {
-        far.topology.append(face(f), 1);
+        faces.append(f, 1, meshBuilder::onPatch(0));
     }
+    far.topology = faces.topology(faces.order(2, 1), 1);
 
     return far;
 }

@@ -7,6 +7,7 @@
 #include "cellDivision.H"
 #include "makeHexCore.H"
 #include "memoryMesh.H"
+#include "meshBuilder.H"
 #include "testLayers.H"
 #include "testSurfaces.H"
 #include "throwingErrors.H"
@@ -30,15 +31,17 @@ static polyMeshParts oneCell
     polyMeshParts parts;
     parts.points = points;
     parts.nCells = 1;
+    meshBuilder made;
     forAll(faces, i)
     {
-        parts.topology.startPatch();
-        parts.topology.append(face(faces[i]), 0);
+        made.append(faces[i], 0, meshBuilder::onPatch(i));
         parts.patches.append
         (
             "side" + name(i), types.empty() ? word("patch") : types[i]
         );
     }
+    const label n = faces.size();
+    parts.topology = made.topology(made.order(1, n), n);
 
     return parts;
 }

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "cyclicFaces.H"
+#include "meshBuilder.H"
 
 #include <gtest/gtest.h>
 
@@ -24,13 +25,12 @@ static polyMeshParts twoSquares()
         mesh.points.append(point(x, 1, 1));
         mesh.points.append(point(x, 0, 1));
     }
-    polyMeshTopology& t = mesh.topology;
-    t.startPatch();
-    t.append(face({0, 3, 2}), 0);
-    t.append(face({0, 2, 1}), 1);
-    t.startPatch();
-    t.append(face({5, 6, 4}), 1);
-    t.append(face({7, 4, 6}), 0);
+    meshBuilder faces;
+    faces.append(face({0, 3, 2}), 0, meshBuilder::onPatch(0));
+    faces.append(face({0, 2, 1}), 1, meshBuilder::onPatch(0));
+    faces.append(face({5, 6, 4}), 1, meshBuilder::onPatch(1));
+    faces.append(face({7, 4, 6}), 0, meshBuilder::onPatch(1));
+    mesh.topology = faces.topology(faces.order(2, 2), 2);
     mesh.patches.append("left", "cyclic");
     mesh.patches.append("right", "cyclic");
 
