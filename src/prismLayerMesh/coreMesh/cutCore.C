@@ -181,19 +181,17 @@ struct coreCutter
             const bool isWall =
                 patchi >= core.patches.names.size()
              || stays.wallPatches().found(core.patches.names[patchi]);
-            const label start = t.patchStarts[patchi];
-            const label end = isWall ? start : start + t.patchSizes[patchi];
             if (!isWall && !stays.isPlain(patchi) && !isOfPair(patchi))
             {
                 refuseCoupled(core, stays, obstacles, patchi);
             }
-            for (label i = end; i < start + t.patchSizes[patchi]; ++i)
+            for (const label facei : t.patchFaces(patchi))
             {
-                outlines.addWall(faceOf(i));
-            }
-            for (label facei = start; facei < end; ++facei)
-            {
-                if (!stays[t.owner[facei]])
+                if (isWall)
+                {
+                    outlines.addWall(faceOf(facei));
+                }
+                else if (!stays[t.owner[facei]])
                 {
                     addBoundary(facei, patchi);
                 }

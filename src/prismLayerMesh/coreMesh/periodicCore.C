@@ -179,7 +179,7 @@ List<labelPair> cyclicPatchesBeside
 
         return allOf
         (
-            identity(t.patchSizes[patchi], t.patchStarts[patchi]),
+            t.patchFaces(patchi).labels(),
             [&](const label facei) { return inPlanes.planeOf(facei) < 0; }
         );
     };

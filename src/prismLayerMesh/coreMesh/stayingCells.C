@@ -8,7 +8,6 @@
 #include "boundBox.H"
 #include "edgeHashes.H"
 #include "HashSet.H"
-#include "ranges.H"
 
 namespace Foam
 {
@@ -140,9 +139,9 @@ void stayingCells::setBoxes()
         for (const label p : t.faces[facei])
         {
             boxes_[t.owner[facei]].add(core_.points[p]);
-            if (facei < nInternal_)
+            if (t.beyond(facei) >= 0)
             {
-                boxes_[t.neighbour[facei]].add(core_.points[p]);
+                boxes_[t.beyond(facei)].add(core_.points[p]);
             }
         }
     }
@@ -438,10 +437,8 @@ void stayingCells::removeOnWall()
     {
         if (liesOnWall(patchi))
         {
-            const label start = core_.topology.patchStarts[patchi];
-            const label size = core_.topology.patchSizes[patchi];
             names.append(core_.patches.names[patchi]);
-            for (label i = start; i < start + size; ++i)
+            for (const label i : core_.topology.patchFaces(patchi))
             {
                 leave(core_.topology.owner[i]);
             }
@@ -487,13 +484,13 @@ static label nStaying
     const label patchi
 )
 {
-    const polyMeshTopology& t = core.topology;
-    const SubList<label> owners
-    (
-        t.owner, t.patchSizes[patchi], t.patchStarts[patchi]
-    );
+    label n = 0;
+    for (const label facei : core.topology.patchFaces(patchi))
+    {
+        n += stays[core.topology.owner[facei]];
+    }
 
-    return countOf(owners, [&](const label celli) { return stays[celli]; });
+    return n;
 }
 
 
@@ -506,7 +503,6 @@ void refuseCoupled
 )
 {
     const polyMeshTopology& t = core.topology;
-    const label start = t.patchStarts[patchi];
     const dictionary& entry = core.patches.entries[patchi];
     const word neighbour(entry.lookupOrDefault<word>("neighbourPatch", ""));
     const label other = core.patches.names.find(neighbour);
@@ -516,7 +512,7 @@ void refuseCoupled
         !nStaying(core, stays, patchi)
      && (other < 0 || !nStaying(core, stays, other));
 
-    for (label facei = start; facei < start + t.patchSizes[patchi]; ++facei)
+    for (const label facei : t.patchFaces(patchi))
     {
         if (stays[t.owner[facei]] || (isGone && !stays.inFluid(facei)))
         {

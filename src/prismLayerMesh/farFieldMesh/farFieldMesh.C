@@ -76,9 +76,9 @@ void requireVolumes(const farFieldMesh& far, const label nCells)
     forAll(t.faces, facei)
     {
         add(t.owner[facei], facei, 1);
-        if (facei < t.neighbour.size())
+        if (t.beyond(facei) >= 0)
         {
-            add(t.neighbour[facei], facei, -1);
+            add(t.beyond(facei), facei, -1);
         }
     }
 

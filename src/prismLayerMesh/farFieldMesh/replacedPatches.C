@@ -48,10 +48,9 @@ static List<scalarField> nearestAreas
     for (const word& name : wallPatches)
     {
         const label patchi = core.patches.names.find(name);
-        const label start = core.topology.patchStarts[patchi];
-        for (label i = 0; i < core.topology.patchSizes[patchi]; ++i)
+        for (const label facei : core.topology.patchFaces(patchi))
         {
-            const face& f = core.topology.faces[start + i];
+            const face& f = core.topology.faces[facei];
             const pointIndexHit foot
             (
                 tree.nearest(f.centre(core.points), sqrt(GREAT))

@@ -32,13 +32,9 @@ class ringMaker
             {
                 visit(t.owner[facei], t.faces[facei]);
             }
-            if
-            (
-                facei < t.neighbour.size()
-             && t.neighbour[facei] >= tets_.size()
-            )
+            if (t.beyond(facei) >= tets_.size())
             {
-                visit(t.neighbour[facei], t.faces[facei]);
+                visit(t.beyond(facei), t.faces[facei]);
             }
         }
     }

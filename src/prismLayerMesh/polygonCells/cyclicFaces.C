@@ -85,7 +85,7 @@ public:
 
     labelList facesOn(const label patchi) const
     {
-        return identity(t_.patchSizes[patchi], t_.patchStarts[patchi]);
+        return t_.patchFaces(patchi).labels();
     }
 
     label image(const label p) const { return images_[p]; }

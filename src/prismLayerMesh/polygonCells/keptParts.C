@@ -50,12 +50,7 @@ givenPoints::givenPoints
     isCell.set(cells);
     forAll(t.faces, facei)
     {
-        const bool isOfCells =
-            isCell.test(t.owner[facei])
-         || (
-                facei < t.neighbour.size() && isCell.test(t.neighbour[facei])
-            );
-        if (!isOfCells)
+        if (!isCell.test(t.owner[facei]) && !isCell.test(t.beyond(facei)))
         {
             continue;
         }

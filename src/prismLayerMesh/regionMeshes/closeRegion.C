@@ -24,10 +24,7 @@ static bitSet cellsAt(const bitSet& points, const polyMeshParts& mesh)
             if (points.test(p))
             {
                 cells.set(t.owner[f]);
-                if (f < t.neighbour.size())
-                {
-                    cells.set(t.neighbour[f]);
-                }
+                cells.set(t.beyond(f));
             }
         }
     }
