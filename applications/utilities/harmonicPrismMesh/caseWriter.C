@@ -197,19 +197,6 @@ void Foam::caseWriter::writeMeshFolder
 }
 
 
-void Foam::caseWriter::writePiece
-(
-    const meshPiece& piece,
-    replacedFiles& files
-) const
-{
-    writeMeshFolder
-    (
-        case_, files, [&](const IOobject& io) { writeMeshPiece(piece, io); }
-    );
-}
-
-
 Foam::label Foam::caseWriter::writeMesh
 (
     const prismCase& region,
@@ -274,35 +261,50 @@ void Foam::caseWriter::requireDivisible(const meshInBlocks& mesh) const
 }
 
 
-void Foam::caseWriter::writeOwn
+Foam::string Foam::caseWriter::writePieces
 (
     const meshPiece& piece,
     replacedFiles& files
 ) const
 {
-    writePiece(piece, files);
-    parallel_.requireWritten();
-}
-
-
-bool Foam::caseWriter::writeOnOther(const meshPiece& piece) const
-{
-    replacedFiles files;
     string failure;
     const throwingErrors throwing(true);
-    IOstream::defaultPrecision(17);
-
     try
     {
-        writePiece(piece, files);
+        writeMeshFolder
+        (
+            case_, files, [&](const IOobject& io) { writeMeshPiece(piece, io); }
+        );
     }
     catch (const Foam::error& e)
     {
         failure = e.message();
     }
 
-    const bool all = parallel_.reportWritten(failure);
-    if (all)
+    return parallel_.firstFailure(failure);
+}
+
+
+void Foam::caseWriter::writeOwn
+(
+    const meshPiece& piece,
+    replacedFiles& files
+) const
+{
+    const string failure(writePieces(piece, files));
+    if (failure.size())
+    {
+        FatalErrorInFunction << failure.c_str() << exit(FatalError);
+    }
+}
+
+
+bool Foam::caseWriter::writeOnOther(const meshPiece& piece) const
+{
+    replacedFiles files;
+    IOstream::defaultPrecision(17);
+    const bool isWell = writePieces(piece, files).empty();
+    if (isWell)
     {
         files.replaceAll();
     }
@@ -311,7 +313,7 @@ bool Foam::caseWriter::writeOnOther(const meshPiece& piece) const
         files.removeScratch();
     }
 
-    return all;
+    return isWell;
 }
 
 // ************************************************************************* //

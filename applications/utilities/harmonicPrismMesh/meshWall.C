@@ -4,18 +4,13 @@
 \*---------------------------------------------------------------------------*/
 
 #include "meshWall.H"
-#include "boxSides.H"
-#include "cellSizes.H"
-#include "planarColumns.H"
 #include "pluginVersion.H"
 #include "polygonReport.H"
 #include "layerStages.H"
 #include "meshOrder.H"
 #include "OSspecific.H"
-#include "OStringStream.H"
 #include "prismCase.H"
 #include "prismPolyMesh.H"
-#include "readLocalHeights.H"
 #include "refusal.H"
 #include "returnMemory.H"
 #include "wallPointsError.H"
@@ -24,182 +19,7 @@
 namespace Foam
 {
 
-//- Errors: FatalError if the wall has a patch of the far boundary
-static void requireNotOf(const wallSurface& wall, const word& farPatch)
-{
-    if (prismPatchNames(wall.patchNames).found(farPatch))
-    {
-        FatalErrorInFunction
-            << "The far boundary and the wall both have a patch " << farPatch
-            << ". Rename one of them, by farField.boundary.patches or by"
-            << " surface.patches" << exit(FatalError);
-    }
-}
-
-
-//- Cells of a hexCore are at most so many times as wide as two parallel sides
-//  are apart
-static constexpr scalar widthShare = 2;
-
-//- A domain is thin if two parallel sides are nearer to each other than this
-//  share of its diagonal
-static constexpr scalar thinShare = 0.05;
-
-
-//- Bounds the sizes by the least distance of two parallel sides. Returns what
-//  the log says of a thin domain. Tetrahedra are not bounded: TetGen takes
-//  minutes for two planes of small triangles that are near to each other.
-static string boundByWidth
-(
-    const wallSurface& wall,
-    const farFieldControls& controls,
-    sizeBounds& bounds
-)
-{
-    if (emptySides(wall.border).first() >= 0)
-    {
-        return "";
-    }
-
-    const scalar width = leastWidth(controls.boundary, wall.border.sides);
-    const bool isHexCore = controls.type == farFieldType::hexCore;
-    if (isHexCore)
-    {
-        bounds.largest = min(bounds.largest, widthShare*width);
-    }
-    if
-    (
-        controls.boundary.type != farBoundaryType::box
-     || width > thinShare*controls.boundary.box.mag()
-    )
-    {
-        return "";
-    }
-
-    OStringStream os;
-    os  << nl << "parallel sides are only " << width << " m apart: "
-        << (
-               isHexCore
-             ? "cells are at most twice as wide"
-             : "tetrahedra are flat between them, farField.type hexCore is"
-               " better there"
-           );
-
-    return os.str();
-}
-
-
-//- The type and the patches of a far boundary
-static string textOf(const farBoundaryType type, const wordList& patches)
-{
-    string names;
-    if (type != farBoundaryType::none)
-    {
-        names = farBoundaryTypes[int(type)];
-    }
-    for (const word& patch : patches)
-    {
-        names += ' ' + patch;
-    }
-
-    return names;
-}
-
-
-//- The far boundary of the surface files if there is one, otherwise the far
-//  boundary that the controls ask for
-static farBoundary readBoundary
-(
-    const prismCase& files,
-    const wallSurface& far,
-    const farBoundaryControls& controls
-)
-{
-    return
-        far.faces.size()
-      ? makeFarBoundary(far)
-      : makeFarBoundary
-        (
-            controls,
-            [&](const fileName& file) { return files.surfaceFile(file); }
-        );
-}
-
-
-farFieldDomain readFarField
-(
-    const prismCase& files,
-    const wallSurface& wall,
-    const wallSurface& far,
-    const bool fluidOutside,
-    const farFieldControls& controls,
-    const Time& time,
-    stageLog& log
-)
-{
-    farFieldDomain domain;
-
-    if (!controls.isWanted())
-    {
-        return domain;
-    }
-
-    if
-    (
-        !fluidOutside && controls.boundary.type != farBoundaryType::none
-     && wall.border.sides.empty() && far.faces.empty()
-    )
-    {
-        FatalErrorInFunction
-            << "The fluid is inside of the wall: remove farField.boundary, or"
-            << " write surface { fluid outside; }" << exit(FatalError);
-    }
-
-    domain.bounds = makeSizeBounds(controls, time);
-    const auto cyclic(cyclicSides(controls.boundary, wall.border.sides));
-
-    if (controls.type == farFieldType::mesh)
-    {
-        log.begin("readMesh");
-        domain.core = files.readCore(controls.region);
-        log.end(name(domain.core.nCells) + " cells");
-        domain.boundary.cyclicSides = cyclic;
-        return domain;
-    }
-
-    log.begin("farBoundary");
-    domain.boundary = readBoundary(files, far, controls.boundary);
-    domain.boundary.cyclicSides = cyclic;
-
-    for (const word& patch : domain.boundary.surface.patchNames)
-    {
-        requireNotOf(wall, patch);
-    }
-    log.end
-    (
-        textOf(controls.boundary.type, domain.boundary.surface.patchNames)
-      + boundByWidth(wall, controls, domain.bounds)
-    );
-
-    return domain;
-}
-
-
 // * * * * * * * * * * * * * * *  Write Case * * * * * * * * * * * * * * * * //
-
-namespace
-{
-
-//- What the mesh is made of: polygons, or layers and far field
-struct caseCells
-{
-    prismLayers layers;
-    farFieldMesh farField;
-    polygonMesh polygons;
-};
-
-} // End anonymous namespace
-
 
 //- Writes a mesh, in a parallel run all pieces. Returns what the log says.
 //  processes: is set to the costs of a parallel run
@@ -226,14 +46,19 @@ static string writeMesh
 }
 
 
-dictionary reportEntries
+void setEntries
 (
-    const layerReport* layers,
-    const farFieldReport* far,
-    const meshVerdict& verdict
+    const bool hasLayers,
+    const bool hasFarField,
+    const List<verdictLine>& others,
+    regionReport& report
 )
 {
-    dictionary entries;
+    const layerReport* layers = hasLayers ? &report.layers : nullptr;
+    const farFieldReport* far = hasFarField ? &report.farField : nullptr;
+    report.verdict = makeVerdict(layers, far, others);
+
+    dictionary& entries = report.entries;
     entries.add("schemaVersion", reportVersion);
     entries.add("version", string(pluginVersion));
     entries.add("status", word("ok"));
@@ -247,9 +72,7 @@ dictionary reportEntries
         entries.add("farField", toDictionary(*far));
         Foam::write(Info, *far);
     }
-    entries.add("verdict", toDictionary(verdict));
-
-    return entries;
+    entries.add("verdict", toDictionary(report.verdict));
 }
 
 
@@ -261,7 +84,8 @@ static string writeCells
     const prismCase& files,
     const parallelRun& parallel,
     const caseWriter& writer,
-    caseCells&& cells,
+    regionParts&& cells,
+    polygonMesh&& polygons,
     const planarControls& planar,
     dictionary& processes,
     replacedFiles& replaced
@@ -276,12 +100,12 @@ static string writeCells
             files, parallel, writer, mesh, planar, processes, replaced
         );
     };
-    if (!cells.polygons.mesh.nCells)
+    if (!polygons.mesh.nCells)
     {
         return write(meshOrder(cells.layers, cells.farField).mesh());
     }
-    meshInBlocks mesh(blocksOf(cells.polygons.mesh));
-    mesh.nStackCells = cells.polygons.counts.nLayerCells;
+    meshInBlocks mesh(blocksOf(polygons.mesh));
+    mesh.nStackCells = polygons.counts.nLayerCells;
     mesh.nLayers = cells.layers.nLayers;
     cells.layers = prismLayers();
     cells.farField = farFieldMesh();
@@ -291,35 +115,36 @@ static string writeCells
 
 
 //- On the master: writes mesh, outer surface and report. Consumes the cells.
-//  Returns the verdict.
-static meshVerdict writeCase
+static void writeCase
 (
     const prismCase& files,
     const parallelRun& parallel,
     const caseWriter& writer,
     const caseWall& given,
-    layerReport& report,
-    caseCells&& cells,
+    const fileName& preparedFile,
+    regionParts&& cells,
+    polygonMesh&& polygons,
     const prismLayerControls& controls,
+    regionReport& report,
     stageLog& log,
     replacedFiles& replaced
 )
 {
     const bool hasFarField = !cells.farField.empty();
-    writer.writeSurfaces(cells.layers, hasFarField, replaced);
-    farFieldReport far;
-    if (hasFarField)
+    if (given.isChanged)
     {
-        far = makeFarFieldReport
-        (
-            cells.layers, cells.farField, controls.quality
-        );
+        writer.writeSurface(preparedFile, given.prepared.surface, replaced);
     }
-    dictionary counts;
+    writer.writeSurfaces(cells.layers, hasFarField, replaced);
+    dictionary others;
+    others.add("surface", given.entries);
     if (controls.polygons)
     {
-        counts = toDictionary(cells.polygons.counts);
-        reportPolygons(cells.polygons, controls.quality, report, far);
+        others.add("polygons", toDictionary(polygons.counts));
+        reportPolygons
+        (
+            polygons, controls.quality, report.layers, report.farField
+        );
     }
 
     dictionary processes;
@@ -327,94 +152,32 @@ static meshVerdict writeCase
     (
         writeCells
         (
-            files, parallel, writer, std::move(cells),
+            files, parallel, writer, std::move(cells), std::move(polygons),
             controls.surface.planar, processes, replaced
         )
     );
-    log.end(name(report.nCells + far.nCells) + " cells, " + size);
-    report.stages = log.costs();
+    log.end
+    (
+        name(report.layers.nCells + report.farField.nCells) + " cells, " + size
+    );
+    report.layers.stages = log.costs();
 
-    const farFieldReport* farOrNull = hasFarField ? &far : nullptr;
-    const List<verdictLine> wall(1, verdictOnWall(given.prepared.account));
-    const meshVerdict verdict(makeVerdict(&report, farOrNull, wall));
-    dictionary entries(reportEntries(&report, farOrNull, verdict));
-    entries.add("surface", given.entries);
-    if (counts.size())
-    {
-        entries.add("polygons", counts);
-    }
+    setEntries
+    (
+        true, hasFarField,
+        List<verdictLine>(1, verdictOnWall(given.prepared.account)), report
+    );
     if (processes.size())
     {
-        entries.add("processes", processes);
+        others.add("processes", processes);
     }
-    entries.add("fields", writer.compareWithFields(files, replaced));
-    writer.writeReports(files, entries, replaced);
-
-    return verdict;
+    others.add("fields", writer.compareWithFields(files, replaced));
+    report.entries.merge(others);
+    writer.writeReports(files, report.entries, replaced);
 }
 
 
 // * * * * * * * * * * * * * * * *  Mesh Wall  * * * * * * * * * * * * * * * //
-
-//- Returns the largest edges that cells of the far field may have at points.
-//  Errors: FatalError if no far field is made whose cells are known before
-static scalarField largestCellsAt
-(
-    const pointField& points,
-    const farFieldControls& controls,
-    const Time& time
-)
-{
-    if (!controls.isWanted() || controls.type == farFieldType::mesh)
-    {
-        FatalErrorInFunction
-            << "With layers.relativeTo cells, farField.type must be tet or"
-            << " hexCore: heights are in units of the cells that are made"
-            << exit(FatalError);
-    }
-
-    const sizeBounds bounds(makeSizeBounds(controls, time));
-    scalarField sizes(points.size(), bounds.largest);
-    if (bounds.atPoints)
-    {
-        sizes = min(sizes, bounds.atPoints(points));
-    }
-
-    return sizes;
-}
-
-
-localHeights readLocal
-(
-    const prismCase& files,
-    const wallSurface& wall,
-    const prismLayerControls& controls,
-    const Time& time,
-    stageLog& log
-)
-{
-    log.begin("localHeights");
-    string found;
-    localHeights local
-    (
-        readLocalHeights
-        (
-            wall, controls,
-            [&](const fileName& file) { return files.surfaceFile(file); },
-            time, found
-        )
-    );
-    if (controls.layers.relativeToCells)
-    {
-        local.largestCells =
-            largestCellsAt(wall.points, controls.farField, time);
-        found += "\nrelative heights are in units of the far field's cells";
-    }
-    log.end(found);
-
-    return local;
-}
-
 
 //- The dictionary, with the box of the controls
 static dictionary orderOf
@@ -452,7 +215,7 @@ static void requireUsable
 }
 
 
-caseLayers makeLayers
+static caseLayers makeLayers
 (
     const prismCase& files,
     const parallelRun& parallel,
@@ -513,36 +276,70 @@ static void logFiles(const prismCase& files, const fileName& surface)
 }
 
 
-//- Makes far field and polygons if they are wanted
-static caseCells makeCells
+regionParts makeRegion
 (
-    prismLayers&& layers,
-    farFieldDomain&& domain,
+    const prismCase& files,
+    const parallelRun& parallel,
+    const wallSurface& wall,
     const prismLayerControls& controls,
+    const localHeights* local,
+    farFieldDomain&& domain,
+    const bool pictures,
+    regionReport& report,
     stageLog& log
 )
 {
-    caseCells cells{std::move(layers), farFieldMesh(), polygonMesh()};
-    List<sidePatch> sides(cells.layers.border.sides);
+    regionParts made;
+    if (local)
+    {
+        caseLayers layers
+        (
+            makeLayers(files, parallel, wall, controls, *local, pictures, log)
+        );
+        report.layers = layers.report;
+        made.layers = std::move(layers.layers);
+    }
+    else
+    {
+        made.layers = wallWithoutLayers(wall);
+    }
     if (controls.farField.isWanted())
     {
-        sides = domain.boundary.cyclicSides;
-        cells.farField = makeFarField
+        made.farField = makeFarField
         (
-            cells.layers, std::move(domain), controls.farField, log.observer()
+            made.layers, std::move(domain), controls.farField, log.observer()
         );
-    }
-    if (controls.polygons)
-    {
-        log.begin("polygonCells");
-        cells.polygons = makePolygonCells
+        report.farField = makeFarFieldReport
         (
-            cells.layers, cells.farField, sides
+            made.layers, made.farField, controls.quality
         );
-        log.end(textOf(cells.polygons.counts));
     }
 
-    return cells;
+    return made;
+}
+
+
+//- Makes the polygons of the only region. Consumes its far field.
+//  cyclic: the cyclic sides of the far field
+static polygonMesh makePolygons
+(
+    regionParts& cells,
+    const List<sidePatch>& cyclic,
+    stageLog& log
+)
+{
+    log.begin("polygonCells");
+    polygonMesh polygons
+    (
+        makePolygonCells
+        (
+            cells.layers, cells.farField,
+            cells.farField.empty() ? cells.layers.border.sides : cyclic
+        )
+    );
+    log.end(textOf(polygons.counts));
+
+    return polygons;
 }
 
 
@@ -555,52 +352,68 @@ void meshWall
     const fileName& preparedFile,
     const prismLayerControls& controls,
     const bool pictures,
-    const Time& time,
     stageLog& log
 )
 {
     const wallSurface& wall = given.prepared.wall;
-    const bool isChanged = given.isChanged;
-    if (!isChanged)
+    if (!given.isChanged)
     {
         given.prepared.surface = wallSurface();
     }
-    const localHeights local(readLocal(files, wall, controls, time, log));
+    const caseSources sources(files.sources());
+    const localHeights local
+    (
+        readLocal(sources, wall, controls, log.observer())
+    );
     farFieldDomain domain
     (
-        readFarField
+        readDomain
         (
-            files, wall, given.prepared.far, controls.surface.fluidOutside,
-            controls.farField, time, log
+            sources, wall, given.prepared.far, controls.surface.fluidOutside,
+            controls.farField, log.observer()
         )
     );
-    caseLayers made
+    const List<sidePatch> cyclic(domain.boundary.cyclicSides);
+    regionReport report;
+    regionParts cells
     (
-        makeLayers(files, parallel, wall, controls, local, pictures, log)
+        makeRegion
+        (
+            files, parallel, wall, controls, &local, std::move(domain),
+            pictures, report, log
+        )
     );
-    caseCells cells
+    polygonMesh polygons
     (
-        makeCells(std::move(made.layers), std::move(domain), controls, log)
+        controls.polygons ? makePolygons(cells, cyclic, log) : polygonMesh()
     );
     log.begin("prismPolyMesh");
-    meshVerdict verdict;
     replaceFiles([&](replacedFiles& replaced)
     {
-        if (isChanged)
-        {
-            writer.writeSurface(preparedFile, given.prepared.surface, replaced);
-        }
-        verdict = writeCase
+        writeCase
         (
-            files, parallel, writer, given, made.report, std::move(cells),
-            controls, log, replaced
+            files, parallel, writer, given, preparedFile, std::move(cells),
+            std::move(polygons), controls, report, log, replaced
         );
     });
     files.removeRefusal();
 
-    logFiles(files, isChanged ? preparedFile : fileName());
-    Foam::write(Info, verdict);
+    logFiles(files, given.isChanged ? preparedFile : fileName());
+    Foam::write(Info, report.verdict);
     Info<< endl;
+}
+
+
+bool helpMaster(const parallelRun& parallel, const caseWriter& writer)
+{
+    try
+    {
+        return writer.writeOnOther(makePieceForMaster(parallel));
+    }
+    catch (const Foam::error&)
+    {
+        return false;
+    }
 }
 
 } // End namespace Foam

@@ -7,9 +7,7 @@
 #include "decompositionMethod.H"
 #include "HashSet.H"
 #include "IOdictionary.H"
-#include "IPstream.H"
 #include "labelList.H"
-#include "OPstream.H"
 #include "OSspecific.H"
 #include "Pstream.H"
 #include "Time.H"
@@ -70,93 +68,6 @@ void useShareOfHost()
     {
         omp_set_num_threads(max(ofHost.size()/nProcesses, label(1)));
     }
-}
-
-
-// * * * * * * * * * * * * * * *  Pstream Team * * * * * * * * * * * * * * * //
-
-static const auto nonBlocking = UPstream::commsTypes::nonBlocking;
-
-
-namespace
-{
-
-//- Switches communication on while it exists
-class communicating
-{
-    const bool was_;
-
-public:
-
-    communicating()
-    :
-        was_(UPstream::parRun())
-    {
-        setParallel(true);
-    }
-
-    ~communicating()
-    {
-        setParallel(was_);
-    }
-};
-
-}
-
-
-// * * * * * * * * * * * * Protected Member Functions  * * * * * * * * * * * //
-
-labelList pstreamTeam::exchangeLabels(const labelList& sent) const
-{
-    const communicating on;
-    labelList received(size_);
-    UPstream::allToAll(sent, received);
-
-    return received;
-}
-
-
-void pstreamTeam::exchangeMessages
-(
-    const List<message>& sent,
-    List<message>& received
-) const
-{
-    const communicating on;
-    const label start = UPstream::nRequests();
-
-    forAll(received, p)
-    {
-        if (p != rank_ && received[p].size())
-        {
-            UIPstream::read
-            (
-                nonBlocking, p, received[p].data(), received[p].size()
-            );
-        }
-    }
-    forAll(sent, p)
-    {
-        if (p != rank_ && sent[p].size())
-        {
-            UOPstream::write
-            (
-                nonBlocking, p, sent[p].cdata(), sent[p].size()
-            );
-        }
-    }
-    received[rank_] = sent[rank_];
-    UPstream::waitRequests(start);
-}
-
-
-void setParallel(const bool on)
-{
-    #if OPENFOAM >= 2106
-    UPstream::parRun(on);
-    #else
-    UPstream::parRun() = on;
-    #endif
 }
 
 
@@ -249,32 +160,6 @@ labelList parallelRun::divide(const meshParts& parts) const
 }
 
 
-void parallelRun::requireWritten() const
-{
-    string failure;
-    for (label other = 1; other < nProcesses_; ++other)
-    {
-        string message;
-        IPstream stream(scheduled, other);
-        stream >> message;
-        if (failure.empty() && message.size())
-        {
-            failure = "Process " + name(other) + ": " + message;
-        }
-    }
-    for (label other = 1; other < nProcesses_; ++other)
-    {
-        OPstream stream(scheduled, other);
-        stream << failure.empty();
-    }
-
-    if (failure.size())
-    {
-        FatalErrorInFunction << failure.c_str() << exit(FatalError);
-    }
-}
-
-
 void parallelRun::begin() const
 {
     if (!isMaster())
@@ -288,18 +173,24 @@ void parallelRun::begin() const
 }
 
 
-bool parallelRun::reportWritten(const string& message) const
+string parallelRun::firstFailure(const string& failure) const
 {
+    const List<char> text(failure.begin(), failure.end());
+    const List<List<char>> all
+    (
+        team().exchangeLists(List<List<char>>(size(), text))
+    );
+    forAll(all, p)
     {
-        OPstream stream(scheduled, 0);
-        stream << message;
+        if (all[p].size())
+        {
+            return
+                (p ? "Process " + name(p) + ": " : string())
+              + std::string(all[p].cdata(), all[p].size());
+        }
     }
 
-    bool all = false;
-    IPstream stream(scheduled, 0);
-    stream >> all;
-
-    return all;
+    return "";
 }
 
 } // End namespace Foam

@@ -17,18 +17,21 @@ void planWall
     const prismCase& files,
     const caseWall& given,
     const prismLayerControls& controls,
-    const Time& time,
     stageLog& log
 )
 {
     const wallSurface& wall = given.prepared.wall;
-    const localHeights local(readLocal(files, wall, controls, time, log));
+    const caseSources sources(files.sources());
+    const localHeights local
+    (
+        readLocal(sources, wall, controls, log.observer())
+    );
     const farFieldDomain domain
     (
-        readFarField
+        readDomain
         (
-            files, wall, given.prepared.far, controls.surface.fluidOutside,
-            controls.farField, time, log
+            sources, wall, given.prepared.far, controls.surface.fluidOutside,
+            controls.farField, log.observer()
         )
     );
     const meshPlan plan

@@ -5,7 +5,9 @@
 
 #include "readWall.H"
 #include "prismCase.H"
+#include "ranges.H"
 #include "readWallSurface.H"
+#include "surfaceReport.H"
 
 namespace Foam
 {
@@ -41,105 +43,6 @@ static wallSurface readFiles
         << ", faces turned to the fluid " << reading.flippedFaces << endl;
 
     return wall;
-}
-
-
-static dictionary toDictionary(const surfaceDistance& distance)
-{
-    dictionary dict;
-    dict.add("max", distance.largest);
-    dict.add("mean", distance.mean);
-    dict.add("place", distance.place);
-
-    return dict;
-}
-
-
-static dictionary toDictionary(const surfaceMeasures& measures)
-{
-    dictionary dict;
-    dict.add("faces", measures.angles.size());
-    dict.add("area", measures.area);
-    if (measures.volume > 0)
-    {
-        dict.add("volume", measures.volume);
-    }
-    dict.add("smallestAngle", toDictionary(makePercentiles(measures.angles)));
-    dict.add("below15DegreesPercent", 100*measures.shareWithSmallAngles);
-
-    return dict;
-}
-
-
-static dictionary toDictionary(const surfaceChange& change)
-{
-    dictionary dict;
-    dict.add("distanceFromGiven", toDictionary(change.distance));
-    dict.add("distanceOfGiven", toDictionary(change.distanceOfGiven));
-    dict.add("before", toDictionary(change.before));
-    dict.add("now", toDictionary(change.now));
-
-    return dict;
-}
-
-
-//- Entries step0, ...
-static dictionary toDictionary(const repairSteps& steps)
-{
-    dictionary dict;
-    for (const repairStep& step : steps)
-    {
-        dictionary entry;
-        entry.add("what", step.what);
-        entry.add("count", step.count);
-        if (step.places.size())
-        {
-            entry.add("firstPlace", step.places[0]);
-        }
-        dict.add(word("step" + Foam::name(dict.size())), entry);
-    }
-
-    return dict;
-}
-
-
-static dictionary toDictionary
-(
-    const wallReading& reading,
-    const preparedWall& prepared
-)
-{
-    dictionary dict;
-    if (reading.cadFiles.size())
-    {
-        dict.add("cad", reading.cadFiles);
-    }
-    if (prepared.nFacesInSides)
-    {
-        dict.add("facesInSidesRemoved", prepared.nFacesInSides);
-    }
-    if (prepared.steps.size())
-    {
-        dictionary repair(toDictionary(prepared.repair));
-        repair.add("steps", toDictionary(prepared.steps));
-        dict.add("repair", repair);
-    }
-    if (prepared.isRemeshed)
-    {
-        const remeshQuality& quality = prepared.quality;
-        dictionary away;
-        away.add
-        (
-            "below15DegreesPercent",
-            100.0*quality.nSmallAngles/prepared.surface.faces.size()
-        );
-        away.add("edgesBeyond70Degrees", quality.nNonOrtho);
-        dictionary remesh(toDictionary(prepared.remesh));
-        remesh.add("awayFromFeatures", away);
-        dict.add("remesh", remesh);
-    }
-
-    return dict;
 }
 
 
@@ -239,7 +142,7 @@ caseWall readWall
     {
         controls.farField.boundary.type = farBoundaryType::surface;
     }
-    wall.entries = toDictionary(reading, prepared);
+    wall.entries = changesOf(prepared, reading.cadFiles);
     wall.isChanged = wall.entries.size();
     wall.entries.add("account", toDictionary(prepared.account));
     wall.defects = textOf(prepared.defects, reading);
@@ -254,6 +157,22 @@ caseWall readWall
     }
 
     return wall;
+}
+
+
+void requireNoDefects
+(
+    const caseWall& given,
+    const wallSurfaceControls& controls
+)
+{
+    if (given.defects.size())
+    {
+        FatalErrorInFunction
+            << "The surface " << listed(controls.files).c_str()
+            << " cannot be meshed." << nl << given.defects.c_str()
+            << exit(FatalError);
+    }
 }
 
 

@@ -4,6 +4,7 @@
 \*---------------------------------------------------------------------------*/
 
 #include "columnTeam/processTeam.C"
+#include "columnTeam/pstreamTeam.C"
 #include "columnTeam/frontPart.C"
 #include "columnTeam/frontShare.C"
 #include "columnTeam/periodicShare.C"

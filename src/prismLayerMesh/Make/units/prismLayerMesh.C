@@ -5,6 +5,8 @@
 
 #include "prismLayerMesh/readPrismLayerControls.C"
 #include "prismLayerMesh/readRegionControls.C"
+#include "prismLayerMesh/domainStages.C"
+#include "prismLayerMesh/regionStages.C"
 #include "prismLayerMesh/stageText.C"
 #include "prismLayerMesh/wallPointsError.C"
 #include "prismLayerMesh/fieldStages.C"

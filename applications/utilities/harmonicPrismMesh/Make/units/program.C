@@ -3,6 +3,8 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
+#include "runOptions.C"
+#include "refuseRun.C"
 #include "prismCase.C"
 #include "readWall.C"
 #include "meshWall.C"
