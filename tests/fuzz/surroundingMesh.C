@@ -243,7 +243,7 @@ static polyMeshParts makeTetrahedra
     wallSurface surface(makeFarBoundary(boxControls, nullptr).surface);
     widths.coarsen();
     const std::function<scalar(const point&)> size(std::cref(widths));
-    refineSurface(surface, size, nullptr);
+    refineSurface(surface, size);
 
     tetMesh filled
     (

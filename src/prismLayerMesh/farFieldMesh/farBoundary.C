@@ -8,148 +8,55 @@
 #include "error.H"
 #include "farFieldMeshControls.H"
 #include "labelledTriangle.H"
-#include "labelVector.H"
 #include "ListOps.H"
-#include "Map.H"
 #include "readWallSurface.H"
+#include "refineSurface.H"
+#include "treeBoundBox.H"
 #include "wallDefects.H"
 #include "wallSearch.H"
 
 namespace Foam
 {
 
-namespace
-{
-
-//- Squares on the sides of a box
-struct boxSquares
-{
-    const boundBox& box;
-
-    //- Squares along each edge
-    labelVector n;
-
-    DynamicList<point> points;
-    DynamicList<face> faces;
-
-    //- The labels of points, by their counts of squares
-    Map<label> labels;
-
-    //- The point at the given counts of squares
-    label pointLabel(const labelVector& at)
-    {
-        const label m = farFieldTuned.maxSquares + 1;
-        const label key = at.x() + m*(at.y() + m*at.z());
-
-        if (labels.insert(key, points.size()))
-        {
-            point x(box.max());
-            for (direction d = 0; d < 3; ++d)
-            {
-                if (at[d] < n[d])
-                {
-                    x[d] = box.min()[d] + box.span()[d]*at[d]/n[d];
-                }
-            }
-            points.append(x);
-        }
-
-        return labels[key];
-    }
-
-    void addSide(const label side)
-    {
-        const direction d = side/2;
-        const direction e = (d + 1) % 3;
-        const direction f = (d + 2) % 3;
-        labelVector at(Zero);
-        at[d] = side % 2 ? n[d] : 0;
-
-        const auto corner = [&](const label i, const label j)
-        {
-            at[e] = i;
-            at[f] = j;
-            return pointLabel(at);
-        };
-
-        for (label i = 0; i < n[e]; ++i)
-        {
-            for (label j = 0; j < n[f]; ++j)
-            {
-                face square
-                ({
-                    corner(i, j), corner(i + 1, j), corner(i + 1, j + 1),
-                    corner(i, j + 1)
-                });
-
-                if (side % 2)
-                {
-                    square.flip();
-                }
-
-                faces.append(face({square[0], square[1], square[2]}));
-                faces.append(face({square[0], square[2], square[3]}));
-            }
-        }
-    }
-};
-
-} // End anonymous namespace
-
-
-//- Squares, as nearly as they fit the sides, of two triangles each; normals
-//  inwards
+//- Two triangles on each side, normals inwards
 static wallSurface boxSurface(const boundBox& box)
 {
-    const vector span(box.span());
-    boxSquares squares{box, labelVector(), {}, {}, {}};
-    for (direction d = 0; d < 3; ++d)
-    {
-        const label n = span[d]/cmptMin(span) + 0.5;
-        squares.n[d] = min(n, farFieldTuned.maxSquares);
-    }
-
     wallSurface surface;
+    surface.points = treeBoundBox(box).points();
     surface.patchNames =
         wordList({"xMin", "xMax", "yMin", "yMax", "zMin", "zMax"});
-    for (label side = 0; side < 6; ++side)
+    forAll(surface.patchNames, side)
     {
-        squares.addSide(side);
-        surface.patchIDs.setSize(squares.faces.size(), side);
+        const face f(treeBoundBox::faces[side]);
+        surface.faces.append(face({f[0], f[2], f[1]}));
+        surface.faces.append(face({f[0], f[3], f[2]}));
+        surface.patchIDs.append(labelList(2, side));
     }
-    surface.points.transfer(squares.points);
-    surface.faces.transfer(squares.faces);
 
     return surface;
 }
 
 
-//- An octahedron, normals inwards
-static wallSurface sphereSurface(const point& origin, const scalar radius)
+//- The sides of a cube, refined and moved to the sphere
+static wallSurface sphereSurface
+(
+    const point& origin,
+    const scalar radius,
+    const std::function<point(const point&)>& project
+)
 {
-    wallSurface surface;
-    surface.points.setSize(6);
-    for (direction d = 0; d < 3; ++d)
-    {
-        vector axis(Zero);
-        axis[d] = radius;
-        surface.points[2*d] = origin - axis;
-        surface.points[2*d + 1] = origin + axis;
-    }
-
-    DynamicList<face> faces;
-    for (label octant = 0; octant < 8; ++octant)
-    {
-        const label a = octant & 1;
-        const label b = 2 + (octant >> 1 & 1);
-        const label c = 4 + (octant >> 2 & 1);
-        const bool odd = (a + b + c) & 1;
-        faces.append(odd ? face({a, c, b}) : face({a, b, c}));
-    }
-
-    surface.faces.transfer(faces);
-    surface.patchIDs = labelList(8, Zero);
+    const vector halfEdge(vector::one*radius/::sqrt(3.0));
+    wallSurface surface
+    (
+        boxSurface(boundBox(origin - halfEdge, origin + halfEdge))
+    );
+    surface.patchIDs = 0;
     surface.patchNames = wordList({"sphere"});
+    refineSurface
+    (
+        surface, [=](const point&) { return farFieldTuned.sphereEdge*radius; },
+        project
+    );
 
     return surface;
 }
@@ -264,11 +171,11 @@ farBoundary makeFarBoundary
         const point origin(controls.origin);
         const scalar radius = controls.radius;
 
-        boundary.surface = sphereSurface(origin, radius);
         boundary.project = [=](const point& x)
         {
             return origin + radius*normalised(x - origin);
         };
+        boundary.surface = sphereSurface(origin, radius, boundary.project);
     }
     else if (controls.type == farBoundaryType::surface)
     {

@@ -198,12 +198,6 @@ class planeSquares
     {
         const sidePlane& plane = side_;
         x -= plane.distance(x)*plane.normal;
-
-        if (!side_.isCurved())
-        {
-            return true;
-        }
-
         const vector up(reach_*plane.normal);
         const pointIndexHit hit(side_.shape->hit(x - up, x + up));
         x = hit.hit() ? hit.rawPoint() : x;
@@ -266,8 +260,7 @@ class planeSquares
         (
             width <= farFieldTuned.squareShare*size
          && (
-                !isOn || !side_.isCurved()
-             || width < farFieldTuned.leastBentShare*size
+                !isOn || width < farFieldTuned.leastBentShare*size
              || !isBent(x, a, b, width)
             )
         )
@@ -275,11 +268,7 @@ class planeSquares
             if (isOn)
             {
                 centres_.append(x);
-                sizes_.append
-                (
-                    side_.isCurved()
-                  ? min(size, width/farFieldTuned.squareShare) : size
-                );
+                sizes_.append(min(size, width/farFieldTuned.squareShare));
             }
             return;
         }
@@ -302,7 +291,7 @@ public:
     :
         side_(side),
         size_(size),
-        reach_(side.isCurved() ? boundBox(side.points, false).mag() : 0)
+        reach_(boundBox(side.points, false).mag())
     {
         // Some direction that is not along the normal
         vector other(Zero);
@@ -327,15 +316,15 @@ public:
 } // End anonymous namespace
 
 
-//- Returns the centres of squares in the plane of a side patch, over all that
-//  the boundary and limits of a region bound. On a curved side patch the
-//  centres are moved onto the side patch along the normal of its mean plane.
+//- Returns the centres of squares in the mean plane of a curved side patch,
+//  over all that the boundary and limits of a region bound. The centres are
+//  moved onto the side patch along the normal of the plane.
 //  The squares are divided until they are narrower than 0.85 times the size [m]
 //  at their centre, so that their diagonals are not longer than refineSurface
-//  allows, and further if a curved side patch bends in them. A centre is left
+//  allows, and further if the side patch bends in them. A centre is left
 //  out if it is nearer than 0.7 times the size to another centre or to a point
 //  of the region, or nearer than half of the size to an edge of the limits.
-static pointField planePoints
+static pointField curvedPoints
 (
     const pointField& points,
     const planeRegion& region,
@@ -434,9 +423,15 @@ void sideRegions::triangulate()
         );
         region.normal = -sides[s].normal;
         region.isCurved = sides[s].isCurved();
-        const pointField inside(planePoints(points(), region, sides[s], size));
-        region.points = identity(inside.size(), points().size());
-        points().append(inside);
+        if (region.isCurved)
+        {
+            const pointField inside
+            (
+                curvedPoints(points(), region, sides[s], size)
+            );
+            region.points = identity(inside.size(), points().size());
+            points().append(inside);
+        }
 
         // All at once: a list that grows face by face takes quadratic time
         const faceList triangles(triangulatePlane(points(), region));

@@ -7,7 +7,7 @@
 #include "labelledTriangle.H"
 #include "ListOps.H"
 #include "prismQuality.H"
-#include "refineCyclic.H"
+#include "refineSurface.H"
 #include "sidePatchRemainders.H"
 #include "sideShape.H"
 #include "surfacePart.H"
@@ -156,20 +156,26 @@ tetBoundary makeTetBoundary
     {
         result.surface = boundary.surface;
         result.surface.patchTypes = boundary.patchTypes;
-        refineCyclic
+        refineSurface
         (
-            result.surface, boundary.cyclicSides, size, boundary.project
+            result.surface, size, boundary.project, boundary.cyclicSides
         );
 
         return result;
     }
 
-    const farFieldBoundary coarse(makeFarFieldBoundary(layers, boundary, size));
+    farBoundary far(boundary);
+    if (far.project)
+    {
+        refineSurface(far.surface, size, far.project);
+    }
+    const farFieldBoundary coarse(makeFarFieldBoundary(layers, far, size));
     result.columns = coarse.columns;
     result.surface = coarse.surface;
-    refineCyclic
+    refineSurface
     (
-        result.surface, boundary.cyclicSides, size, boundary.project
+        result.surface, size, nullptr, boundary.cyclicSides,
+        coarse.columns.size()
     );
     putOnSides(layers.border.sides, coarse, result.surface);
 
@@ -203,7 +209,7 @@ tetBoundary makePlaneBoundary
     (
         planes.points.begin(), planes.points.end(), nKept
     ) - planes.points.begin();
-    refineCyclic(planes.surface, cyclicSides, size, nullptr);
+    refineSurface(planes.surface, size, nullptr, cyclicSides, nUsed);
     result.surface.points = SubList<point>(remainders.surface.points, nKept);
     appendSurface
     (

@@ -14,7 +14,7 @@ namespace Foam
 
 // * * * * * * * * * * * * * Private Member Functions  * * * * * * * * * * * //
 
-void editedSurface::fill()
+void editedSurface::fill(const edgeHashSet& kept)
 {
     const wallSurface& surface = given_.surface();
     addFaces(surface, mesh_);
@@ -35,14 +35,16 @@ void editedSurface::fill()
     for (const Vertex v : mesh_.vertices())
     {
         kinds_[v] =
-            given_.isCorner(v) ? kind::fixed
+            given_.isCorner(v) || mesh_.is_isolated(v) ? kind::fixed
           : given_.isOnLine(v) ? kind::onLine
           : kind::inside;
     }
 
+    isKeptLine_.setSize(given_.lines().size());
     forAll(given_.lines(), l)
     {
         const edge& e = given_.lines()[l];
+        isKeptLine_[l] = kept.found(e);
         lines_[mesh_.edge(mesh_.halfedge(Vertex(e[0]), Vertex(e[1])))] = l;
     }
 
@@ -59,7 +61,12 @@ void editedSurface::fill()
 
 // * * * * * * * * * * * * * * * * Constructors  * * * * * * * * * * * * * * //
 
-editedSurface::editedSurface(const givenSurface& given, const bool guarded)
+editedSurface::editedSurface
+(
+    const givenSurface& given,
+    const bool guarded,
+    const edgeHashSet& kept
+)
 :
     given_(given),
     journal_(mesh_)
@@ -69,7 +76,7 @@ editedSurface::editedSurface(const givenSurface& given, const bool guarded)
     lines_ = mesh_.add_property_map<Edge, label>("e:line", -1).first;
     nearest_ = mesh_.add_property_map<Face, label>("f:nearest", -1).first;
     patches_ = mesh_.add_property_map<Face, label>("f:patch", 0).first;
-    fill();
+    fill(kept);
 
     guard_.reset(guarded ? new changeGuard(mesh_) : nullptr);
 }
@@ -79,6 +86,11 @@ editedSurface::editedSurface(const givenSurface& given, const bool guarded)
 
 bool editedSurface::isKept(const Edge e) const
 {
+    if (lines_[e] >= 0 && isKeptLine_[lines_[e]])
+    {
+        return true;
+    }
+
     for (label side = 0; side < 2; ++side)
     {
         const Face f = mesh_.face(mesh_.halfedge(e, side));
@@ -326,7 +338,10 @@ void editedSurface::split(const Edge e, const point& x, const label line)
     const Vertex v = mesh_.target(before);
     mesh_.point(v) = x;
     lengths[v] = 0.5*(lengths[a] + lengths[b]);
-    kinds_[v] = line >= 0 ? kind::onLine : kind::inside;
+    kinds_[v] =
+        line < 0 ? kind::inside
+      : isKeptLine_[line] ? kind::fixed
+      : kind::onLine;
     lines_[mesh_.edge(before)] = line;
     lines_[mesh_.edge(after)] = line;
 

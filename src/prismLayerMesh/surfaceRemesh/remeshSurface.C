@@ -7,8 +7,11 @@
 #include "autoPtr.H"
 #include "boundBox.H"
 #include "cutSurface.H"
+#include "edgeBounds.H"
 #include "edgeHashes.H"
+#include "HashSet.H"
 #include "layerFront.H"
+#include "nearestSurface.H"
 #include "ranges.H"
 #include "remesher.H"
 #include "stageProgress.H"
@@ -50,14 +53,18 @@ static List<labelPair> facesAway
 }
 
 
-labelList withFacesWithoutRoom
+//- Returns the given faces, and those that leave no room for layers. A face
+//  leaves none if it is folded onto a neighbour though the given surface is not
+//  folded there, or if no direction sees all faces at one of its points. A fin
+//  or groove as thin as the deviation may become so.
+static labelList withFacesWithoutRoom
 (
     const labelUList& faces,
-    const remesher& mesher,
+    const editedSurface& edited,
     const wallSurface& surface
 )
 {
-    const edgeHashSet foldedBefore(mesher.edited().features(foldCosine()));
+    const edgeHashSet foldedBefore(edited.features(foldCosine()));
     const vectorField normals(surface.faceNormals());
     const wallSides all(makeWallSides(surface));
     DynamicList<label> faults(faces);
@@ -95,7 +102,9 @@ labelList withFacesWithoutRoom
 }
 
 
-labelHashSet trianglesNear
+//- Returns the triangles of the given surface that are near to faces.
+//  nearest: for each face a triangle of the given surface, -1 for none
+static labelHashSet trianglesNear
 (
     const givenSurface& given,
     const wallSurface& made,
@@ -121,7 +130,11 @@ labelHashSet trianglesNear
 }
 
 
-labelHashSet trianglesAway
+//- Returns the triangles of the given surface that are further than the
+//  deviation from the new one, those beneath the faces that are nearest to
+//  them, and those beneath faces that are further from it; not where edges may
+//  not be shorter
+static labelHashSet trianglesAway
 (
     const givenSurface& shape,
     const nearestSurface& search,
@@ -245,11 +258,11 @@ static void requireNone(const labelList& conflicts, const wallSurface& made)
 }
 
 
-static remeshedSurface resultOf(const remesher& mesher)
+static remeshedSurface resultOf(const editedSurface& edited)
 {
     remeshedSurface result;
-    result.surface = mesher.edited().surface();
-    result.features = mesher.edited().features();
+    result.surface = edited.surface();
+    result.features = edited.features();
 
     return result;
 }
@@ -270,6 +283,7 @@ struct remeshRounds
 
     givenSurface shape;
     bool guarded = false;
+    autoPtr<editedSurface> edited{};
     autoPtr<remesher> mesher{};
 
     //- The new surface, its faces that intersect, and these with the faces
@@ -287,22 +301,29 @@ struct remeshRounds
 
     void restart()
     {
-        mesher.reset(new remesher(shape, controls, bounds, guarded));
+        edited.reset(new editedSurface(shape, guarded));
+        mesher.reset
+        (
+            new remesher
+            (
+                edited(), [&](editedSurface& s) { bounds.setLengths(s); }
+            )
+        );
         mesher->remesh();
     }
 
     void takeResult()
     {
-        result = resultOf(mesher());
+        result = resultOf(edited());
         conflicts = facesInConflict(result.surface);
-        faults = withFacesWithoutRoom(conflicts, mesher(), result.surface);
+        faults = withFacesWithoutRoom(conflicts, edited(), result.surface);
     }
 
     //- Triangles that the new surface must be nearer to
     labelHashSet tooFar() const
     {
         const wallSurface& surface = result.surface;
-        const labelList nearest(mesher->edited().nearestFaces());
+        const labelList nearest(edited->nearestFaces());
         labelHashSet triangles(trianglesNear(shape, surface, nearest, faults));
         if (!mayDeviate || surface.faces.size() < moreFaces*nFirst)
         {

@@ -3,6 +3,7 @@
     SPDX-License-Identifier: GPL-3.0-or-later
 \*---------------------------------------------------------------------------*/
 
+#include "edgeBounds.H"
 #include "remesher.H"
 #include "cutSurface.H"
 #include "layerFront.H"
@@ -31,10 +32,13 @@ static wallSurface remeshed(const wallSurface& surface, const bool guarded)
     );
     const PtrList<regionSearch> noRegions;
     const edgeBounds bounds(surface, controls, noRegions);
-    remesher mesher(given, controls, bounds, guarded);
-    mesher.remesh();
+    editedSurface edited(given, guarded);
+    remesher
+    (
+        edited, [&](editedSurface& made) { bounds.setLengths(made); }
+    ).remesh();
 
-    return mesher.edited().surface();
+    return edited.surface();
 }
 
 

@@ -9,6 +9,8 @@
 #include "surfaceRemesh/surfaceChanges.C"
 #include "surfaceRemesh/remeshQuality.C"
 #include "surfaceRemesh/remesher.C"
+#include "surfaceRemesh/edgeBounds.C"
+#include "surfaceRemesh/refineSurface.C"
 #include "surfaceRemesh/remeshSurface.C"
 
 // ************************************************************************* //

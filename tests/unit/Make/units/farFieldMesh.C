@@ -7,7 +7,6 @@
 #include "farFieldMesh/coreFarFieldTest.C"
 #include "farFieldMesh/cellSizesTest.C"
 #include "farFieldMesh/coarsenCutsTest.C"
-#include "farFieldMesh/refineSurfaceTest.C"
 #include "farFieldMesh/replacedPatchesTest.C"
 #include "farFieldMesh/expectedFarFieldTest.C"
 #include "farFieldMesh/farBoundaryTest.C"

@@ -8,6 +8,7 @@
 #include "surfaceRemesh/remeshQualityTest.C"
 #include "surfaceRemesh/remeshSurfaceTest.C"
 #include "surfaceRemesh/remesherTest.C"
+#include "surfaceRemesh/refineSurfaceTest.C"
 #include "surfaceRemesh/surfaceChangesTest.C"
 
 // ************************************************************************* //
