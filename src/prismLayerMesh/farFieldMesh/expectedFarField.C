@@ -188,30 +188,25 @@ scalar expectedFarCells
     const labelList across(columnsAcross(wall.faces, wall.border, wall.points));
     wallSurface outer(triangles);
     outer.points = outerPoints;
-    const scalarField layerSizes
+    const layerSizes fromLayers
     (
-        layerSizesOf
+        sizesFromLayers
         (
-            outer, makeWallAddressing(wall), across, controls.growthRate
+            outer, makeWallAddressing(wall), wall.border, across, domain,
+            controls
         )
-    );
-    const sidePlane* plane =
-        across.empty() ? nullptr
-      : &wall.border.sides[emptySides(wall.border).first()];
-    const cellSizes fromLayers
-    (
-        sizesFromLayers(outer, layerSizes, plane, domain, controls)
     );
     const tetBoundary far
     (
         makeTetBoundary
         (
-            wallWithoutLayers(wall), domain.boundary, std::cref(fromLayers)
+            wallWithoutLayers(wall), domain.boundary,
+            std::cref(fromLayers.inSpace)
         )
     );
     const wallSurface both(joined(triangles, far));
     const farSpace space(both, triangles, outerPoints);
-    if (plane)
+    if (across.size())
     {
         const label empty = emptySides(wall.border).first();
         return nTrianglesOn(wall.border.sides[empty].name, far.surface, space);
@@ -220,11 +215,11 @@ scalar expectedFarCells
     const std::unique_ptr<const cellSizes> fromBoth
     (
         hasOwnSizes(controls)
-      ? sizesFromBoth(both, layerSizes, far, domain, controls)
+      ? sizesFromBoth(both, fromLayers.atPoints, far, domain, controls)
       : nullptr
     );
 
-    const cellSizes& sizes = fromBoth ? *fromBoth : fromLayers;
+    const cellSizes& sizes = fromBoth ? *fromBoth : fromLayers.inSpace;
     const boundBox box(both.points, false);
     const scalar nCubes = nCubesIn(space, sizes, box);
 

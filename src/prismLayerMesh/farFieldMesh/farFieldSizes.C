@@ -6,6 +6,7 @@
 #include "farFieldSizes.H"
 #include "farFieldTets.H"
 #include "limitGradient.H"
+#include "planarColumns.H"
 
 namespace Foam
 {
@@ -60,9 +61,9 @@ static scalarField meanEdgesInPlane
 }
 
 
-// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
-
-scalarField layerSizesOf
+//- Returns the sizes [m] at the points of the outer surface of the layers. They
+//  grow along the surface by the growth rate at most.
+static scalarField layerSizesOf
 (
     const wallSurface& outer,
     const wallAddressing& addressing,
@@ -82,15 +83,21 @@ scalarField layerSizesOf
 }
 
 
-cellSizes sizesFromLayers
+// * * * * * * * * * * * * * * Global Functions  * * * * * * * * * * * * * * //
+
+layerSizes sizesFromLayers
 (
     const wallSurface& outer,
-    const scalarField& sizes,
-    const sidePlane* plane,
+    const wallAddressing& addressing,
+    const wallBorder& border,
+    const labelUList& across,
     const farFieldDomain& domain,
     const farFieldControls& controls
 )
 {
+    const sidePlane* plane =
+        across.empty() ? nullptr
+      : &border.sides[emptySides(border).first()];
     boundBox box(boundBox::invertedBox);
     for
     (
@@ -103,8 +110,16 @@ cellSizes sizesFromLayers
             box.add(plane ? x - plane->distance(x)*plane->normal : x);
         }
     }
+    const scalarField atPoints
+    (
+        layerSizesOf(outer, addressing, across, controls.growthRate)
+    );
 
-    return makeSizes(outer.points, sizes, box, controls, domain.bounds);
+    return layerSizes
+    {
+        atPoints,
+        makeSizes(outer.points, atPoints, box, controls, domain.bounds)
+    };
 }
 
 

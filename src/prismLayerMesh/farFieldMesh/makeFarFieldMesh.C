@@ -321,13 +321,12 @@ static void finish
 
 
 //- Tetrahedra, and beside them what stays of a core.
-//  layerSizes, fromLayers: see layerSizesOf and sizesFromLayers
+//  fromLayers: as sizesFromLayers returns them
 static farFieldMesh fillWithCells
 (
     const prismLayers& layers,
     const wallSurface& outer,
-    const scalarField& layerSizes,
-    const cellSizes& fromLayers,
+    const layerSizes& fromLayers,
     farFieldDomain& domain,
     const farFieldControls& controls,
     farFieldTets& mesh
@@ -337,10 +336,11 @@ static farFieldMesh fillWithCells
     const tetBoundary far
     (
         controls.type == farFieldType::tet
-      ? makeTetBoundary(layers, domain.boundary, std::cref(fromLayers))
+      ? makeTetBoundary(layers, domain.boundary, std::cref(fromLayers.inSpace))
       : makeCoreBoundary
         (
-            layers, outer, controls, std::cref(fromLayers), domain, cut
+            layers, outer, controls, std::cref(fromLayers.inSpace), domain,
+            cut
         )
     );
     const wallSurface both(joined(outer, far));
@@ -350,10 +350,10 @@ static farFieldMesh fillWithCells
     const std::unique_ptr<const cellSizes> fromBoth
     (
         hasOwnSizes(controls)
-      ? sizesFromBoth(both, layerSizes, far, domain, controls)
+      ? sizesFromBoth(both, fromLayers.atPoints, far, domain, controls)
       : nullptr
     );
-    const cellSizes& sizes = fromBoth ? *fromBoth : fromLayers;
+    const cellSizes& sizes = fromBoth ? *fromBoth : fromLayers.inSpace;
     fillWithTets
     (
         both, seedsOf(layers, outer, far), sizes, controls.maxCells, mesh
@@ -361,7 +361,8 @@ static farFieldMesh fillWithCells
     improve(layers, domain.core, mesh);
 
     farFieldMesh made(joinCells(mesh, domain.core, cut));
-    made.notes = coreNotes(domain.core, cut, made, std::cref(fromLayers));
+    made.notes =
+        coreNotes(domain.core, cut, made, std::cref(fromLayers.inSpace));
     setReplaced(layers, domain.core, cut, made);
 
     return made;
@@ -384,19 +385,13 @@ static farFieldMesh tryFarFieldMesh
     (
         columnsAcross(layers.faces, layers.border, layers.pointsOf(0))
     );
-    const scalarField layerSizes
+    const layerSizes sizes
     (
-        layerSizesOf
+        sizesFromLayers
         (
-            outer, frontAddressing(layers), across, controls.growthRate
+            outer, frontAddressing(layers), layers.border, across, domain,
+            controls
         )
-    );
-    const sidePlane* plane =
-        across.empty() ? nullptr
-      : &layers.border.sides[emptySides(layers.border).first()];
-    const cellSizes fromLayers
-    (
-        sizesFromLayers(outer, layerSizes, plane, domain, controls)
     );
 
     farFieldMesh made
@@ -405,13 +400,13 @@ static farFieldMesh tryFarFieldMesh
       ? makePlanarFarField
         (
             layers, across,
-            makeTetBoundary(layers, domain.boundary, std::cref(fromLayers)),
+            makeTetBoundary
+            (
+                layers, domain.boundary, std::cref(sizes.inSpace)
+            ),
             domain.boundary.cyclicSides
         )
-      : fillWithCells
-        (
-            layers, outer, layerSizes, fromLayers, domain, controls, mesh
-        )
+      : fillWithCells(layers, outer, sizes, domain, controls, mesh)
     );
     const label nStaying =
         across.size() ? 0 : made.nCells - mesh.tets.size();
